@@ -1,0 +1,122 @@
+//! What a check hands to the reports: every number that a report shows, computed.
+
+use super::verdict::{Outcome, Verdict};
+
+/// A trajectory as it was computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrajectoryAccount {
+    /// Its id in the derivation file.
+    pub id: String,
+    /// Its title; the id where none is given.
+    pub title: String,
+    /// First and last time.
+    pub span: (f64, f64),
+    /// `integrated`, `formula` or `derived`.
+    pub source: &'static str,
+    /// Parameters and initial values: LaTeX name, values in order of components.
+    pub given: Vec<(String, Vec<f64>)>,
+    /// Steps of the integrator, 0 for closed formulas.
+    pub steps: usize,
+    /// Largest error estimate of a state component over the span.
+    pub error: f64,
+    /// Why the trajectory ends early or could not be computed.
+    pub problem: Option<String>,
+}
+
+/// A measured quantity on one trajectory: one entry for each time at which it was taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Id of the measure.
+    pub measure: String,
+    /// Id of the trajectory.
+    pub trajectory: String,
+    /// (time, value, error bound).
+    pub values: Vec<(f64, f64, f64)>,
+    /// Why there is none, or not all.
+    pub reason: Option<String>,
+}
+
+/// One claim on one trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairAccount {
+    /// Id of the trajectory.
+    pub trajectory: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The word that the derivation file expects, if it expects one.
+    pub expected: Option<&'static str>,
+}
+
+impl PairAccount {
+    /// Whether the verdict differs from what the file expects; without an expectation, whether the claim fails.
+    pub fn is_unexpected(&self) -> bool {
+        match self.expected {
+            Some(word) => word != self.verdict.outcome().word(),
+            None => matches!(self.verdict.outcome(), Outcome::Fails(_)),
+        }
+    }
+}
+
+/// One claim, or one reading of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClaimAccount {
+    /// Id of the claim.
+    pub id: String,
+    /// Id of the reading, for claims that have several.
+    pub reading: Option<String>,
+    /// What it says, in the file's words.
+    pub says: String,
+    /// Where it stands in the paper.
+    pub place: Option<String>,
+    /// Its formulas as written.
+    pub formulas: Vec<String>,
+    /// Its assumptions as written.
+    pub assumptions: Vec<String>,
+    /// The remark of the file on it: what a reader should know.
+    pub remark: Option<String>,
+    /// One entry per trajectory, in the order of the file.
+    pub results: Vec<PairAccount>,
+}
+
+/// Everything that was found for one derivation file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Account {
+    /// The trajectories, in the order of the file.
+    pub trajectories: Vec<TrajectoryAccount>,
+    /// Claims and readings, in the order of the file.
+    pub claims: Vec<ClaimAccount>,
+    /// Measurements, in the order of the file.
+    pub measurements: Vec<Measurement>,
+}
+
+/// Counts over all pairs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// Pairs that hold.
+    pub holds: usize,
+    /// Pairs that fail.
+    pub fails: usize,
+    /// Pairs to which the claim does not apply.
+    pub not_applicable: usize,
+    /// Pairs that stay undecided.
+    pub undecided: usize,
+    /// Pairs that differ from what the file expects.
+    pub unexpected: usize,
+}
+
+impl Account {
+    /// The counts.
+    pub fn summary(&self) -> Summary {
+        let mut s = Summary::default();
+        for pair in self.claims.iter().flat_map(|c| &c.results) {
+            match pair.verdict.outcome() {
+                Outcome::Holds(_) => s.holds += 1,
+                Outcome::Fails(_) => s.fails += 1,
+                Outcome::NotApplicable => s.not_applicable += 1,
+                Outcome::Undecided => s.undecided += 1,
+            }
+            s.unexpected += usize::from(pair.is_unexpected());
+        }
+        s
+    }
+}

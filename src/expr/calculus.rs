@@ -1,0 +1,217 @@
+//! Exact derivatives and substitution.
+//!
+//! Terms whose factor is a structural zero are left out, so a derivative exists wherever the expression is differentiable.
+
+use std::collections::HashMap;
+
+use super::{Expr, Graph, Leaf, Node, Op};
+
+/// An operation whose derivative is not an expression in the table's operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoDerivative(pub Op);
+
+impl std::fmt::Display for NoDerivative {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}` has no derivative among the known operations", self.0.spelling())
+    }
+}
+
+impl std::error::Error for NoDerivative {}
+
+impl Graph {
+    /// The derivative of `e` along a direction in which each leaf moves at the speed that `tangent` gives (`None`: 0).
+    ///
+    /// With `tangent` = "1 for one leaf" this is a partial derivative; with the right sides of a system it is the Lie
+    /// derivative; with rates it is the derivative by time.
+    ///
+    /// # Errors
+    /// [`NoDerivative`] where the result cannot be written with the operations of the table.
+    pub fn directional_derivative(
+        &mut self,
+        e: Expr,
+        mut tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
+    ) -> Result<Expr, NoDerivative> {
+        let zero = self.integer(0);
+        let mut derivative: HashMap<Expr, Expr> = HashMap::new();
+        for node in self.reachable([e]) {
+            let d = match self.node(node).clone() {
+                Node::Constant(_) | Node::Pi => zero,
+                Node::Leaf(leaf) => tangent(self, leaf).unwrap_or(zero),
+                Node::Unary(op, a) => {
+                    let da = derivative[&a];
+                    if self.is_zero(da) { zero } else { self.unary_derivative(op, node, a, da) }
+                }
+                Node::Binary(op, a, b) => self.binary_derivative(op, node, (a, derivative[&a]), (b, derivative[&b]))?,
+            };
+            derivative.insert(node, d);
+        }
+        Ok(derivative[&e])
+    }
+
+    /// ∂e/∂leaf.
+    ///
+    /// # Errors
+    /// See [`Graph::directional_derivative`].
+    pub fn partial_derivative(&mut self, e: Expr, leaf: Leaf) -> Result<Expr, NoDerivative> {
+        self.directional_derivative(e, |graph, l| (l == leaf).then(|| graph.integer(1)))
+    }
+
+    /// de/dt by the chain rule: a leaf for which `moves` is true contributes its rate, `time` contributes 1.
+    ///
+    /// # Errors
+    /// See [`Graph::directional_derivative`].
+    pub fn time_derivative(&mut self, e: Expr, time: Leaf, moves: impl Fn(Leaf) -> bool) -> Result<Expr, NoDerivative> {
+        self.directional_derivative(e, |graph, leaf| {
+            if leaf == time {
+                Some(graph.integer(1))
+            } else if leaf.instant.is_none() && moves(leaf) {
+                Some(graph.leaf(Leaf { rate: leaf.rate + 1, ..leaf }))
+            } else {
+                None
+            }
+        })
+    }
+
+    /// `e` with every leaf replaced for which `with` yields an expression.
+    pub fn substitute(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+        let mut image: HashMap<Expr, Expr> = HashMap::new();
+        for node in self.reachable([e]) {
+            let new = match self.node(node).clone() {
+                Node::Constant(_) | Node::Pi => node,
+                Node::Leaf(leaf) => with(self, leaf).unwrap_or(node),
+                Node::Unary(op, a) => self.unary(op, image[&a]),
+                Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
+            };
+            image.insert(node, new);
+        }
+        image[&e]
+    }
+
+    /// Derivative of `node` = op(a), where a moves at the speed `da` ≠ 0.
+    fn unary_derivative(&mut self, op: Op, node: Expr, a: Expr, da: Expr) -> Expr {
+        let one = self.integer(1);
+        let two = self.integer(2);
+        match op {
+            Op::Neg => self.neg(da),
+            Op::Sqrt => {
+                let twice = self.mul(two, node);
+                self.div(da, twice)
+            }
+            Op::Exp => self.mul(node, da),
+            Op::Ln => self.div(da, a),
+            Op::Sin => {
+                let c = self.unary(Op::Cos, a);
+                self.mul(c, da)
+            }
+            Op::Cos => {
+                let s = self.unary(Op::Sin, a);
+                let p = self.mul(s, da);
+                self.neg(p)
+            }
+            Op::Tan => {
+                let square = self.powi(node, 2);
+                let factor = self.add(one, square);
+                self.mul(factor, da)
+            }
+            Op::Arcsin | Op::Arccos => {
+                let square = self.powi(a, 2);
+                let under = self.sub(one, square);
+                let root = self.unary(Op::Sqrt, under);
+                let quotient = self.div(da, root);
+                if op == Op::Arcsin { quotient } else { self.neg(quotient) }
+            }
+            Op::Arctan => {
+                let square = self.powi(a, 2);
+                let under = self.add(one, square);
+                self.div(da, under)
+            }
+            Op::Sinh => {
+                let c = self.unary(Op::Cosh, a);
+                self.mul(c, da)
+            }
+            Op::Cosh => {
+                let s = self.unary(Op::Sinh, a);
+                self.mul(s, da)
+            }
+            Op::Tanh => {
+                let square = self.powi(node, 2);
+                let factor = self.sub(one, square);
+                self.mul(factor, da)
+            }
+            Op::Abs => {
+                // |a|′ = a/|a| · a′, without a value at a = 0.
+                let sign = self.div(a, node);
+                self.mul(sign, da)
+            }
+            Op::Powi(0) => self.integer(0),
+            Op::Powi(n) => {
+                let factor = self.integer(i64::from(n));
+                let power = self.powi(a, n - 1);
+                let outer = self.mul(factor, power);
+                self.mul(outer, da)
+            }
+            Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm => {
+                unreachable!("operations of two arguments are handled by `binary_derivative`")
+            }
+        }
+    }
+
+    /// Derivative of `node` = op(a, b).
+    fn binary_derivative(
+        &mut self,
+        op: Op,
+        node: Expr,
+        (a, da): (Expr, Expr),
+        (b, db): (Expr, Expr),
+    ) -> Result<Expr, NoDerivative> {
+        Ok(match op {
+            Op::Add => self.add(da, db),
+            Op::Sub => self.sub(da, db),
+            Op::Mul => {
+                let left = self.mul_structural(da, b);
+                let right = self.mul_structural(a, db);
+                self.add(left, right)
+            }
+            Op::Div => {
+                // (a/b)′ = (a′ − (a/b)·b′)/b
+                let moved = self.mul_structural(node, db);
+                let top = self.sub(da, moved);
+                if self.is_zero(top) { top } else { self.div(top, b) }
+            }
+            Op::Pow => {
+                // (a^b)′ = a^b·ln a·b′ + b·a^(b−1)·a′
+                let one = self.integer(1);
+                let mut sum = self.integer(0);
+                if !self.is_zero(da) {
+                    let less = self.sub(b, one);
+                    let power = self.binary(Op::Pow, a, less);
+                    let factor = self.mul(b, power);
+                    sum = self.mul(factor, da);
+                }
+                if !self.is_zero(db) {
+                    let log = self.unary(Op::Ln, a);
+                    let factor = self.mul(node, log);
+                    let term = self.mul(factor, db);
+                    sum = self.add(sum, term);
+                }
+                sum
+            }
+            Op::Arctan2 => {
+                // atan2(y, x)′ = (x·y′ − y·x′)/(x² + y²)
+                let left = self.mul_structural(b, da);
+                let right = self.mul_structural(a, db);
+                let top = self.sub(left, right);
+                if self.is_zero(top) {
+                    return Ok(top);
+                }
+                let (aa, bb) = (self.powi(a, 2), self.powi(b, 2));
+                let under = self.add(aa, bb);
+                self.div(top, under)
+            }
+            // The derivative of the mean needs the elliptic integral of the second kind.
+            Op::Agm if self.is_zero(da) && self.is_zero(db) => da,
+            Op::Agm => return Err(NoDerivative(op)),
+            _ => unreachable!("operations of one argument are handled by `unary_derivative`"),
+        })
+    }
+}

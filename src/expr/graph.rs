@@ -1,0 +1,319 @@
+//! The graph itself: nodes, leaves and the constructors that share them.
+
+use std::collections::HashMap;
+
+use super::{Op, Rational, Shape};
+
+/// A node of a [`Graph`]. Children have smaller numbers than their parents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Expr(u32);
+
+impl Expr {
+    /// Position in the graph.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A declared symbol, by its number in the graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Symbol(u32);
+
+impl Symbol {
+    /// Position in the list of symbols.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a formula can depend on: one component of a symbol, of one of its time derivatives, now or at a fixed time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Leaf {
+    /// The symbol.
+    pub symbol: Symbol,
+    /// Row-major position in the symbol's stored components; 0 for a scalar.
+    pub component: u16,
+    /// Order of the time derivative; 0 for the value itself.
+    pub rate: u8,
+    /// `Some(e)`: the value at the time `e`, which is an expression without time-dependent leaves. `None`: now.
+    pub instant: Option<Expr>,
+}
+
+/// One node.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// An exact rational number.
+    Constant(Rational),
+    /// π.
+    Pi,
+    /// Something whose value comes from outside.
+    Leaf(Leaf),
+    /// An operation of one argument.
+    Unary(Op, Expr),
+    /// An operation of two arguments.
+    Binary(Op, Expr, Expr),
+}
+
+impl Node {
+    /// The arguments, oldest rooms of the graph first as written.
+    pub fn children(&self) -> impl Iterator<Item = Expr> + use<> {
+        let (a, b) = match *self {
+            Node::Unary(_, a) => (Some(a), None),
+            Node::Binary(_, a, b) => (Some(a), Some(b)),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => (None, None),
+        };
+        a.into_iter().chain(b)
+    }
+}
+
+/// Name and shape of a symbol, for printing and for counting components.
+#[derive(Clone, Debug)]
+struct SymbolEntry {
+    name: String,
+    shape: Shape,
+    /// Only the diagonal is stored: a square matrix whose other entries are zero.
+    diagonal: bool,
+}
+
+/// Hash-consed expressions over the declared symbols of one derivation.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    index: HashMap<Node, Expr>,
+    symbols: Vec<SymbolEntry>,
+}
+
+/// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
+fn folds(r: &Rational, n: i32) -> bool {
+    use dashu_int::ops::BitTest;
+    let bits = r.numerator().bit_len().max(r.denominator().bit_len());
+    bits.saturating_mul(n.unsigned_abs() as usize) <= 4096
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Graph {
+        Graph::default()
+    }
+
+    /// Registers a symbol. Names need not be unique here: scopes decide which one a formula means.
+    ///
+    /// With `diagonal`, `shape` is n × n and only the n diagonal components are stored.
+    pub fn declare(&mut self, name: &str, shape: Shape, diagonal: bool) -> Symbol {
+        self.symbols.push(SymbolEntry { name: name.to_owned(), shape, diagonal });
+        Symbol((self.symbols.len() - 1) as u32)
+    }
+
+    /// The LaTeX name a symbol was declared with.
+    pub fn name(&self, symbol: Symbol) -> &str {
+        &self.symbols[symbol.index()].name
+    }
+
+    /// The shape a symbol was declared with.
+    pub fn shape(&self, symbol: Symbol) -> &Shape {
+        &self.symbols[symbol.index()].shape
+    }
+
+    /// Whether only the diagonal of the symbol is stored.
+    pub fn is_diagonal(&self, symbol: Symbol) -> bool {
+        self.symbols[symbol.index()].diagonal
+    }
+
+    /// Number of stored components of a symbol.
+    pub fn component_count(&self, symbol: Symbol) -> usize {
+        let entry = &self.symbols[symbol.index()];
+        if entry.diagonal { entry.shape.extents()[0] as usize } else { entry.shape.len() }
+    }
+
+    /// Indices (counted from 1) of a stored component, as a formula writes them: `[2, 3]` for R₂₃, `[2]` for I₂ of a
+    /// diagonal I, `[]` for a scalar.
+    pub fn component_indices(&self, symbol: Symbol, component: u16) -> Vec<u16> {
+        let entry = &self.symbols[symbol.index()];
+        if entry.diagonal { vec![component + 1] } else { entry.shape.indices(component as usize) }
+    }
+
+    /// A node.
+    pub fn node(&self, e: Expr) -> &Node {
+        &self.nodes[e.index()]
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there is no node.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Number of symbols declared so far.
+    pub fn symbol_count(&self) -> usize {
+        self.symbols.len()
+    }
+
+    fn intern(&mut self, node: Node) -> Expr {
+        if let Some(&e) = self.index.get(&node) {
+            return e;
+        }
+        // a + b and b + a are one node, printed in the order in which it was first written.
+        if let Node::Binary(op @ (Op::Add | Op::Mul | Op::Agm), a, b) = node
+            && let Some(&e) = self.index.get(&Node::Binary(op, b, a))
+        {
+            return e;
+        }
+        let e = Expr(self.nodes.len() as u32);
+        self.nodes.push(node.clone());
+        self.index.insert(node, e);
+        e
+    }
+
+    /// An exact rational.
+    pub fn constant(&mut self, value: Rational) -> Expr {
+        self.intern(Node::Constant(value))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i64) -> Expr {
+        self.constant(Rational::from(value))
+    }
+
+    /// π.
+    pub fn pi(&mut self) -> Expr {
+        self.intern(Node::Pi)
+    }
+
+    /// A leaf.
+    pub fn leaf(&mut self, leaf: Leaf) -> Expr {
+        self.intern(Node::Leaf(leaf))
+    }
+
+    /// The present value of a component of a symbol.
+    pub fn component(&mut self, symbol: Symbol, component: u16) -> Expr {
+        self.leaf(Leaf { symbol, component, rate: 0, instant: None })
+    }
+
+    /// The constant value of a node, if it is written as one.
+    pub fn as_constant(&self, e: Expr) -> Option<&Rational> {
+        match self.node(e) {
+            Node::Constant(r) => Some(r),
+            _ => None,
+        }
+    }
+
+    /// Whether the node is the constant 0.
+    pub fn is_zero(&self, e: Expr) -> bool {
+        self.as_constant(e).is_some_and(|r| *r == Rational::ZERO)
+    }
+
+    /// Whether the node is the constant 1.
+    pub fn is_one(&self, e: Expr) -> bool {
+        self.as_constant(e).is_some_and(|r| *r == Rational::ONE)
+    }
+
+    /// An operation of one argument, with constants folded where that is exact.
+    pub fn unary(&mut self, op: Op, a: Expr) -> Expr {
+        debug_assert_eq!(op.arity(), 1);
+        match (op, self.node(a).clone()) {
+            (Op::Neg, Node::Constant(r)) => self.constant(-r),
+            (Op::Neg, Node::Unary(Op::Neg, inner)) => inner,
+            (Op::Powi(1), _) => a,
+            (Op::Powi(n), Node::Constant(r)) if (n >= 0 || r != Rational::ZERO) && folds(&r, n) => {
+                self.constant(r.pow(n as isize))
+            }
+            (Op::Abs, Node::Constant(r)) => self.constant(if r < Rational::ZERO { -r } else { r }),
+            (Op::Sin | Op::Tan | Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh | Op::Sqrt, Node::Constant(r))
+                if r == Rational::ZERO =>
+            {
+                a
+            }
+            (Op::Cos | Op::Cosh | Op::Exp, Node::Constant(r)) if r == Rational::ZERO => self.integer(1),
+            (Op::Sqrt, Node::Constant(r)) if r == Rational::ONE => a,
+            _ => self.intern(Node::Unary(op, a)),
+        }
+    }
+
+    /// An operation of two arguments, with constants folded where that is exact, and neutral elements dropped.
+    pub fn binary(&mut self, op: Op, a: Expr, b: Expr) -> Expr {
+        debug_assert_eq!(op.arity(), 2);
+        if let (Node::Constant(x), Node::Constant(y)) = (self.node(a), self.node(b)) {
+            let folded = match op {
+                Op::Add => Some(x + y),
+                Op::Sub => Some(x - y),
+                Op::Mul => Some(x * y),
+                Op::Div if *y != Rational::ZERO => Some(x / y),
+                _ => None,
+            };
+            if let Some(value) = folded {
+                return self.constant(value);
+            }
+        }
+        match op {
+            Op::Add if self.is_zero(a) => b,
+            Op::Add | Op::Sub if self.is_zero(b) => a,
+            Op::Sub if self.is_zero(a) => self.unary(Op::Neg, b),
+            Op::Mul if self.is_one(a) => b,
+            Op::Mul | Op::Div if self.is_one(b) => a,
+            Op::Pow => match self.as_constant(b).and_then(|r| i32::try_from(r.clone()).ok()) {
+                Some(n) => self.unary(Op::Powi(n), a),
+                None => self.intern(Node::Binary(op, a, b)),
+            },
+            _ => self.intern(Node::Binary(op, a, b)),
+        }
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Op::Add, a, b)
+    }
+    /// a − b.
+    pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Op::Sub, a, b)
+    }
+    /// a · b.
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Op::Mul, a, b)
+    }
+    /// a / b.
+    pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
+        self.binary(Op::Div, a, b)
+    }
+    /// −a.
+    pub fn neg(&mut self, a: Expr) -> Expr {
+        self.unary(Op::Neg, a)
+    }
+    /// aⁿ.
+    pub fn powi(&mut self, a: Expr, n: i32) -> Expr {
+        self.unary(Op::Powi(n), a)
+    }
+
+    /// A term of a sum over an index: absent (0) when one factor is a *structural* zero, such as an entry of ε or δ, an
+    /// off-diagonal entry of a diagonal matrix, or the derivative of something constant.
+    pub fn mul_structural(&mut self, a: Expr, b: Expr) -> Expr {
+        if self.is_zero(a) || self.is_zero(b) { self.integer(0) } else { self.mul(a, b) }
+    }
+
+    /// Every node that the roots depend on, roots included, children before parents.
+    pub fn reachable(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut stack: Vec<Expr> = roots.into_iter().collect();
+        let mut found = Vec::new();
+        while let Some(e) = stack.pop() {
+            if !std::mem::replace(&mut seen[e.index()], true) {
+                found.push(e);
+                stack.extend(self.node(e).children());
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// The leaves that the roots depend on, in order of first appearance in the graph.
+    pub fn leaves(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Leaf> {
+        let node = |e| match self.node(e) {
+            Node::Leaf(leaf) => Some(*leaf),
+            _ => None,
+        };
+        self.reachable(roots).into_iter().filter_map(node).collect()
+    }
+}

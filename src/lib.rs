@@ -1,0 +1,13 @@
+//! `rederive` checks derivations.
+//!
+//! The path of a formula, and the rooms it goes through:
+//!
+//! ```text
+//! derivation/ → latex/ → expr/ → tape/ → flow/ → check/ → report/
+//!                                 ↑ number/ ↑
+//! ```
+pub mod check;
+pub mod diag;
+pub mod expr;
+pub mod number;
+pub mod tape;

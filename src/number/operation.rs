@@ -1,0 +1,106 @@
+//! The table of operations: the one place where an operation is declared.
+//!
+//! From each row follow a variant of [`Op`], a method that every [`Number`] must have, the arm of the evaluation loop,
+//! the spelling in formulas and the row of the grammar page. To add an operation: add a row here, then implement the
+//! method where the compiler asks for it (one per number type, plus the derivative in `expr`).
+
+use super::{NoValue, Rational};
+
+macro_rules! operations {
+    (
+        unary { $( $U:ident $u:ident $uspell:literal on $udom:literal; )* }
+        binary { $( $B:ident $b:ident $bspell:literal on $bdom:literal; )* }
+    ) => {
+        /// An operation of the table. `Powi` carries its integer exponent and is unary.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Op {
+            $( #[doc = concat!("`", $uspell, "` on ", $udom, ".")] $U, )*
+            $( #[doc = concat!("`", $bspell, "` on ", $bdom, ".")] $B, )*
+            /// Integer power xⁿ; x ≠ 0 where n < 0; x⁰ = 1.
+            Powi(i32),
+        }
+
+        impl Op {
+            /// Every operation of the table, with two exponents standing for all integer powers.
+            pub const ALL: &'static [Op] = &[ $( Op::$U, )* $( Op::$B, )* Op::Powi(3), Op::Powi(-2) ];
+
+            /// Number of arguments.
+            pub fn arity(self) -> usize {
+                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1 }
+            }
+
+            /// How the operation is written in a formula.
+            pub fn spelling(self) -> &'static str {
+                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^" }
+            }
+
+            /// The real domain, in words.
+            pub fn domain(self) -> &'static str {
+                match self { $( Op::$U => $udom, )* $( Op::$B => $bdom, )* Op::Powi(_) => "ℝ; without 0 for a negative exponent" }
+            }
+
+            /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
+            ///
+            /// # Errors
+            /// The reason of the number type when there is no value; `out` is then unspecified.
+            #[inline]
+            pub fn apply<N: Number>(self, cx: &N::Context, out: &mut N, a: &N, b: &N) -> Result<(), NoValue> {
+                match self {
+                    $( Op::$U => out.$u(cx, a), )*
+                    $( Op::$B => out.$b(cx, a, b), )*
+                    Op::Powi(n) => out.powi(cx, a, n),
+                }
+            }
+        }
+
+        /// An arithmetic in which formulas can be evaluated.
+        ///
+        /// Every method overwrites `self` with the result. No method has a default: a new number type decides each
+        /// operation, and a new operation is decided by each number type.
+        pub trait Number: Clone {
+            /// What the arithmetic needs to know beside its arguments (the orders of a series, the prime of a field).
+            type Context;
+
+            /// A value to be overwritten.
+            fn blank(cx: &Self::Context) -> Self;
+            /// `self` := the number that stands for an exact rational.
+            fn rational(&mut self, cx: &Self::Context, r: &Rational) -> Result<(), NoValue>;
+            /// `self` := π.
+            fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue>;
+            /// `self` := aⁿ.
+            fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue>;
+            $( #[doc = concat!("`self` := `", $uspell, "` of `a`, on ", $udom, ".")]
+               fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue>; )*
+            $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`, on ", $bdom, ".")]
+               fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
+        }
+    };
+}
+
+operations! {
+    unary {
+        Neg neg "-" on "ℝ";
+        Sqrt sqrt r"\sqrt" on "[0, ∞)";
+        Exp exp r"\exp" on "ℝ";
+        Ln ln r"\ln" on "(0, ∞)";
+        Sin sin r"\sin" on "ℝ";
+        Cos cos r"\cos" on "ℝ";
+        Tan tan r"\tan" on "ℝ without the odd multiples of π/2";
+        Arcsin arcsin r"\arcsin" on "[−1, 1]";
+        Arccos arccos r"\arccos" on "[−1, 1]";
+        Arctan arctan r"\arctan" on "ℝ";
+        Sinh sinh r"\sinh" on "ℝ";
+        Cosh cosh r"\cosh" on "ℝ";
+        Tanh tanh r"\tanh" on "ℝ";
+        Abs abs r"|\cdot|" on "ℝ";
+    }
+    binary {
+        Add add "+" on "ℝ²";
+        Sub sub "-" on "ℝ²";
+        Mul mul r"\cdot" on "ℝ²";
+        Div div r"\frac" on "a ∈ ℝ, b ≠ 0";
+        Pow pow "^" on "a > 0, or a = 0 with b > 0";
+        Arctan2 arctan2 r"\operatorname{atan2}" on "ℝ² without (0, 0)";
+        Agm agm r"\operatorname{agm}" on "a ≥ 0, b ≥ 0";
+    }
+}

@@ -1,0 +1,161 @@
+//! binary64: the plain real numbers of the machine.
+//!
+//! Basic operations and √ are those of IEEE 754; elementary functions come from `pxfm`, compiled into the program, so that
+//! every machine computes the same bits. A result that is not finite is not a value.
+
+use super::{NoValue, Number, Rational};
+
+/// Checks that a result is a number: anything else is an overflow, as domains are checked before.
+#[inline]
+fn finite(x: f64) -> Result<f64, NoValue> {
+    if x.is_finite() { Ok(x) } else { Err(NoValue::Indeterminate) }
+}
+
+/// Checks the domain of a function before it is evaluated.
+#[inline]
+fn domain(inside: bool) -> Result<(), NoValue> {
+    if inside { Ok(()) } else { Err(NoValue::OutOfDomain) }
+}
+
+/// aⁿ by repeated squaring; every number type that needs the value of a power uses this order of operations.
+#[inline]
+pub(super) fn powi(a: f64, n: i32) -> f64 {
+    let (mut base, mut e, mut acc) = (a, n.unsigned_abs(), 1.0);
+    while e > 0 {
+        if e & 1 == 1 {
+            acc *= base;
+        }
+        base *= base;
+        e >>= 1;
+    }
+    if n < 0 { 1.0 / acc } else { acc }
+}
+
+/// The arithmetic–geometric mean of two positive numbers; 0 when one of them is 0.
+pub(super) fn agm(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 {
+        return 0.0;
+    }
+    let (mut a, mut b) = (a, b);
+    // Quadratic convergence: 40 halvings cover the whole exponent range of binary64.
+    for _ in 0..64 {
+        if (a - b).abs() <= 2.0 * f64::EPSILON * a.abs() {
+            break;
+        }
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    0.5 * (a + b)
+}
+
+impl Number for f64 {
+    type Context = ();
+
+    fn blank(_: &()) -> f64 {
+        0.0
+    }
+    fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
+        *self = finite(r.to_f64().value())?;
+        Ok(())
+    }
+    fn pi(&mut self, _: &()) -> Result<(), NoValue> {
+        *self = std::f64::consts::PI;
+        Ok(())
+    }
+    fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
+        domain(n >= 0 || *a != 0.0)?;
+        *self = finite(powi(*a, n))?;
+        Ok(())
+    }
+    fn neg(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = -*a;
+        Ok(())
+    }
+    fn sqrt(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        domain(*a >= 0.0)?;
+        *self = a.sqrt();
+        Ok(())
+    }
+    fn exp(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_exp(*a))?;
+        Ok(())
+    }
+    fn ln(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        domain(*a > 0.0)?;
+        *self = finite(pxfm::f_log(*a))?;
+        Ok(())
+    }
+    fn sin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_sin(*a))?;
+        Ok(())
+    }
+    fn cos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_cos(*a))?;
+        Ok(())
+    }
+    fn tan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_tan(*a))?;
+        Ok(())
+    }
+    fn arcsin(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        domain(a.abs() <= 1.0)?;
+        *self = finite(pxfm::f_asin(*a))?;
+        Ok(())
+    }
+    fn arccos(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        domain(a.abs() <= 1.0)?;
+        *self = finite(pxfm::f_acos(*a))?;
+        Ok(())
+    }
+    fn arctan(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_atan(*a))?;
+        Ok(())
+    }
+    fn sinh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_sinh(*a))?;
+        Ok(())
+    }
+    fn cosh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_cosh(*a))?;
+        Ok(())
+    }
+    fn tanh(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = finite(pxfm::f_tanh(*a))?;
+        Ok(())
+    }
+    fn abs(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
+        *self = a.abs();
+        Ok(())
+    }
+    fn add(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        *self = finite(a + b)?;
+        Ok(())
+    }
+    fn sub(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        *self = finite(a - b)?;
+        Ok(())
+    }
+    fn mul(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        *self = finite(a * b)?;
+        Ok(())
+    }
+    fn div(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        domain(*b != 0.0)?;
+        *self = finite(a / b)?;
+        Ok(())
+    }
+    fn pow(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        domain(*a > 0.0 || (*a == 0.0 && *b > 0.0))?;
+        *self = finite(pxfm::f_pow(*a, *b))?;
+        Ok(())
+    }
+    fn arctan2(&mut self, _: &(), y: &f64, x: &f64) -> Result<(), NoValue> {
+        domain(*y != 0.0 || *x != 0.0)?;
+        *self = finite(pxfm::f_atan2(*y, *x))?;
+        Ok(())
+    }
+    fn agm(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
+        domain(*a >= 0.0 && *b >= 0.0)?;
+        *self = finite(agm(*a, *b))?;
+        Ok(())
+    }
+}

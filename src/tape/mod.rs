@@ -1,0 +1,200 @@
+//! Expressions as straight-line programs.
+//!
+//! **In:** roots of a [`Graph`]. **Out:** a [`Tape`]: inputs, constants and one instruction per shared node, in an order in
+//! which every argument comes before its use; and **the one** loop that evaluates it over any [`Number`].
+//!
+//! **Guaranteed:** an instruction without a value poisons what depends on it and nothing else; each output says by itself
+//! whether it has a value. The same tape and the same inputs give the same bits.
+//!
+//! **Why no reuse of slots:** series are computed order by order, with every intermediate series still there.
+
+use crate::expr::{Expr, Graph, Leaf, Node};
+use crate::number::{NoValue, Number, Op, Rational};
+use std::collections::HashMap;
+
+/// What fills a slot before the instructions run.
+#[derive(Clone, Debug, PartialEq)]
+enum Preset {
+    Rational(Rational),
+    Pi,
+}
+
+/// One step: `slots[out] := op(slots[a], slots[b])`, with b = a for operations of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instruction {
+    /// The operation.
+    pub op: Op,
+    /// Slot of the first argument.
+    pub a: u32,
+    /// Slot of the second argument; equal to `a` when there is none.
+    pub b: u32,
+    /// Slot of the result; larger than `a` and `b`.
+    pub out: u32,
+}
+
+/// A straight-line program. Slots are numbered: inputs first, then constants, then results.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tape {
+    inputs: Vec<Leaf>,
+    presets: Vec<Preset>,
+    instructions: Vec<Instruction>,
+    outputs: Vec<u32>,
+}
+
+/// The memory of one evaluation, reused from one to the next.
+#[derive(Clone, Debug)]
+pub struct Slots<N> {
+    values: Vec<N>,
+    missing: Vec<Option<NoValue>>,
+}
+
+impl Tape {
+    /// Compiles the roots. Inputs are `inputs`, in this order, whether used or not; every leaf of the roots must be there.
+    ///
+    /// # Errors
+    /// The first leaf that the roots need and `inputs` does not have.
+    pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
+        let place: HashMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
+        let order = graph.reachable(roots.iter().copied());
+        let mut slot: HashMap<Expr, u32> = HashMap::new();
+        let mut presets = Vec::new();
+        for &e in &order {
+            match graph.node(e) {
+                Node::Leaf(leaf) => {
+                    slot.insert(e, *place.get(leaf).ok_or(*leaf)?);
+                }
+                Node::Constant(_) | Node::Pi => {
+                    slot.insert(e, (inputs.len() + presets.len()) as u32);
+                    presets.push(match graph.node(e) {
+                        Node::Constant(r) => Preset::Rational(r.clone()),
+                        _ => Preset::Pi,
+                    });
+                }
+                Node::Unary(..) | Node::Binary(..) => {}
+            }
+        }
+        let first = (inputs.len() + presets.len()) as u32;
+        let mut instructions = Vec::new();
+        for &e in &order {
+            let (op, a, b) = match *graph.node(e) {
+                Node::Unary(op, a) => (op, a, a),
+                Node::Binary(op, a, b) => (op, a, b),
+                _ => continue,
+            };
+            let out = first + instructions.len() as u32;
+            instructions.push(Instruction { op, a: slot[&a], b: slot[&b], out });
+            slot.insert(e, out);
+        }
+        let outputs = roots.iter().map(|e| slot[e]).collect();
+        Ok(Tape { inputs: inputs.to_vec(), presets, instructions, outputs })
+    }
+
+    /// The leaves that must be given, in order.
+    pub fn inputs(&self) -> &[Leaf] {
+        &self.inputs
+    }
+
+    /// The instructions in order.
+    pub fn instructions(&self) -> &[Instruction] {
+        &self.instructions
+    }
+
+    /// Number of outputs.
+    pub fn output_count(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// The slot in which an output is found.
+    pub fn output_slot(&self, output: usize) -> usize {
+        self.outputs[output] as usize
+    }
+
+    /// Memory for evaluations of this tape, with its constants in place.
+    pub fn slots<N: Number>(&self, cx: &N::Context) -> Slots<N> {
+        let n = self.inputs.len() + self.presets.len() + self.instructions.len();
+        let mut slots = Slots { values: vec![N::blank(cx); n], missing: vec![None; n] };
+        self.load_constants(cx, &mut slots);
+        slots
+    }
+
+    /// Writes the constants again, for a number type whose constants depend on the context.
+    pub fn load_constants<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        for (i, preset) in self.presets.iter().enumerate() {
+            let at = self.inputs.len() + i;
+            let written = match preset {
+                Preset::Rational(r) => slots.values[at].rational(cx, r),
+                Preset::Pi => slots.values[at].pi(cx),
+            };
+            slots.missing[at] = written.err();
+        }
+    }
+
+    /// Runs all instructions: the one evaluation loop. Inputs are taken from the slots, see [`Slots::set`].
+    pub fn run<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        for &Instruction { op, a, b, out } in &self.instructions {
+            let (a, b, out) = (a as usize, b as usize, out as usize);
+            let reason = slots.missing[a].or(slots.missing[b]);
+            slots.missing[out] = if reason.is_some() {
+                reason
+            } else {
+                // Arguments lie before the result, so the borrow can be split there.
+                let (before, rest) = slots.values.split_at_mut(out);
+                op.apply(cx, &mut rest[0], &before[a], &before[b]).err()
+            };
+        }
+    }
+
+    /// An output after [`Tape::run`].
+    ///
+    /// # Errors
+    /// Why this output has no value.
+    pub fn output<'s, N>(&self, output: usize, slots: &'s Slots<N>) -> Result<&'s N, NoValue> {
+        let at = self.outputs[output] as usize;
+        match slots.missing[at] {
+            Some(reason) => Err(reason),
+            None => Ok(&slots.values[at]),
+        }
+    }
+
+    /// Sets the inputs, runs, and copies the outputs.
+    pub fn evaluate<N: Number>(
+        &self,
+        cx: &N::Context,
+        inputs: &[Result<N, NoValue>],
+        slots: &mut Slots<N>,
+    ) -> Vec<Result<N, NoValue>> {
+        for (i, value) in inputs.iter().enumerate() {
+            slots.set(i, value.clone());
+        }
+        self.run(cx, slots);
+        (0..self.outputs.len()).map(|i| self.output(i, slots).cloned()).collect()
+    }
+}
+
+impl<N> Slots<N> {
+    /// Gives an input its value, or the reason why it has none.
+    pub fn set(&mut self, input: usize, value: Result<N, NoValue>) {
+        match value {
+            Ok(v) => {
+                self.values[input] = v;
+                self.missing[input] = None;
+            }
+            Err(reason) => self.missing[input] = Some(reason),
+        }
+    }
+
+    /// A slot, whether it holds a valid value or not.
+    pub fn value(&self, slot: usize) -> &N {
+        &self.values[slot]
+    }
+
+    /// A slot to be written in place.
+    pub fn value_mut(&mut self, slot: usize) -> &mut N {
+        &mut self.values[slot]
+    }
+
+    /// Why a slot has no value.
+    pub fn missing(&self, slot: usize) -> Option<NoValue> {
+        self.missing[slot]
+    }
+}
