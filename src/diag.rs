@@ -184,8 +184,7 @@ fn clamp(text: &str, span: &Range<usize>) -> Range<usize> {
 ///
 /// Near: at most a third of the longer word's letters inserted, deleted, changed or exchanged with their neighbour.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let near = |k: &&str| (distance(word, k), *k);
-    let (d, best) = known.into_iter().map(|k| near(&k)).min()?;
+    let (d, best) = known.into_iter().map(|k| (distance(word, k), k)).min()?;
     (d * 3 <= word.chars().count().max(best.chars().count()) && d > 0).then_some(best)
 }
 

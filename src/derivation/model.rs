@@ -114,7 +114,7 @@ pub enum Motion {
         /// Position in [`Derivation::trajectories`]; it comes from no motion that comes from this one.
         from: usize,
         /// State and its formula in the states, parameters and time of the other motion; a state that is not listed is
-        /// that of the other motion.
+        /// that of the other motion. A state that the other motion does not have may be added.
         map: Vec<(Symbol, Written<Vec<Expr>>)>,
     },
 }
@@ -130,6 +130,8 @@ pub struct Trajectory {
     pub says: Option<String>,
     /// Where it comes from.
     pub motion: Motion,
+    /// The states that have values along it.
+    pub states: Vec<Symbol>,
     /// Values of parameters: one closed expression (without leaves) for each stored component. A derived motion has those
     /// of the motion that it comes from, then its own.
     pub parameters: Vec<(Symbol, Written<Vec<Expr>>)>,
