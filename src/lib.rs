@@ -7,7 +7,9 @@
 //!                                 ↑ number/ ↑
 //! ```
 pub mod check;
+pub mod derivation;
 pub mod diag;
 pub mod expr;
+pub mod latex;
 pub mod number;
 pub mod tape;
