@@ -34,7 +34,7 @@ fn has_forms(table: &Table<'_, '_>) -> bool {
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
-        let known: Vec<&str> = keys::CLAIM.iter().chain(keys::READING).copied().collect();
+        let known: Vec<&str> = keys::READING.iter().chain(keys::CLAIM).copied().collect();
         let mut tables = Vec::new();
         for value in root.array(&mut self.problems, "claim", "tables, [[claim]]") {
             let Some(table) = Table::open(&mut self.problems, value, "[[claim]]", &known) else { continue };
