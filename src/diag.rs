@@ -226,7 +226,17 @@ mod tests {
         };
         let diagnostic = Diagnostic::of_formula(&source(text), 22, problem);
         assert_eq!(diagnostic.line_and_column(), Some((3, 21)));
-        insta::assert_snapshot!(render(&[diagnostic], false), @"");
+        insta::assert_snapshot!(render(&[diagnostic], false), @r"
+        error[latex::unknown-symbol]: `\omega` is not declared
+         --> derivations/pendulum.toml:3:21
+          |
+        3 | formula = '\tfrac12 \omega^2 - \cos q'
+          |                     ^^^^^^
+          |
+          = hint: declare it under [symbols], or did you mean `\Omega`?
+
+        1 problem found
+        ");
     }
 
     #[test]

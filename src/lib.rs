@@ -12,4 +12,5 @@ pub mod diag;
 pub mod expr;
 pub mod latex;
 pub mod number;
+pub mod report;
 pub mod tape;

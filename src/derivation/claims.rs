@@ -34,7 +34,7 @@ fn has_forms(table: &Table<'_, '_>) -> bool {
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
-        let known: Vec<&str> = keys::CLAIM.iter().chain(keys::READING).copied().collect();
+        let known: Vec<&str> = keys::READING.iter().chain(keys::CLAIM).copied().collect();
         let mut tables = Vec::new();
         for value in root.array(&mut self.problems, "claim", "tables, [[claim]]") {
             let Some(table) = Table::open(&mut self.problems, value, "[[claim]]", &known) else { continue };
@@ -55,6 +55,7 @@ impl Loader<'_> {
         let mut base = Claim {
             reading: None,
             says: table.needed_text(problems, "says").unwrap_or_default(),
+            parent_says: None,
             place: table.text(problems, "place"),
             label: table.text(problems, "label"),
             remark: table.text(problems, "remark"),
@@ -88,7 +89,9 @@ impl Loader<'_> {
             seen.push((name.clone(), span.clone()));
             let says = reading.needed_text(&mut self.problems, "says").unwrap_or_default();
             let remark = reading.text(&mut self.problems, "remark").or_else(|| base.remark.clone());
-            let mut claim = Claim { reading: Some(name), says, remark, span, forms: Vec::new(), ..base.clone() };
+            let parent_says = Some(base.says.clone());
+            let mut claim =
+                Claim { reading: Some(name), says, parent_says, remark, span, forms: Vec::new(), ..base.clone() };
             claim.formulas.clear();
             self.fill(&mut claim, &reading, ids);
             match (has_forms(&reading), has_forms(table)) {

@@ -78,6 +78,20 @@ pub struct SymbolEntry {
     pub span: Range<usize>,
 }
 
+impl SymbolEntry {
+    /// Its role, as the file writes it.
+    pub fn role_word(&self) -> &'static str {
+        match self.role {
+            Role::Time => "time",
+            Role::State => "state",
+            Role::Parameter => "parameter",
+            Role::Observable => "observable",
+            Role::Abbreviation => "abbreviation",
+            Role::Argument => "argument",
+        }
+    }
+}
+
 /// A system of differential equations, as its equations are written.
 #[derive(Clone, Debug)]
 pub struct System {
@@ -264,6 +278,8 @@ pub struct Claim {
     pub reading: Option<String>,
     /// What it says, in the file's words.
     pub says: String,
+    /// For a reading, what the claim itself says.
+    pub parent_says: Option<String>,
     /// Where it stands in the paper.
     pub place: Option<String>,
     /// The label of its equation in the paper's source.

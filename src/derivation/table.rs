@@ -24,8 +24,12 @@ impl Problems<'_> {
         Noted(self.found.last_mut())
     }
 
-    /// Notes that a value has the wrong type.
+    /// Notes that the value of a key has the wrong type.
     pub fn wrong_type(&mut self, value: &Value<'_>, key: &str, wanted: &str) {
+        self.wrong_type_of(value, &format!("`{key}`"), wanted);
+    }
+
+    fn wrong_type_of(&mut self, value: &Value<'_>, what: &str, wanted: &str) {
         let found = match value.get_ref() {
             DeValue::String(_) => "a string",
             DeValue::Integer(_) => "an integer",
@@ -35,7 +39,7 @@ impl Problems<'_> {
             DeValue::Array(_) => "an array",
             DeValue::Table(_) => "a table",
         };
-        self.note("derivation::wrong-type", value.span(), format!("`{key}` must be {wanted}, not {found}"));
+        self.note("derivation::wrong-type", value.span(), format!("{what} must be {wanted}, not {found}"));
     }
 
     /// Notes that a name is not known.
@@ -105,7 +109,7 @@ impl<'a, 's> Table<'a, 's> {
     /// The table in `value`, whose keys must be among `keys`.
     pub fn open(problems: &mut Problems<'_>, value: &'a Value<'s>, what: &'static str, keys: &[&str]) -> Option<Self> {
         let DeValue::Table(entries) = value.get_ref() else {
-            problems.wrong_type(value, what, "a table");
+            problems.wrong_type_of(value, what, "a table");
             return None;
         };
         let table = Table { entries, span: value.span(), what };
