@@ -9,5 +9,6 @@
 pub mod check;
 pub mod diag;
 pub mod expr;
+pub mod flow;
 pub mod number;
 pub mod tape;
