@@ -6,9 +6,11 @@
 
 use nalgebra::DMatrix;
 
-use super::trial::Course;
+use super::program::Program;
+use super::trial::{Course, assumptions_of};
 use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
-use crate::derivation::Written;
+use super::weigh::Left;
+use crate::derivation::{Claim, Written};
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
 use crate::number::Bounded;
@@ -86,7 +88,11 @@ impl Gradients {
     }
 
     /// Tries the independence along a motion.
-    pub fn try_on(&self, graph: &Graph, course: &Course) -> Verdict {
+    pub fn try_on(&self, graph: &Graph, claim: &Claim, program: &Program, course: &Course) -> Verdict {
+        let left = match assumptions_of(graph, claim, program, course) {
+            Ok(left) => left,
+            Err(verdict) => return *verdict,
+        };
         let undecided = |reason: String| {
             Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
         };
@@ -97,7 +103,10 @@ impl Gradients {
         let mut evidence = Evidence::default();
         let step = (course.points.len() / POINTS).max(1);
         let (mut unclear, mut smallest) = (None, f64::INFINITY);
-        for (point, &t) in course.points.iter().zip(&course.times).step_by(step) {
+        for ((point, &t), left) in course.points.iter().zip(&course.times).zip(&left).step_by(step) {
+            if *left != Left::In {
+                continue;
+            }
             let values = tape.evaluate(&(), point, &mut slots);
             let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
             let (n, rows) = (self.variables.len(), self.constraints + self.functions);

@@ -23,12 +23,11 @@ mod weigh;
 pub use account::{Account, ClaimAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
-<<<<<<< HEAD
 use crate::derivation::{Claim, Derivation, Form};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
 use independence::Gradients;
-use program::{Program, Use};
+use program::Program;
 use rayon::prelude::*;
 use stage::Stage;
 use trial::{Course, Events};
@@ -92,7 +91,7 @@ pub fn check(
     let mut gradients = Vec::new();
     for &c in &claimed {
         programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
-        let variables = stage.state_leaves(derivation);
+        let variables = stage.state_leaves();
         let claim = derivation.claims[c].clone();
         gradients.push(claim.forms.iter().find_map(|form| match form {
             Form::Independent { functions, subject_to } => Some(
@@ -110,14 +109,17 @@ pub fn check(
     wanted.extend(same_motion::leaves(derivation));
     wanted.sort_unstable();
     wanted.dedup();
-    stage.prepare(&mut derivation.graph, &wanted);
+    stage.prepare(&mut derivation.graph, &wanted).map_err(CheckError::Defect)?;
     for program in programs.iter_mut().flatten() {
         if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
             let name = derivation.graph.leaf_latex(leaf);
             return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
         }
     }
-    let measures = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect::<Vec<_>>();
+    let mut measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+    for m in &mut measures {
+        m.find_events(derivation, &stage);
+    }
 
     let events = stage.events(derivation, &claimed, &programs, &start_of);
     let derivation: &Derivation = derivation;
@@ -133,17 +135,17 @@ pub fn check(
     let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
         .par_iter()
         .map(|&t| {
-            let course = stage.course(t, &wanted)?;
+            let course = stage.course(&derivation.graph, t, &wanted)?;
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
                     let none = Events::default();
                     let events = events.get(&(k, t)).unwrap_or(&none);
-                    one_pair(derivation, &stage, claim, program, gradients.as_ref(), &course, events)
+                    one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
                 })
             };
             let verdicts = (0..prepared.len()).map(verdict).collect();
-            let measured = measures.iter().filter_map(|m| m.take(derivation, &course, t)).collect();
+            let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
             Ok((verdicts, measured))
         })
@@ -155,7 +157,6 @@ pub fn check(
 /// The verdict of one claim on one motion.
 fn one_pair(
     derivation: &Derivation,
-    stage: &Stage,
     claim: &Claim,
     program: &Program,
     gradients: Option<&Result<Gradients, String>>,
@@ -169,7 +170,7 @@ fn one_pair(
     for form in &claim.forms {
         match form {
             Form::SameMotion { other, of } => {
-                verdicts.push(same_motion::try_on(derivation, claim, program, course, stage.motion(*other), of));
+                verdicts.push(same_motion::try_on(derivation, claim, program, course, *other, of));
             }
             Form::Independent { .. } => verdicts.push(match gradients {
                 Some(Ok(g)) => g.try_on(&derivation.graph, claim, program, course),
@@ -228,11 +229,3 @@ fn assemble(
     Account { trajectories, claims, measurements }
 }
 
-=======
-// Stand-in for the checks themselves, replaced when they are merged.
-mod stub;
-pub use stub::{Options, check};
-
-#[cfg(test)]
-pub(crate) mod sample;
->>>>>>> shell

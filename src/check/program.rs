@@ -100,6 +100,11 @@ fn vanishing(graph: &mut Graph, relation: &Relation) -> Option<Expr> {
     Some(sum)
 }
 
+/// What vanishes where the first relation of a statement holds, for events.
+pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
+    statement.relations.first().and_then(|r| vanishing(graph, r))
+}
+
 /// `e` at a fixed time: every leaf that can move is replaced by its value then.
 fn at_instant(graph: &mut Graph, scope: &Scope, e: Expr, instant: Expr) -> Expr {
     let time = scope.time();
@@ -166,7 +171,7 @@ impl Program {
             }
             groups.push((how, Group { comparisons, branching: false }));
         }
-        let at = claim.at.as_ref().and_then(|w| w.value.relations.first()).and_then(|r| vanishing(graph, r));
+        let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
         Program { assumptions, groups, at, tape: None, sign: claim.scope.branch_sign() }
     }
 
@@ -174,6 +179,11 @@ impl Program {
     fn comparisons(&self) -> impl Iterator<Item = &Comparison> {
         let claimed = self.groups.iter().flat_map(|(_, g)| &g.comparisons);
         self.assumptions.iter().flat_map(|a| &a.group.comparisons).chain(claimed)
+    }
+
+    /// The position of a comparison in what [`Program::measure`] yields.
+    pub fn position(&self, comparison: &Comparison) -> Option<usize> {
+        self.comparisons().position(|c| std::ptr::eq(c, comparison))
     }
 
     /// Whether a ± occurs anywhere.

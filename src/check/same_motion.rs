@@ -6,8 +6,7 @@ use super::trial::{Course, assumptions_of, settle};
 use super::verdict::Verdict;
 use super::weigh::{Measured, MeasuredGroup, Series};
 use crate::derivation::{Claim, Derivation, Form};
-use crate::expr::{Leaf, Symbol};
-use crate::flow::Motion;
+use crate::expr::{Leaf, Node, Symbol};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
@@ -32,20 +31,20 @@ pub(super) fn try_on(
     claim: &Claim,
     program: &Program,
     course: &Course,
-    other: &Motion,
+    other: usize,
     of: &[Symbol],
 ) -> Verdict {
-    let (from, to) = other.span();
+    let (from, to) = course.stage.motion(other).span();
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> = course
         .times
         .iter()
-        .map(|&t| (from <= t && t <= to).then(|| other.at(t).values))
+        .map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t)))
         .collect();
     let mut comparisons = Vec::new();
     let mut series: Vec<Series> = Vec::new();
     for leaf in of.iter().flat_map(|&s| components(derivation, s)) {
         let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
-        let Some(node) = derivation.graph.find_leaf(leaf) else { continue };
+        let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
         let label = format!("{} of both motions", derivation.graph.leaf_latex(leaf));
         comparisons.push(Comparison { label, kind: RelationKind::Equal, left: node, right: node, magnitude: node });
         let compare = |(ours, theirs): (&Vec<Result<Bounded, NoValue>>, &Option<Vec<_>>)| {

@@ -7,11 +7,12 @@ use std::cell::RefCell;
 
 use super::comparison::{Comparison, Group, Standing};
 use super::program::{Program, Use};
+use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Left, MeasuredGroup, Series, Setting, group_standings, deciding, weigh, witness};
+use super::weigh::{Left, MeasuredGroup, Series, Setting, deciding, group_standings, weigh, witness};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
-use crate::flow::{Motion, Zeros};
+use crate::flow::{Incomplete, Motion, Zeros};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
 use crate::tape::{Fault, Slots};
@@ -21,6 +22,10 @@ pub(super) type Values = Vec<Result<Bounded, NoValue>>;
 
 /// A motion, sampled.
 pub(super) struct Course<'a> {
+    /// Where the motion is from.
+    pub stage: &'a Stage,
+    /// The position of its trajectory.
+    pub trajectory: usize,
     /// The motion.
     pub motion: &'a Motion,
     /// The leaves that each point has values of.
@@ -29,6 +34,13 @@ pub(super) struct Course<'a> {
     pub times: Vec<f64>,
     /// The values at the sample times.
     pub points: Vec<Values>,
+}
+
+impl Course<'_> {
+    /// The values of all leaves at another time.
+    pub fn values(&self, t: f64) -> Values {
+        self.stage.values(self.trajectory, t)
+    }
 }
 
 /// Events that a claim asks for on a motion: times at which `at` holds, and zeros for `never` and `eventually`.
@@ -82,7 +94,17 @@ fn short(x: f64) -> String {
     if x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
 }
 
-impl Describer<'_> {
+impl<'a> Describer<'a> {
+    fn new(
+        graph: &'a Graph,
+        program: &'a Program,
+        course: &'a Course,
+        times: &'a [f64],
+        points: &'a [Values],
+    ) -> Describer<'a> {
+        Describer { graph, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
+    }
+
     /// Values of the leaves that both sides depend on.
     fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
         let wanted = self.graph.leaves([comparison.left, comparison.right]);
@@ -125,7 +147,7 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
     let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, &events.at) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let points = zeros.times.iter().map(|&t| course.motion.at(t).values).collect();
+            let points = zeros.times.iter().map(|&t| course.values(t)).collect();
             Some((zeros.times.clone(), points))
         }
         (Some(_), zeros) => return no_event(claim, course, zeros.as_ref()),
@@ -134,20 +156,22 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         Some((t, p)) => (t.as_slice(), p.as_slice()),
         None => (course.times.as_slice(), course.points.as_slice()),
     };
-    let describer = Describer { graph, program, leaves: course.leaves, times, points, slots: RefCell::new(None) };
+    let describer = Describer::new(graph, program, course, times, points);
     let measured = measure(program, points);
 
     let left = match apply_assumptions(claim, program, &measured, &describer) {
         Ok(left) => left,
         Err(verdict) => return *verdict,
     };
+    let values = |c: &Comparison, i: usize| describer.values(c, i);
+    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
     let setting = || Setting {
         times,
         left: left.clone(),
         precision: claim.precision,
         one_sign_throughout: claim.branches_throughout,
-        values: &|c: &Comparison, i: usize| describer.values(c, i),
-        fault: &|c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason),
+        values: &values,
+        fault: &fault,
     };
 
     let mut verdicts = Vec::new();
@@ -196,6 +220,54 @@ pub(super) fn all_of(verdicts: Vec<Verdict>) -> Verdict {
     })
 }
 
+/// Why a search for events is incomplete, in words.
+pub(super) fn incomplete(problem: &Incomplete) -> String {
+    match problem {
+        Incomplete::NoValue { start, end, reason } => {
+            format!("on [{}, {}] there is no value ({reason})", short(*start), short(*end))
+        }
+        Incomplete::Vanishing { start, end } => {
+            format!("on [{}, {}] it stays within its error of 0", short(*start), short(*end))
+        }
+        Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
+    }
+}
+
+/// The points that the assumptions of a claim leave of a course; a verdict when they leave none.
+pub(super) fn assumptions_of(
+    graph: &Graph,
+    claim: &Claim,
+    program: &Program,
+    course: &Course,
+) -> Result<Vec<Left>, Box<Verdict>> {
+    if program.assumptions.is_empty() {
+        return Ok(vec![Left::In; course.times.len()]);
+    }
+    let describer = Describer::new(graph, program, course, &course.times, &course.points);
+    apply_assumptions(claim, program, &measure(program, &course.points), &describer)
+}
+
+/// Weighs groups that were measured at the points of a course.
+pub(super) fn settle(
+    graph: &Graph,
+    claim: &Claim,
+    program: &Program,
+    course: &Course,
+    left: Vec<Left>,
+    groups: &[MeasuredGroup],
+) -> Verdict {
+    let describer = Describer::new(graph, program, course, &course.times, &course.points);
+    let setting = Setting {
+        times: &course.times,
+        left,
+        precision: claim.precision,
+        one_sign_throughout: claim.branches_throughout,
+        values: &|c: &Comparison, i: usize| describer.values(c, i),
+        fault: &|c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason),
+    };
+    weigh(setting, groups)
+}
+
 /// The verdict where the event of a claim is not found.
 fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
     let text = claim.at.as_ref().map_or("", |w| w.text.as_str());
@@ -203,7 +275,7 @@ fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
     let mut evidence = Evidence::default();
     match zeros.and_then(|z| z.incomplete.as_ref()) {
         Some(problem) => {
-            evidence.reason = Some(format!("the search for `{text}` is incomplete: {problem}"));
+            evidence.reason = Some(format!("the search for `{text}` is incomplete: {}", incomplete(problem)));
             Verdict::new(Outcome::Undecided, evidence)
         }
         None => {
@@ -305,7 +377,7 @@ fn never(
         }
     }
     if let Some(&t) = zeros.and_then(|z| z.times.first()) {
-        let points = [course.motion.at(t).values];
+        let points = [course.values(t)];
         let at_zero = Describer { times: &[t], points: &points, slots: RefCell::new(None), ..*describer };
         let measured = measure(describer.program, &points);
         let same = describer.program.groups.iter().zip(&measured.groups).find(|((_, g), _)| std::ptr::eq(g, group.group));
@@ -394,7 +466,7 @@ fn limit(
     };
     let (target, times): (String, Vec<f64>) = match point {
         LimitPoint::Finite(e) => {
-            let Some(t0) = course.motion.constant(graph, *e) else {
+            let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
                 return undecided("the point of the limit has no value on this motion".to_owned());
             };
             let t0 = t0.value;
@@ -413,18 +485,11 @@ fn limit(
             ("t → ±∞".to_owned(), times)
         }
     };
-    let points: Vec<Values> = times.iter().map(|&t| course.motion.at(t).values).collect();
+    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
     let measured = measure(program, &points);
     let (_, group) = &program.groups[position];
     let series: Vec<&Series> = measured.groups[position].iter().flatten().collect();
-    let describer = Describer {
-        graph,
-        program,
-        leaves: course.leaves,
-        times: &times,
-        points: &points,
-        slots: RefCell::new(None),
-    };
+    let describer = Describer::new(graph, program, course, &times, &points);
     let mut evidence = Evidence::default();
     for (comparison, series) in group.comparisons.iter().zip(series) {
         let valid: Vec<(usize, _)> = series.iter().enumerate().filter_map(|(i, m)| Some((i, m.as_ref().ok()?))).collect();
