@@ -91,7 +91,7 @@ pub fn known(derivations: &[Derivation], claims: &[String], trajectories: &[Stri
     let all_trajectories: Vec<String> =
         derivations.iter().flat_map(|d| d.trajectories.iter().map(|t| t.id.clone())).collect();
     for (what, wanted, all) in [("claim", claims, all_claims), ("trajectory", trajectories, all_trajectories)] {
-        for name in wanted.iter().filter(|w| !all.contains(w)) {
+        if let Some(name) = wanted.iter().find(|w| !all.contains(w)) {
             let near = nearest(name, all.iter().map(String::as_str));
             let hint = near.map(|n| format!("; did you mean `{n}`?")).unwrap_or_default();
             return Err(Stop::Message(format!("there is no {what} `{name}`{hint}")));

@@ -21,7 +21,7 @@ pub fn explain(derivation: &Derivation, account: &Account, colour: bool) -> Stri
 }
 
 fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
-    let mut out = format!("{}", paint.bold(&name(claim)));
+    let mut out = paint.bold(&name(claim));
     if let Some(place) = &claim.place {
         out.push_str(&format!("  ({place})"));
     }

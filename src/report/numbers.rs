@@ -15,7 +15,7 @@ pub(super) fn value(x: f64) -> String {
 /// A size, of which two digits are enough: 1.2e-14, 0.25.
 pub(super) fn size(x: f64) -> String {
     match x {
-        x if x == 0.0 => "0".to_owned(),
+        0.0 => "0".to_owned(),
         x if x.is_nan() => "no value".to_owned(),
         x => value(format!("{x:.1e}").parse().unwrap_or(x)),
     }

@@ -166,7 +166,7 @@ pub(super) fn sides(witness: &Witness, difference: Option<String>, indent: usize
             words.push("…".into());
         }
         let line = wrapped(std::iter::once("at".to_owned()).chain(words), indent);
-        out.push_str(&line.trim_end().trim_end_matches(';').to_owned());
+        out.push_str(line.trim_end().trim_end_matches(';'));
         out.push('\n');
     }
     out

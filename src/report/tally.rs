@@ -63,8 +63,7 @@ impl Group<'_> {
     /// The pair that tells most: the largest residual, otherwise the first.
     pub fn telling(&self) -> Option<&PairAccount> {
         let residual = |p: &PairAccount| p.verdict.evidence().residual.as_ref().map_or(-1.0, |r| r.max);
-        let worst = self.pairs.iter().copied().reduce(|a, b| if residual(b) > residual(a) { b } else { a });
-        worst
+        self.pairs.iter().copied().reduce(|a, b| if residual(b) > residual(a) { b } else { a })
     }
 }
 
