@@ -5,9 +5,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, Options, Summary};
+use rederive::check::{Account, CheckError, Options, Summary};
 use rederive::derivation::Derivation;
-use rederive::diag::Diagnostic;
 use rederive::report;
 
 use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
@@ -24,10 +23,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     for (i, derivation) in derivations.iter_mut().enumerate() {
         let account = match account(derivation, &options) {
             Ok(account) => account,
-            Err(found) => {
+            Err(Stop::Diagnostics(found)) => {
                 problems.extend(found);
                 continue;
             }
+            Err(stop) => return Err(stop),
         };
         let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
         if let Some(folder) = &folder {
@@ -61,7 +61,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
 }
 
 /// Checks one derivation, with a progress bar on a terminal if it takes long.
-pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account, Vec<Diagnostic>> {
+pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account, Stop> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
         && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
@@ -80,13 +80,16 @@ pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account
     };
     let account = rederive::check::check(derivation, options, &progress);
     bar.finish_and_clear();
-    account
+    account.map_err(|e| match e {
+        CheckError::Problems(found) => Stop::Diagnostics(found),
+        CheckError::Defect(message) => Stop::Defect(message),
+    })
 }
 
 fn exit_of(summary: &Summary) -> Exit {
     if summary.unexpected > 0 {
         Exit::Different
-    } else if summary.undecided > 0 {
+    } else if summary.open > 0 {
         Exit::Undecided
     } else {
         Exit::Good

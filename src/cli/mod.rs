@@ -138,6 +138,8 @@ enum Stop {
     Diagnostics(Vec<Diagnostic>),
     /// Anything else that the user can change, in a sentence.
     Message(String),
+    /// The program contradicts itself.
+    Defect(String),
 }
 
 impl From<Vec<Diagnostic>> for Stop {
@@ -177,15 +179,22 @@ fn guarded(command: impl FnOnce() -> Result<Exit, Stop>) -> Exit {
             complain(&format!("error: {message}\n"));
             Exit::BadInput
         }
-        // The panic itself has been printed.
-        Err(_) => {
-            complain(&format!(
-                "\nThis is a defect of rederive {}, not of your file. Please report it, with the file and the message above.\n",
-                env!("CARGO_PKG_VERSION")
-            ));
-            Exit::Defect
+        Ok(Err(Stop::Defect(message))) => {
+            complain(&format!("error: {message}\n"));
+            defect()
         }
+        // The panic itself has been printed.
+        Err(_) => defect(),
     }
+}
+
+/// Asks for a report of a defect.
+fn defect() -> Exit {
+    complain(&format!(
+        "\nThis is a defect of rederive {}, not of your file. Please report it, with the file and the message above.\n",
+        env!("CARGO_PKG_VERSION")
+    ));
+    Exit::Defect
 }
 
 /// Writes to standard error; colours are removed where they are not wanted.
