@@ -393,6 +393,12 @@ impl Motion {
         self.core.orbit.as_ref().map_or(0, |o| o.trajectory.boundaries().len() - 1)
     }
 
+    /// Integrates once more over the same span, keeping every polynomial but not estimating errors: for benchmarks.
+    #[doc(hidden)]
+    pub fn integrate_again(&self) -> usize {
+        self.core.orbit.as_ref().map_or(0, |o| o.trajectory.again(&o.flow, &o.constants))
+    }
+
     /// The largest estimated error over the span of every integrated state variable, in the order of the field; empty for
     /// formulas. A derived motion has that of its source.
     pub fn error(&self) -> Vec<f64> {
