@@ -106,7 +106,10 @@ impl<'a> Explorer<'a> {
                 let hopeless = reason.is_some() && !self.somewhere(start, end);
                 if budget == 0 || hopeless || end - start <= smallest || !(start < middle && middle < end) {
                     match out.last_mut() {
-                        Some(Stretch::Gap { end: last, .. }) if *last == start => *last = end,
+                        Some(Stretch::Gap { end: last, reason: why, .. }) if *last == start => {
+                            *last = end;
+                            *why = why.or(reason);
+                        }
                         _ => out.push(Stretch::Gap { start, end, reason }),
                     }
                 } else {
