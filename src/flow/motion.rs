@@ -171,7 +171,8 @@ impl Motion {
         let derived = matches!(setup.source, Source::Derived { .. });
         let (from, to) = setup.span;
         let inside = from <= setup.initial_time && setup.initial_time <= to;
-        if !derived && !(from.is_finite() && to.is_finite() && from < to && inside) {
+        let valid = from.is_finite() && to.is_finite() && from < to && inside;
+        if !(derived || valid) {
             return Err(FlowError::Span { span: setup.span, initial_time: setup.initial_time });
         }
         let mut core = Core {

@@ -177,7 +177,7 @@ fn branch(
                 of.iter().enumerate().map(|(i, x)| x.value + sign(i) * x.error).collect::<Vec<f64>>()
             };
             // Two corners of the box of what is known; the second alternates in a sequence without a short period.
-            let corner = |i: usize| if (i * i + i / 2) % 3 == 0 { 1.0 } else { -1.0 };
+            let corner = |i: usize| if (i * i + i / 2).is_multiple_of(3) { 1.0 } else { -1.0 };
             for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.9), (&corner, 0.7)] {
                 out.compare(flow, control, &shifted(constants, sign), &shifted(state, sign), 0, caution);
             }
