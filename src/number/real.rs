@@ -69,7 +69,7 @@ impl Number for f64 {
         Ok(())
     }
     fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
-        domain(n >= 0 || *a != 0.0)?;
+        domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
         *self = finite(powi(*a, n))?;
         Ok(())
     }
@@ -151,7 +151,7 @@ impl Number for f64 {
         Ok(())
     }
     fn pow(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        domain(*a > 0.0 || (*a == 0.0 && *b > 0.0))?;
+        domain((*a > 0.0 || (*a == 0.0 && *b > 0.0)) && !b.is_nan())?;
         *self = finite(pxfm::f_pow(*a, *b))?;
         Ok(())
     }
