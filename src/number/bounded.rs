@@ -406,7 +406,7 @@ impl Number for Bounded {
             // A power computed as 0 may have been as large as the smallest number.
             self.elementary(value, (value * UP + TINY) * pxfm::f_expm1(exponent) * UP)
         } else if a.is_exact_zero() && b.value - b.error > 0.0 {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             Ok(())
         } else if b.value - b.error > 0.0 {
             let top = a.magnitude();
@@ -450,7 +450,7 @@ impl Number for Bounded {
             return Err(if in_domain { NoValue::Indeterminate } else { a.outside(inside && known) });
         };
         if a.is_exact_zero() || b.is_exact_zero() {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             return Ok(());
         }
         let rounding = (3.0 * f64::from(real::AGM_ITERATIONS) + 8.0) * U;
