@@ -28,7 +28,14 @@ pub(super) fn powi(a: f64, n: i32) -> f64 {
         base *= base;
         e >>= 1;
     }
-    if n < 0 { 1.0 / acc } else { acc }
+    // The reciprocal of an overflow is not 0 but unknown.
+    if n >= 0 {
+        acc
+    } else if acc.is_infinite() {
+        f64::NAN
+    } else {
+        1.0 / acc
+    }
 }
 
 /// More iterations of the arithmetic–geometric mean than any two numbers need: one per halving of the exponent of their
