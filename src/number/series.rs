@@ -23,7 +23,11 @@ fn sum<B: Scalar>(a: &[B], b: &[B], k: usize, lo: usize, hi: usize) -> B {
 /// Coefficient k of a·b.
 #[inline(always)]
 fn product<B: Scalar>(a: &[B], b: &[B], k: usize) -> B {
-    sum(a, b, k, 0, k)
+    // The common case first: no coefficient is missing.
+    match (a.get(..=k), b.get(..=k)) {
+        (Some(a), Some(b)) => B::convolution(a, b),
+        _ => sum(a, b, k, 0, k),
+    }
 }
 
 /// Coefficient k of a², with half the products.
@@ -168,6 +172,16 @@ impl<B: Scalar> Jet<B> {
             dx[k] = (int::<B>(k) * a.coefficient(k) - sum(dx, ws, k, 1, k - 1)) / ws[0].checked()?;
             let x = dx[k] / int(k);
             self.put(k, x)?;
+        }
+        Ok(())
+    }
+
+    /// The orders of a product, from 0 on or with factors that end early.
+    #[inline(never)]
+    fn several_products(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        self.start(cx, |x| x.mul(&(), &a.series[0], &b.series[0]))?;
+        for k in cx.recurrent() {
+            self.put(k, product(a.coefficients(), b.coefficients(), k))?;
         }
         Ok(())
     }
@@ -348,6 +362,9 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn add(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        if let Some(k) = cx.single() {
+            return self.put(k, a.coefficient(k) + b.coefficient(k));
+        }
         self.start(cx, |x| x.add(&(), &a.series[0], &b.series[0]))?;
         for k in cx.recurrent() {
             self.put(k, a.coefficient(k) + b.coefficient(k))?;
@@ -356,6 +373,9 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn sub(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        if let Some(k) = cx.single() {
+            return self.put(k, a.coefficient(k) - b.coefficient(k));
+        }
         self.start(cx, |x| x.sub(&(), &a.series[0], &b.series[0]))?;
         for k in cx.recurrent() {
             self.put(k, a.coefficient(k) - b.coefficient(k))?;
@@ -364,16 +384,12 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn mul(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
-        self.start(cx, |x| x.mul(&(), &a.series[0], &b.series[0]))?;
-        for k in cx.recurrent() {
-            let x = if std::ptr::eq(a, b) {
-                square(a.coefficients(), k)
-            } else {
-                product(a.coefficients(), b.coefficients(), k)
-            };
-            self.put(k, x)?;
+        if let Some(k) = cx.single()
+            && let (Some(p), Some(q)) = (a.upto(k), b.upto(k))
+        {
+            return self.put(k, B::convolution(p, q));
         }
-        Ok(())
+        self.several_products(cx, a, b)
     }
     /// x·b = a.
     fn div(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
