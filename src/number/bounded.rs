@@ -87,16 +87,16 @@ impl Bounded {
         Ok(())
     }
 
-    /// 0 for an argument that is exactly 0, for odd functions.
+    /// Whether the argument of an odd function is exactly 0; then so is its value.
     #[inline(always)]
-    fn odd_zero(&mut self, a: &Bounded) -> bool {
+    fn odd_zero(&mut self, a: &Bounded, value: f64) -> bool {
         if a.is_exact_zero() {
-            *self = *a;
+            *self = Bounded::exact(value);
         }
         a.is_exact_zero()
     }
 
-    /// The same, where the value has been computed for the centre.
+    /// Why there is no result when the centre is outside the domain.
     fn outside(&self, inside_somewhere: bool) -> NoValue {
         // A ball that is not known to be a set of numbers at all says nothing.
         let known = self.value.is_finite() && self.error.is_finite();
@@ -291,7 +291,7 @@ impl Number for Bounded {
     }
     fn sin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.sin(&(), &a.value))?;
-        if self.odd_zero(a) { Ok(()) } else { self.elementary(value, wave_deviation(value, a.error)) }
+        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, wave_deviation(value, a.error)) }
     }
     fn cos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.cos(&(), &a.value))?;
@@ -300,7 +300,7 @@ impl Number for Bounded {
     /// tan(a + δ) − tan a = tan δ·(1 + t²)/(1 − t·tan δ) with t = tan a; the ball holds a pole when |t|·tan e ≥ 1.
     fn tan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.tan(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         if a.error >= 1.5 {
@@ -314,17 +314,21 @@ impl Number for Bounded {
         self.elementary(value, step * (1.0 + t * t) / under)
     }
     fn arcsin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.arcsin(&(), &a.value)) else { return Err(a.outside(a.mignitude() <= 1.0)) };
-        if self.odd_zero(a) { Ok(()) } else { self.elementary(value, arc_deviation(a.value, a.error)) }
+        let Ok(value) = centre(|x| x.arcsin(&(), &a.value)) else {
+            return Err(a.outside(a.value.abs() - a.error <= 1.0));
+        };
+        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, arc_deviation(a.value, a.error)) }
     }
     fn arccos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.arccos(&(), &a.value)) else { return Err(a.outside(a.mignitude() <= 1.0)) };
+        let Ok(value) = centre(|x| x.arccos(&(), &a.value)) else {
+            return Err(a.outside(a.value.abs() - a.error <= 1.0));
+        };
         self.elementary(value, arc_deviation(a.value, a.error))
     }
     /// arctan(a + δ) − arctan a = arctan(δ/(1 + a² + aδ)) where that denominator is positive; the slope is at most 1.
     fn arctan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.arctan(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (low, size) = (a.mignitude(), a.value.abs());
@@ -337,7 +341,7 @@ impl Number for Bounded {
     /// sinh(a + δ) − sinh a = 2 cosh(a + δ/2) sinh(δ/2).
     fn sinh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.sinh(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (half, middle) = (0.5 * a.error, (a.value.abs() + 0.5 * a.error) * UP);
@@ -354,7 +358,7 @@ impl Number for Bounded {
     /// tanh(a + δ) − tanh a = tanh δ·(1 − t²)/(1 + t·tanh δ) with t = tanh a; the slope is at most 1.
     fn tanh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.tanh(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (t, step) = (value.abs(), (pxfm::f_tanh(a.error) * UP).min(1.0));
@@ -402,7 +406,7 @@ impl Number for Bounded {
             // A power computed as 0 may have been as large as the smallest number.
             self.elementary(value, (value * UP + TINY) * pxfm::f_expm1(exponent) * UP)
         } else if a.is_exact_zero() && b.value - b.error > 0.0 {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             Ok(())
         } else if b.value - b.error > 0.0 {
             let top = a.magnitude();
@@ -446,7 +450,7 @@ impl Number for Bounded {
             return Err(if in_domain { NoValue::Indeterminate } else { a.outside(inside && known) });
         };
         if a.is_exact_zero() || b.is_exact_zero() {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             return Ok(());
         }
         let rounding = (3.0 * f64::from(real::AGM_ITERATIONS) + 8.0) * U;

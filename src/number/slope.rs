@@ -24,7 +24,7 @@ pub(super) fn slope<B: Scalar>(op: Op, a: B, v: B) -> B {
         Op::Tan => one + v * v,
         Op::Arcsin => one / value(B::sqrt, one_minus_square(a)),
         Op::Arccos => -one / value(B::sqrt, one_minus_square(a)),
-        Op::Arctan => one / (one + a * a),
+        Op::Arctan => one / (one + a * a).checked().unwrap_or(B::INVALID),
         Op::Sinh => value(B::cosh, a),
         Op::Cosh => value(B::sinh, a),
         Op::Tanh => one_minus_square(v),
