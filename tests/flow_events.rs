@@ -114,6 +114,9 @@ fn what_cannot_be_decided_is_said() {
     let found = zeros(&mut w, &m, "x/y");
     assert_times(&found.times, &[0.0, PI], 1e-14);
     assert!(found.incomplete.is_some());
+    // So is a jump at the cut of arctan2.
+    let found = zeros(&mut w, &m, "atan2(x,0-1)");
+    assert!(found.times.iter().all(|t| *t < 0.1), "{found:?}");
     let never = zeros(&mut w, &m, "sqrt(0-1-x^2)");
     assert!(never.times.is_empty() && never.incomplete.is_some());
 }

@@ -112,6 +112,21 @@ fn passages_at_any_distance_turn_the_angle_by_pi_to_the_right_side() {
         assert!((turned + sign * PI).abs() < 0.01, "{distance}: {turned}");
         assert!(m.breaks().is_empty());
     }
+    // Round the origin at the distance d², once: the ends look as if nothing had happened.
+    for distance in ["0.002", "0.000001"] {
+        let setup = Setup {
+            time: w.leaf("t"),
+            span: (-1.0, 1.0),
+            initial_time: -1.0,
+            parameters: w.pairs(&[("d", distance)]),
+            source: Source::Formula { states: w.pairs(&[("x", "(t-0.123)^2-d^2"), ("y", "2*d*(t-0.123)")]) },
+            observables: w.observables(&[("a~", "atan2(y,x)")]),
+        };
+        let mut m = Motion::new(&mut w.graph, setup).unwrap();
+        w.prepare(&mut m, &["a"]);
+        let turned = value(&m, 1.0, 0) - value(&m, -1.0, 0);
+        assert!((turned - TAU).abs() < 0.02 || (turned + TAU).abs() < 0.02, "{distance}: {turned}");
+    }
     // Through the origin there is no side: a new branch starts, and this is said.
     let setup = Setup {
         time: w.leaf("t"),

@@ -313,7 +313,7 @@ impl Zeros {
     fn cross(&mut self, explorer: &mut Explorer, a: Node, b: Node) {
         let time = refine(explorer, a, b);
         match explorer.values(time).first() {
-            Some(Ok(x)) if x.value.abs() <= a.value.value.abs().max(b.value.value.abs()) + x.error => {
+            Some(Ok(x)) if x.value.abs() <= 1e-6 * a.value.value.abs().max(b.value.value.abs()) + 4.0 * x.error => {
                 self.times.push(time);
             }
             Some(Err(reason)) => {
