@@ -69,6 +69,29 @@ fn values_at_a_time(bencher: divan::Bencher) {
     bencher.bench_local(|| m.at(divan::black_box(37.3)));
 }
 
+/// A long motion (about 2200 steps) with its error estimate and three Euler angles that are followed.
+#[divan::bench(sample_count = 10)]
+fn long_motion_with_angles(bencher: divan::Bencher) {
+    let (mut w, field) = world();
+    let values: Vec<(&str, &str)> =
+        rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.6", "-1.1", "1.7"])).collect();
+    let parameters = [("I1", "1.9"), ("I2", "1.4"), ("I3", "0.7")];
+    let angle = [("theta~", "atan2(sqrt(R31^2+R32^2),R33)"), ("psi~", "atan2(R31,R32)"), ("phi~", "atan2(R13,0-R23)")];
+    bencher.bench_local(|| w.integrate(&field, &values, &parameters, &angle, (0.0, 1000.0), 0.0).unwrap().steps());
+}
+
+/// All sign changes of R₃₃ on t = 0 … 100.
+#[divan::bench(sample_count = 20)]
+fn zeros_of_a_component(bencher: divan::Bencher) {
+    let (mut w, field) = world();
+    let values: Vec<(&str, &str)> =
+        rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.6", "-1.1", "1.7"])).collect();
+    let parameters = [("I1", "1.9"), ("I2", "1.4"), ("I3", "0.7")];
+    let m = w.integrate(&field, &values, &parameters, &[], (0.0, SPAN), 0.0).unwrap();
+    let g = w.e("R33");
+    bencher.bench_local(|| m.zeros(&mut w.graph, g).unwrap().times.len());
+}
+
 mod hand {
     const ORDER: usize = 20;
     type Jet = [f64; ORDER + 1];

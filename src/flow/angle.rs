@@ -59,12 +59,11 @@ impl Angle {
                 return false;
             }
             // At the ends the definition must agree, up to turns.
-            [piece.start, piece.end].into_iter().all(|t| match explorer.values(t).first() {
-                Some(Ok(x)) => {
-                    let off = x.value - piece.angle(t);
-                    (off - TAU * around(off)).abs() < 0.1 + x.error
-                }
-                _ => true,
+            [piece.start, piece.end].into_iter().all(|t| {
+                explorer.plain(t).is_none_or(|x| {
+                    let off = x - piece.angle(t);
+                    (off - TAU * around(off)).abs() < 0.1
+                })
             })
         });
         let initial = explorer.values(core.initial_time).first().copied().unwrap_or(Err(NoValue::Unsupported));

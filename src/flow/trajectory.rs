@@ -171,6 +171,7 @@ fn branch(
     let control = Control { order: ORDER, caution: 1.0, max_steps };
     let mut out = Branch::integrate(flow, control, &numbers, (start, end), state)?;
     if out.times.len() > 1 {
+        // Two orders less, but steps that make the truncation about as small.
         out.compare(flow, control, &numbers, &initial, 2, 0.8);
         if constants.iter().chain(state).any(|x| x.error > 0.0) {
             let shifted = |of: &[Bounded], sign: &dyn Fn(usize) -> f64| {
@@ -178,7 +179,7 @@ fn branch(
             };
             // Two corners of the box of what is known; the second alternates in a sequence without a short period.
             let corner = |i: usize| if (i * i + i / 2).is_multiple_of(3) { 1.0 } else { -1.0 };
-            for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.9), (&corner, 0.7)] {
+            for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.97), (&corner, 0.91)] {
                 out.compare(flow, control, &shifted(constants, sign), &shifted(state, sign), 0, caution);
             }
         }
@@ -236,13 +237,13 @@ impl Branch {
         control: Control,
         constants: &[f64],
         initial: &[f64],
-        more: usize,
+        less: usize,
         caution: f64,
     ) {
         let n = flow.dimension;
         let (Some(&start), Some(&end)) = (self.times.first(), self.times.last()) else { return };
         let forward = end > start;
-        let control = Control { order: control.order + more, caution, max_steps: 4 * control.max_steps };
+        let control = Control { order: control.order - less, caution, max_steps: 4 * control.max_steps };
         let Ok(mut walker) = Walker::new(flow, control, constants, (start, end), initial) else {
             self.cut(n, start);
             return;
