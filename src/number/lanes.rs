@@ -179,23 +179,23 @@ impl<const N: usize> Number for Lanes<N> {
 
 /// Unchecked operators, as the recurrences of series need them.
 macro_rules! operator {
-    ($trait:ident $method:ident $op:tt) => {
+    ($trait:ident $method:ident $assign:tt) => {
         impl<const N: usize> $trait for Lanes<N> {
             type Output = Self;
             #[inline(always)]
             fn $method(mut self, b: Self) -> Self {
                 for i in 0..N {
-                    self.0[i] = self.0[i] $op b.0[i];
+                    self.0[i] $assign b.0[i];
                 }
                 self
             }
         }
     };
 }
-operator!(Add add +);
-operator!(Sub sub -);
-operator!(Mul mul *);
-operator!(Div div /);
+operator!(Add add +=);
+operator!(Sub sub -=);
+operator!(Mul mul *=);
+operator!(Div div /=);
 
 impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;

@@ -51,27 +51,21 @@ pub trait Scalar:
     fn convolution(a: &[Self], b: &[Self]) -> Self {
         let (head, tail) = a.as_chunks::<4>();
         let (rest, back) = b.as_rchunks::<4>();
-        let mut s = [Self::ZERO; 4];
-        for (p, q) in head.iter().zip(back.iter().rev()) {
-            s[0] = s[0] + p[0] * q[3];
-            s[1] = s[1] + p[1] * q[2];
-            s[2] = s[2] + p[2] * q[1];
-            s[3] = s[3] + p[3] * q[0];
-        }
-        match (tail, rest) {
-            ([x], [u]) => s[0] = s[0] + *x * *u,
-            ([x, y], [v, u]) => {
-                s[0] = s[0] + *x * *u;
-                s[1] = s[1] + *y * *v;
+        let mut sum = Self::ZERO;
+        if let ([p, head @ ..], [back @ .., q]) = (head, back) {
+            let mut s = [p[0] * q[3], p[1] * q[2], p[2] * q[1], p[3] * q[0]];
+            for (p, q) in head.iter().zip(back.iter().rev()) {
+                s[0] = s[0] + p[0] * q[3];
+                s[1] = s[1] + p[1] * q[2];
+                s[2] = s[2] + p[2] * q[1];
+                s[3] = s[3] + p[3] * q[0];
             }
-            ([x, y, z], [w, v, u]) => {
-                s[0] = s[0] + *x * *u;
-                s[1] = s[1] + *y * *v;
-                s[2] = s[2] + *z * *w;
-            }
-            _ => {}
+            sum = (s[0] + s[2]) + (s[1] + s[3]);
         }
-        (s[0] + s[2]) + (s[1] + s[3])
+        for (&x, &y) in tail.iter().zip(rest.iter().rev()) {
+            sum = sum + x * y;
+        }
+        sum
     }
 }
 

@@ -9,25 +9,38 @@ use super::{Jet, NoValue, Number, Orders, Rational, Scalar, scalar::value};
 /// Σ aᵢ·bₖ₋ᵢ for lo ≤ i ≤ hi, as far as both are known; slices end where the series does.
 #[inline(always)]
 fn sum<B: Scalar>(a: &[B], b: &[B], k: usize, lo: usize, hi: usize) -> B {
-    let lo = lo.max((k + 1).saturating_sub(b.len()));
-    let hi = hi.min(a.len().wrapping_sub(1));
-    if hi == usize::MAX || lo > hi {
+    if lo > hi {
         return B::ZERO;
     }
     match (a.get(lo..=hi), b.get(k - hi..=k - lo)) {
         (Some(a), Some(b)) => B::convolution(a, b),
-        _ => B::ZERO,
+        _ => partial_sum(a, b, k, lo, hi),
     }
+}
+
+/// The same where coefficients beyond the ends of the slices are 0. Terms are added in the order of the full sum, so that
+/// the result does not depend on whether a zero is stored.
+fn partial_sum<B: Scalar>(a: &[B], b: &[B], k: usize, lo: usize, hi: usize) -> B {
+    let body = lo + (hi + 1 - lo) / 4 * 4;
+    let (first, end) = (lo.max((k + 1).saturating_sub(b.len())), (hi + 1).min(a.len()));
+    if end == first + 1 {
+        return a[first] * b[k - first];
+    }
+    let mut s = [B::ZERO; 4];
+    for i in first..end.min(body) {
+        s[(i - lo) % 4] = s[(i - lo) % 4] + a[i] * b[k - i];
+    }
+    let mut sum = (s[0] + s[2]) + (s[1] + s[3]);
+    for i in first.max(body)..end {
+        sum = sum + a[i] * b[k - i];
+    }
+    sum
 }
 
 /// Coefficient k of a·b.
 #[inline(always)]
 fn product<B: Scalar>(a: &[B], b: &[B], k: usize) -> B {
-    // The common case first: no coefficient is missing.
-    match (a.get(..=k), b.get(..=k)) {
-        (Some(a), Some(b)) => B::convolution(a, b),
-        _ => sum(a, b, k, 0, k),
-    }
+    sum(a, b, k, 0, k)
 }
 
 /// Coefficient k of a², with half the products.
