@@ -23,6 +23,8 @@ pub(super) struct Program {
     tape: Tape,
     inputs: Vec<Input>,
     moving: bool,
+    /// Which states are among the inputs.
+    needs: Vec<bool>,
     /// Operations with a branch point, and the slots of their first arguments.
     branches: Vec<(Op, usize)>,
 }
@@ -98,7 +100,9 @@ impl Program {
                 .ok_or(leaf)
         };
         let inputs: Vec<Input> = leaves.iter().map(input).collect::<Result<_, _>>()?;
-        let moving = inputs.iter().any(|i| matches!(i, Input::State(_)));
+        let dimension = core.orbit.as_ref().map_or(0, |o| o.states.len());
+        let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
+        let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
         let branches = tape
             .instructions()
@@ -106,7 +110,7 @@ impl Program {
             .filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos))
             .map(|i| (i.op, i.a as usize))
             .collect();
-        Ok(Program { tape, inputs, moving, branches })
+        Ok(Program { tape, inputs, moving, needs, branches })
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -145,8 +149,11 @@ impl Program {
         if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
             let (from, to) = orbit.trajectory.reach();
             let place = orbit.trajectory.place(t);
-            for (i, x) in bench.state.iter_mut().enumerate() {
-                *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+            for (i, (x, &needed)) in bench.state.iter_mut().zip(&self.needs).enumerate() {
+                // The field needs all states, the value of the outputs only their own.
+                if needed || bench.field.is_some() {
+                    *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+                }
             }
             let outside = !(from <= t && t <= to);
             if outside || bench.state.iter().any(|x| x.checked().is_err()) {
