@@ -64,6 +64,9 @@ fn close_pairs_turning_points_and_near_misses() {
     let g = w.e("x - 1.25");
     let least = m.minimum(&mut w.graph, g).unwrap().unwrap();
     assert!((least.time - FRAC_PI_2).abs() < 1e-7 && (least.value.value + 0.25).abs() < 1e-14);
+    assert_eq!(least.incomplete, None);
+    let g = w.e("sqrt(x) + 1");
+    assert!(m.minimum(&mut w.graph, g).unwrap().unwrap().incomplete.is_some());
     let triple = zeros(&mut w, &m, "(x - 0.5)^3");
     assert_eq!(triple.times.len(), 2, "{triple:?}");
 }

@@ -61,6 +61,8 @@ pub struct Minimum {
     pub time: f64,
     /// The value there, with its sign and error. It contains 0 where the sign changes.
     pub value: Bounded,
+    /// The first stretch on which nothing could be decided: the expression may come closer to 0 there.
+    pub incomplete: Option<Incomplete>,
 }
 
 /// A time at which the expression was looked at.
@@ -356,11 +358,11 @@ fn refine(explorer: &mut Explorer, a: Node, b: Node) -> f64 {
 /// The smallest absolute value of the only output of `program`.
 pub(super) fn minimum(core: &Core, program: &Program) -> Option<Minimum> {
     let mut explorer = Explorer::new(core, program, DEGREE);
-    let (runs, _) = nodes(&mut explorer);
+    let (runs, incomplete) = nodes(&mut explorer);
     let mut best: Option<Minimum> = None;
     let mut offer = |time: f64, value: Bounded| {
         if best.is_none_or(|b| value.value.abs() < b.value.value.abs()) {
-            best = Some(Minimum { time, value });
+            best = Some(Minimum { time, value, incomplete });
         }
     };
     for run in runs {
