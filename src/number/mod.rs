@@ -15,6 +15,7 @@ mod bounded;
 mod dual;
 
 mod jet;
+mod lanes;
 mod operation;
 mod real;
 mod scalar;
@@ -24,6 +25,7 @@ mod slope;
 pub use bounded::Bounded;
 pub use dashu_ratio::RBig as Rational;
 pub use jet::{Jet, Orders};
+pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};
 pub use scalar::Scalar;
 
