@@ -570,7 +570,7 @@ fn series_agree_bit_for_bit() {
                 // Some coefficients are 0, so that an argument rests before it moves.
                 for k in 1..=top {
                     let c = random.scaled(-2.0, 1.0);
-                    x.set_coefficient(k, if random.bits() % 3 == 0 { 0.0 } else { c });
+                    x.set_coefficient(k, if random.bits().is_multiple_of(3) { 0.0 } else { c });
                 }
                 x
             };
