@@ -570,7 +570,7 @@ fn series_agree_bit_for_bit() {
                 // Some coefficients are 0, so that an argument rests before it moves.
                 for k in 1..=top {
                     let c = random.scaled(-2.0, 1.0);
-                    x.set_coefficient(k, if random.bits() % 3 == 0 { 0.0 } else { c });
+                    x.set_coefficient(k, if random.bits().is_multiple_of(3) { 0.0 } else { c });
                 }
                 x
             };
@@ -654,4 +654,31 @@ fn bounds_of_series_hold() {
         }
     }
     tally.require(&["series of balls"], &[Op::Agm]);
+}
+
+/// Coefficients of a product of series with exact coefficients, against many digits.
+#[test]
+fn bounds_hold_for_convolutions() {
+    let mut random = Random(9);
+    for degree in 0..40 {
+        let all = Orders::all(degree);
+        let mut draw = || {
+            let mut x = Jet::constant(Bounded::exact(random.scaled(-3.0, 3.0)), &all);
+            (1..=degree).for_each(|k| x.set_coefficient(k, Bounded::exact(random.scaled(-3.0, 3.0))));
+            x
+        };
+        let (a, b) = (draw(), draw());
+        let product = apply(Op::Mul, &all, &a, &b).expect("no overflow");
+        let (mut sum, mut size) = (exact(0.0), 0.0);
+        for i in 0..=degree {
+            let (x, y) = (a.coefficient(i).value, b.coefficient(degree - i).value);
+            sum += exact(x) * exact(y);
+            size += (x * y).abs();
+        }
+        let got = product.coefficient(degree);
+        let off = sum - exact(got.value);
+        let off = if off < exact(0.0) { -off } else { off };
+        assert!(off <= exact(got.error), "order {degree}: {got:?} is off by {:e}", off.to_f64().value());
+        assert!(got.error <= (degree + 3) as f64 * f64::EPSILON * size, "order {degree}: {got:?} is too wide");
+    }
 }
