@@ -8,7 +8,7 @@ pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Wit
 
 // Stand-in for the checks themselves, replaced when they are merged.
 mod stub;
-pub use stub::{Options, check};
+pub use stub::{CheckError, Options, check};
 
 #[cfg(test)]
 pub(crate) mod sample;

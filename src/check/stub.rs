@@ -13,6 +13,15 @@ pub struct Options {
     pub trajectories: Vec<String>,
 }
 
+/// Why a check could not be made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CheckError {
+    /// Problems in the derivation file.
+    Problems(Vec<Diagnostic>),
+    /// The program contradicts itself: a defect to be reported.
+    Defect(String),
+}
+
 /// Checks the claims of a derivation.
 ///
 /// # Errors
@@ -21,7 +30,7 @@ pub fn check(
     derivation: &mut Derivation,
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<Account, Vec<Diagnostic>> {
+) -> Result<Account, CheckError> {
     let wanted = |list: &[String], names: &[&str]| list.is_empty() || list.iter().any(|l| names.contains(&l.as_str()));
     let trajectories = derivation.trajectories.iter().filter(|t| wanted(&options.trajectories, &[&t.id]));
     let trajectories = trajectories.map(|t| TrajectoryAccount {

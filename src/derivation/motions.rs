@@ -344,7 +344,7 @@ impl Loader<'_> {
         let mut known = Known::new();
         let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
         let free = move |scope: &Scope, leaf: Leaf| {
-            leaf.rate == 0 && (has.contains(&leaf.symbol) || time && scope.time() == Some(leaf.symbol))
+            leaf.rate == 0 && (has.contains(&leaf.symbol) || time && scope.time() == Some(leaf))
         };
         for (symbol, _, value) in given {
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
