@@ -10,6 +10,7 @@ pub mod check;
 pub mod derivation;
 pub mod diag;
 pub mod expr;
+pub mod flow;
 pub mod latex;
 pub mod number;
 pub mod report;

@@ -66,6 +66,7 @@ impl Loader<'_> {
             at: None,
             follows_from: Vec::new(),
             precision: DEFAULT_PRECISION,
+            branches_throughout: false,
             trajectories: (0..self.out.trajectories.len()).collect(),
             expect: Vec::new(),
             scope: self.out.scope.clone(),
@@ -141,6 +142,18 @@ impl Loader<'_> {
         }
         if table.get("follows-from").is_some() {
             claim.follows_from = self.follows_from(table, claim, ids);
+        }
+        if let Some(value) = table.get("branches")
+            && let Some(text) = text_of(&mut self.problems, value, "branches")
+        {
+            match text {
+                "pointwise" => claim.branches_throughout = false,
+                "throughout" => claim.branches_throughout = true,
+                _ => {
+                    let message = format!("`branches` is `pointwise` or `throughout`, not `{text}`");
+                    self.problems.note("derivation::wrong-type", value.span(), message);
+                }
+            }
         }
         if let Some(value) = table.get("precision")
             && let Some(precision) = finite(&mut self.problems, value, "precision")

@@ -20,6 +20,7 @@ pub const READING: &[&str] = &[
     "assuming",
     "follows-from",
     "precision",
+    "branches",
     "trajectories",
     "always",
     "never",

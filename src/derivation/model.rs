@@ -114,9 +114,9 @@ pub enum Motion {
     Integrated {
         /// Position in [`Derivation::systems`].
         system: usize,
-        /// One entry for each state of the system, in its order; one expression for each stored component, over
-        /// parameters only.
-        initial: Vec<(Symbol, Written<Vec<Expr>>)>,
+        /// State, order of its rate (0 for the state itself), and one expression for each stored component, over
+        /// parameters only; in the order of the system's states.
+        initial: Vec<(Symbol, u8, Written<Vec<Expr>>)>,
     },
     /// Given by formulas in time and parameters: one expression for each stored component.
     Formula {
@@ -300,6 +300,8 @@ pub struct Claim {
     pub follows_from: Vec<String>,
     /// The precision that is asked for, relative.
     pub precision: f64,
+    /// Whether one sign of ± must serve the whole motion; otherwise some sign at each time.
+    pub branches_throughout: bool,
     /// The motions on which it is tried: positions in [`Derivation::trajectories`], increasing.
     pub trajectories: Vec<usize>,
     /// The expected verdict on each of `trajectories`, as a word of the report.

@@ -258,7 +258,7 @@ impl Loader<'_> {
         key: &'static str,
         role: Role,
         scope: &Scope,
-    ) -> Vec<(Symbol, Range<usize>, &'a Value<'s>)> {
+    ) -> Vec<Assigned<'a, 's>> {
         let Some(value) = table.get(key) else { return Vec::new() };
         let DeValue::Table(entries) = value.get_ref() else {
             self.problems.wrong_type(value, key, "a table of symbols and their values");
@@ -266,9 +266,14 @@ impl Loader<'_> {
         };
         let mut out = Vec::new();
         for (name, value) in entries {
-            let Some(symbol) = self.symbol(name.get_ref(), name.span(), scope) else { continue };
+            // Initial values may be those of rates: `\dot q`.
+            let (rate, bare) = match (key, name.get_ref()) {
+                ("initial", text) => undotted(text),
+                (_, text) => (0, text.as_ref()),
+            };
+            let Some(symbol) = self.symbol(bare, name.span(), scope) else { continue };
             if scope.role(symbol) == Some(role) {
-                out.push((symbol, name.span(), value));
+                out.push(Assigned { symbol, rate, span: name.span(), value });
             } else {
                 let word = if role == Role::State { "a state" } else { "a parameter" };
                 let message = format!("`{}` is not declared as {word}", name.get_ref());
@@ -282,7 +287,7 @@ impl Loader<'_> {
     fn parameters(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>, scope: &Scope) -> Values {
         let mut out: Values = source.map(|s| s.parameters.clone()).unwrap_or_default();
         let mut known: Known = out.iter().map(|(s, w)| (*s, w.value.clone())).collect();
-        for (symbol, _, value) in self.given(table, "parameters", Role::Parameter, scope) {
+        for Assigned { symbol, value, .. } in self.given(table, "parameters", Role::Parameter, scope) {
             let Some(mut written) = self.components(value, symbol, scope) else {
                 known.insert(symbol, vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
                 continue;
@@ -334,23 +339,25 @@ impl Loader<'_> {
     /// States given one after the other: each formula may use the states before it.
     fn state_values(
         &mut self,
-        given: Vec<(Symbol, Range<usize>, &Value<'_>)>,
+        given: Vec<Assigned<'_, '_>>,
         parameters: &Values,
         scope: &Scope,
         time: bool,
         hint: &str,
-    ) -> Values {
-        let mut out = Values::new();
+    ) -> Vec<(Symbol, u8, Written<Vec<Expr>>)> {
+        let mut out = Vec::new();
         let mut known = Known::new();
         let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
         let free = move |scope: &Scope, leaf: Leaf| {
-            leaf.rate == 0 && (has.contains(&leaf.symbol) || time && scope.time() == Some(leaf))
+            leaf.rate == 0 && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
         };
-        for (symbol, _, value) in given {
+        for Assigned { symbol, rate, value, .. } in given {
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
             if self.resolve_all(&mut written, &known, scope, &free, hint) {
-                known.insert(symbol, written.value.clone());
-                out.push((symbol, written));
+                if rate == 0 {
+                    known.insert(symbol, written.value.clone());
+                }
+                out.push((symbol, rate, written));
             }
         }
         out
@@ -366,22 +373,22 @@ impl Loader<'_> {
             return None;
         }
         let mut given = self.given(table, "initial", Role::State, scope);
-        for (symbol, span, _) in given.iter().filter(|(s, ..)| !states.contains(s)) {
-            let message = format!("`{}` is no state of the system `{name}`", self.out.graph.name(*symbol));
-            self.problems.note("derivation::unknown-symbol", span.clone(), message);
+        for g in given.iter().filter(|g| !states.contains(&g.symbol)) {
+            let message = format!("`{}` is no state of the system `{name}`", self.out.graph.name(g.symbol));
+            self.problems.note("derivation::unknown-symbol", g.span.clone(), message);
         }
         let missing: Vec<&str> =
-            states.iter().filter(|s| !given.iter().any(|(g, ..)| g == *s)).map(|s| self.out.graph.name(*s)).collect();
+            states.iter().filter(|s| !given.iter().any(|g| g.symbol == **s && g.rate == 0)).map(|s| self.out.graph.name(*s)).collect();
         if !missing.is_empty() {
             let span = table.get("initial").map_or(table.span.clone(), |v| v.span());
             let names: Vec<String> = missing.iter().map(|m| format!("`{m}`")).collect();
             let message = format!("no initial value for {} of the system `{name}`", names.join(", "));
             self.problems.note("derivation::missing-initial", span, message);
         }
-        given.retain(|(s, ..)| states.contains(s));
+        given.retain(|g| states.contains(&g.symbol));
         let hint = "initial values may use the trajectory's parameters and the states that are given before";
         let mut initial = self.state_values(given, parameters, scope, false, hint);
-        initial.sort_by_key(|(s, _)| states.iter().position(|x| x == s));
+        initial.sort_by_key(|(s, rate, _)| (states.iter().position(|x| x == s), *rate));
         Some(Motion::Integrated { system, initial })
     }
 
@@ -394,7 +401,7 @@ impl Loader<'_> {
             self.problems.note("derivation::missing-key", value.span(), "`formula` gives no state");
         }
         let hint = "a motion's formula may use the time, the trajectory's parameters and the states before it";
-        self.state_values(given, parameters, scope, true, hint)
+        self.state_values(given, parameters, scope, true, hint).into_iter().map(|(s, _, w)| (s, w)).collect()
     }
 
     /// The map of a derived motion: its formulas keep their leaves, states of the source among them.
@@ -402,7 +409,7 @@ impl Loader<'_> {
         let given = self.given(table, "map", Role::State, scope);
         let states = &source.states;
         let mut out = Values::new();
-        for (symbol, _, value) in given {
+        for Assigned { symbol, value, .. } in given {
             let Some(written) = self.components(value, symbol, scope) else { continue };
             let leaves = self.out.graph.leaves(written.value.iter().copied());
             let unknown = leaves.into_iter().find(|leaf| match scope.role(leaf.symbol) {
@@ -420,4 +427,28 @@ impl Loader<'_> {
         }
         out
     }
+}
+
+/// A value given to a symbol, or to one of its rates.
+struct Assigned<'a, 's> {
+    symbol: Symbol,
+    rate: u8,
+    span: Range<usize>,
+    value: &'a Value<'s>,
+}
+
+/// Takes the dots off a name: `\dot q` is rate 1 of `q`.
+fn undotted(name: &str) -> (u8, &str) {
+    for (dots, rate) in [(r"\ddot", 2), (r"\dot", 1)] {
+        if let Some(rest) = name.trim().strip_prefix(dots)
+            && rest.starts_with([' ', '{', '\\'])
+        {
+            let rest = rest.trim();
+            // `\dot{q}`: the braces only group; `\dot{\bf r}`: they belong to the name.
+            let inner = rest.strip_prefix('{').and_then(|r| r.strip_suffix('}'));
+            let bare = inner.filter(|i| !i.trim_start().starts_with(r"\bf") && !i.trim_start().starts_with(r"\rm"));
+            return (rate, bare.unwrap_or(rest));
+        }
+    }
+    (0, name)
 }

@@ -1,161 +1,112 @@
-//! Thin stand-in for the formula reader, replaced when that room is merged: it knows symbols and numbers only.
+//! Formula text → expressions.
+//!
+//! **In:** LaTeX as a paper prints it, and a [`Scope`] of declared symbols. **Out:** [`Statement`]s (relations between
+//! tensors of expressions) or a single [`Tensor`](crate::expr::Tensor).
+//!
+//! **Guaranteed:** a text is consumed whole, with one meaning, or refused with [`Problem`]s that name the place and how to
+//! write it. The reader never panics and never recurses without a limit. Nothing is guessed: an undeclared symbol, a
+//! product that could be a function value, a denominator that could be longer are refused.
+//!
+//! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
+//! reference of the language, and its examples are tests.
+
+mod elaborate;
+mod lexer;
+mod name;
+mod parse;
+mod scope;
+pub mod syntax;
+mod tensor;
 
 use std::ops::Range;
 
+pub use scope::{DeclareError, Declaration, Role, Scope};
+pub use syntax::RelationKind;
+
 use crate::diag::Problem;
-use crate::expr::{Expr, Graph, Shape, Symbol, Tensor};
+use crate::expr::{Expr, Graph, Tensor};
+use elaborate::Elaborator;
 
-/// What a symbol is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    Time,
-    State,
-    Parameter,
-    Observable,
-    Abbreviation,
-    Argument,
+/// Where a limit goes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LimitPoint {
+    /// To a time.
+    Finite(Expr),
+    /// To +∞.
+    PlusInfinity,
+    /// To −∞.
+    MinusInfinity,
 }
 
-/// How a symbol is declared.
-pub struct Declaration<'a> {
-    pub role: Role,
-    pub shape: Option<Shape>,
-    pub diagonal: bool,
-    pub formula: Option<&'a str>,
-    pub arguments: &'a [&'a str],
-}
-
-/// Why a declaration is refused.
-pub enum DeclareError {
-    Key(Problem),
-    Formula(Vec<Problem>),
-}
-
-/// The declared symbols.
-#[derive(Clone, Debug, Default)]
-pub struct Scope(Vec<(String, Symbol, Role, Option<Tensor>)>);
-
-impl Scope {
-    pub fn new(_: &mut Graph) -> Scope {
-        Scope::default()
-    }
-    pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
-        let definition = match d.formula {
-            Some(text) => Some(read_expression(text, self, graph).map_err(DeclareError::Formula)?),
-            None => None,
-        };
-        let shape = d.shape.or(definition.as_ref().map(|t| t.shape.clone())).unwrap_or_default();
-        let symbol = graph.declare(key, shape, d.diagonal);
-        self.0.push((key.to_owned(), symbol, d.role, definition));
-        Ok(symbol)
-    }
-    fn entry(&self, symbol: Symbol) -> Option<&(String, Symbol, Role, Option<Tensor>)> {
-        self.0.iter().rev().find(|e| e.1 == symbol)
-    }
-    pub fn symbol(&self, key: &str) -> Option<Symbol> {
-        self.0.iter().rev().find(|e| e.0 == key).map(|e| e.1)
-    }
-    pub fn role(&self, symbol: Symbol) -> Option<Role> {
-        self.entry(symbol).map(|e| e.2)
-    }
-    pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
-        self.entry(symbol).and_then(|e| e.3.as_ref())
-    }
-    pub fn time(&self) -> Option<Symbol> {
-        self.0.iter().find(|e| e.2 == Role::Time).map(|e| e.1)
-    }
-}
-
-/// Kind of a relation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RelationKind {
-    Equal,
-    NotEqual,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
-}
-
-/// Where a limit is taken.
-#[derive(Clone, Debug)]
+/// A limit along the time.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    pub to: Expr,
+    /// Where the time goes.
+    pub approaches: LimitPoint,
 }
 
-/// A relation.
-#[derive(Clone, Debug)]
+/// Two sides and what is claimed of them.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
+    /// What is claimed.
     pub kind: RelationKind,
+    /// The left side; what the limit is taken of, where there is one.
     pub left: Tensor,
+    /// The right side, of the same shape.
     pub right: Tensor,
+    /// The left side is a limit.
     pub limit: Option<Limit>,
+    /// Names of the free indices, one for each axis; empty for index-free notation.
     pub indices: Vec<String>,
+    /// Whether ± occurs: then the sides depend on [`Scope::branch_sign`].
     pub has_branches: bool,
+    /// Its bytes.
     pub span: Range<usize>,
 }
 
-/// Relations that belong together.
-#[derive(Clone, Debug)]
+/// A chain of relations, `a = b = c`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
+    /// One relation for each sign of the chain.
     pub relations: Vec<Relation>,
+    /// Its bytes.
     pub span: Range<usize>,
 }
 
-/// Reads `a = b`, separated by commas.
+/// Reads relations; several may stand in one text, separated by commas, `\\` or `\cr`.
+///
+/// # Errors
+/// Everything that is wrong with the text.
 pub fn read(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Vec<Statement>, Vec<Problem>> {
-    let mut out = Vec::new();
-    let mut start = 0;
-    for part in text.split(',') {
-        let span = start..start + part.len();
-        let (kind, (left, right)) = match part.split_once('=') {
-            Some(sides) => (RelationKind::Equal, sides),
-            None => match part.split_once('>') {
-                Some(sides) => (RelationKind::Greater, sides),
-                None => return Err(vec![problem("latex::no-relation", "a relation is expected", span)]),
-            },
-        };
-        let shift = |mut p: Vec<Problem>, by: usize| {
-            p.iter_mut().for_each(|p| p.span = p.span.start + by..p.span.end + by);
-            p
-        };
-        let l = read_expression(left, scope, graph).map_err(|p| shift(p, start))?;
-        let r = read_expression(right, scope, graph).map_err(|p| shift(p, start + left.len() + 1))?;
-        let relation =
-            Relation { kind, left: l, right: r, limit: None, indices: vec![], has_branches: false, span: span.clone() };
-        out.push(Statement { relations: vec![relation], span });
-        start += part.len() + 1;
+    let chains = parse::chains(text, scope)?;
+    let mut statements = Vec::new();
+    let mut problems = Vec::new();
+    for chain in &chains {
+        match Elaborator::new(scope, graph).statement(chain) {
+            Ok(mut statement) => {
+                for relation in &mut statement.relations {
+                    for index in &mut relation.indices {
+                        *index = name::to_latex(index);
+                    }
+                }
+                statements.push(statement);
+            }
+            Err(problem) => problems.push(*problem),
+        }
     }
-    Ok(out)
+    if problems.is_empty() { Ok(statements) } else { Err(problems) }
 }
 
-fn problem(code: &'static str, message: &str, span: Range<usize>) -> Problem {
-    Problem { code, message: message.into(), span, hint: None }
-}
-
-/// Reads one symbol, one integer, or a sum of them.
+/// Reads one expression.
+///
+/// # Errors
+/// Everything that is wrong with the text.
 pub fn read_expression(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
-    let trimmed = text.trim();
-    let start = text.len() - text.trim_start().len();
-    let span = start..start + trimmed.len();
-    if let Ok(n) = trimmed.parse::<i64>() {
-        return Ok(Tensor::scalar(graph.integer(n)));
+    let chain = elaborate::single(text, scope)?;
+    let mut elaborator = Elaborator::new(scope, graph);
+    let node = &chain.sides[0];
+    if let Some(stray) = elaborator.stray(node).map_err(|p| vec![*p])? {
+        return Err(vec![stray]);
     }
-    let (dot, name) = match trimmed.strip_prefix(r"\dot ") {
-        Some(rest) => (1, rest),
-        None => (0, trimmed),
-    };
-    let (minus, name) = name.strip_prefix('-').map_or((false, name), |n| (true, n));
-    let Some(symbol) = scope.symbol(name) else {
-        return Err(vec![problem("latex::unknown-symbol", &format!("`{name}` is not declared"), span)]);
-    };
-    let shape = graph.shape(symbol).clone();
-    let components = (0..graph.component_count(symbol))
-        .map(|c| {
-            let leaf = crate::expr::Leaf { symbol, component: c as u16, rate: dot, instant: None };
-            let e = graph.leaf(leaf);
-            if minus { graph.neg(e) } else { e }
-        })
-        .collect();
-    Ok(Tensor { shape, components })
+    elaborator.components(node, &[]).map_err(|p| vec![*p])
 }
