@@ -1,4 +1,4 @@
-//! The rooms of `src/` import only what they may (see the table in the crate's documentation).
+//! The rooms of `src/` import only what they may.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -349,7 +349,8 @@ impl Loader<'_> {
         let mut known = Known::new();
         let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
         let free = move |scope: &Scope, leaf: Leaf| {
-            leaf.rate == 0 && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
+            leaf.rate == 0
+                && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
         };
         for Assigned { symbol, rate, value, .. } in given {
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
@@ -377,8 +378,11 @@ impl Loader<'_> {
             let message = format!("`{}` is no state of the system `{name}`", self.out.graph.name(g.symbol));
             self.problems.note("derivation::unknown-symbol", g.span.clone(), message);
         }
-        let missing: Vec<&str> =
-            states.iter().filter(|s| !given.iter().any(|g| g.symbol == **s && g.rate == 0)).map(|s| self.out.graph.name(*s)).collect();
+        let missing: Vec<&str> = states
+            .iter()
+            .filter(|s| !given.iter().any(|g| g.symbol == **s && g.rate == 0))
+            .map(|s| self.out.graph.name(*s))
+            .collect();
         if !missing.is_empty() {
             let span = table.get("initial").map_or(table.span.clone(), |v| v.span());
             let names: Vec<String> = missing.iter().map(|m| format!("`{m}`")).collect();
