@@ -93,9 +93,8 @@ impl Gradients {
             Ok(left) => left,
             Err(verdict) => return *verdict,
         };
-        let undecided = |reason: String| {
-            Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
-        };
+        let undecided =
+            |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
         let Ok(tape) = Tape::compile(graph, course.leaves, &self.entries) else {
             return undecided("the functions depend on something that this motion does not have".to_owned());
         };

@@ -79,7 +79,8 @@ impl Compiled {
                 match self.events.get(&trajectory) {
                     Some(zeros) => {
                         let partial = zeros.incomplete.as_ref();
-                        out.reason = partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
+                        out.reason =
+                            partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
                         if zeros.times.is_empty() && out.reason.is_none() {
                             out.reason = Some(format!("`{text}` does not happen on this motion"));
                         }

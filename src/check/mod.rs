@@ -15,6 +15,8 @@ mod independence;
 mod measure;
 mod program;
 mod same_motion;
+#[cfg(test)]
+pub(crate) mod sample;
 mod stage;
 mod trial;
 mod verdict;
@@ -93,12 +95,14 @@ pub fn check(
         programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
         let variables = stage.state_leaves();
         let claim = derivation.claims[c].clone();
-        gradients.push(claim.forms.iter().find_map(|form| match form {
-            Form::Independent { functions, subject_to } => Some(
-                Gradients::new(&mut derivation.graph, &claim.scope, &variables, functions, subject_to)
-                    .map_err(|e| e.to_string()),
-            ),
-            _ => None,
+        gradients.push(claim.forms.iter().find_map(|form| {
+            match form {
+                Form::Independent { functions, subject_to } => Some(
+                    Gradients::new(&mut derivation.graph, &claim.scope, &variables, functions, subject_to)
+                        .map_err(|e| e.to_string()),
+                ),
+                _ => None,
+            }
         }));
     }
     let measures = measure::compile(derivation, options.claims.is_empty());
@@ -129,8 +133,9 @@ pub fn check(
         let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
         prepared.push(per_start.into_iter().map(one).collect());
     }
-    let tried: Vec<usize> =
-        (0..derivation.trajectories.len()).filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id)).collect();
+    let tried: Vec<usize> = (0..derivation.trajectories.len())
+        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
+        .collect();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
         .par_iter()
@@ -228,7 +233,3 @@ fn assemble(
     measurements.sort_by_key(order);
     Account { trajectories, claims, measurements }
 }
-
-
-#[cfg(test)]
-pub(crate) mod sample;

@@ -204,8 +204,7 @@ impl Program {
         for c in self.comparisons() {
             roots.push((c.left, c.right, c.magnitude));
         }
-        let roots: Vec<Expr> =
-            roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
+        let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
         let inputs: Vec<Leaf> = known.iter().copied().chain([self.sign]).collect();
         self.tape = Some(Tape::compile(graph, &inputs, &roots)?);
         Ok(())

@@ -35,11 +35,8 @@ pub(super) fn try_on(
     of: &[Symbol],
 ) -> Verdict {
     let (from, to) = course.stage.motion(other).span();
-    let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> = course
-        .times
-        .iter()
-        .map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t)))
-        .collect();
+    let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
+        course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
     let mut comparisons = Vec::new();
     let mut series: Vec<Series> = Vec::new();
     for leaf in of.iter().flat_map(|&s| components(derivation, s)) {

@@ -68,7 +68,9 @@ impl Stage {
             // Observables on the right side are part of the system: it is closed in its states.
             let closed: Vec<(Expr, Expr)> = equations
                 .into_iter()
-                .map(|(l, r)| (super::independence::expand(graph, scope, l), super::independence::expand(graph, scope, r)))
+                .map(|(l, r)| {
+                    (super::independence::expand(graph, scope, l), super::independence::expand(graph, scope, r))
+                })
                 .collect();
             match VectorField::solve(graph, Some(time), &system.states, &closed) {
                 Ok(field) => fields.push(Some(field)),
@@ -365,9 +367,10 @@ fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
 
 /// Whether every leaf of the expressions belongs to a known symbol.
 fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
-    graph.leaves(roots.iter().copied()).iter().all(|l| {
-        known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e]))
-    })
+    graph
+        .leaves(roots.iter().copied())
+        .iter()
+        .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
 }
 
 fn trajectory_problem(

@@ -62,10 +62,8 @@ struct Measurements {
 fn measure(program: &Program, points: &[Values]) -> Measurements {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
     let mut slots: Option<Slots<Bounded>> = None;
-    let by_sign: Vec<Vec<Vec<_>>> = signs
-        .iter()
-        .map(|&sign| points.iter().map(|p| program.measure(p, sign, &mut slots)).collect())
-        .collect();
+    let by_sign: Vec<Vec<Vec<_>>> =
+        signs.iter().map(|&sign| points.iter().map(|p| program.measure(p, sign, &mut slots)).collect()).collect();
     let mut next = 0;
     let mut gather = |group: &Group| -> Vec<Vec<Series>> {
         let first = next;
@@ -210,10 +208,9 @@ pub(super) fn all_of(verdicts: Vec<Verdict>) -> Verdict {
         Outcome::Holds(_) => 0,
     };
     // Among equals the part with the largest residual in units of its bound.
-    let ratio = |v: &Verdict| v.evidence().residual.as_ref().map_or(0.0, |r| if r.max > 0.0 { r.max / r.bound } else { 0.0 });
-    let worst = verdicts
-        .into_iter()
-        .reduce(|a, b| if (rank(&b), ratio(&b)) > (rank(&a), ratio(&a)) { b } else { a });
+    let ratio =
+        |v: &Verdict| v.evidence().residual.as_ref().map_or(0.0, |r| if r.max > 0.0 { r.max / r.bound } else { 0.0 });
+    let worst = verdicts.into_iter().reduce(|a, b| if (rank(&b), ratio(&b)) > (rank(&a), ratio(&a)) { b } else { a });
     worst.unwrap_or_else(|| {
         let reason = Some("the claim says nothing that could be tried".to_owned());
         Verdict::new(Outcome::Undecided, Evidence { reason, ..Evidence::default() })
@@ -380,7 +377,8 @@ fn never(
         let points = [course.values(t)];
         let at_zero = Describer { times: &[t], points: &points, slots: RefCell::new(None), ..*describer };
         let measured = measure(describer.program, &points);
-        let same = describer.program.groups.iter().zip(&measured.groups).find(|((_, g), _)| std::ptr::eq(g, group.group));
+        let same =
+            describer.program.groups.iter().zip(&measured.groups).find(|((_, g), _)| std::ptr::eq(g, group.group));
         if let Some((comparison, Ok(m))) =
             same.and_then(|(_, signs)| Some((group.group.comparisons.first()?, signs.first()?.first()?.first()?)))
         {
@@ -406,9 +404,9 @@ fn never(
             }
         }
     }
-    let approach = closest.as_ref().map_or(String::new(), |r| {
-        format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at))
-    });
+    let approach = closest
+        .as_ref()
+        .map_or(String::new(), |r| format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at)));
     evidence.residual = closest;
     evidence.reason = Some(format!(
         "not seen at {counted} samples, nor as a sign change between them{approach}; samples cannot show that something \
@@ -461,9 +459,8 @@ fn limit(
     point: &LimitPoint,
 ) -> Verdict {
     let (from, to) = course.motion.span();
-    let undecided = |reason: String| {
-        Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
-    };
+    let undecided =
+        |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
     let (target, times): (String, Vec<f64>) = match point {
         LimitPoint::Finite(e) => {
             let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
@@ -481,7 +478,8 @@ fn limit(
         LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
             let end = if matches!(point, LimitPoint::PlusInfinity) { to } else { from };
             let start = if matches!(point, LimitPoint::PlusInfinity) { from } else { to };
-            let times = (0..=3 * APPROACH).map(|k| start + (end - start) * k as f64 / (3.0 * APPROACH as f64)).collect();
+            let times =
+                (0..=3 * APPROACH).map(|k| start + (end - start) * k as f64 / (3.0 * APPROACH as f64)).collect();
             ("t → ±∞".to_owned(), times)
         }
     };
@@ -492,7 +490,8 @@ fn limit(
     let describer = Describer::new(graph, program, course, &times, &points);
     let mut evidence = Evidence::default();
     for (comparison, series) in group.comparisons.iter().zip(series) {
-        let valid: Vec<(usize, _)> = series.iter().enumerate().filter_map(|(i, m)| Some((i, m.as_ref().ok()?))).collect();
+        let valid: Vec<(usize, _)> =
+            series.iter().enumerate().filter_map(|(i, m)| Some((i, m.as_ref().ok()?))).collect();
         let Some(&(i, last)) = valid.last() else {
             return undecided(format!("no value near the limit {target}"));
         };

@@ -286,10 +286,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
             let c = deciding(group, wrong, i, setting.precision);
             if let Ok(m) = &group.signs[wrong][c][i] {
                 let scale = scales(&group.signs[wrong][c])[i];
-                failures.push((
-                    m.difference.value.abs() / scale,
-                    witness(&setting, &group.group.comparisons[c], i, m),
-                ));
+                failures.push((m.difference.value.abs() / scale, witness(&setting, &group.group.comparisons[c], i, m)));
                 evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
             }
         }
@@ -312,8 +309,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
     }
     evidence.samples = counted.len() - inconclusive_count;
     if inconclusive_count > 0 {
-        evidence.reason =
-            Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
+        evidence.reason = Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
     }
     Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
 }

@@ -24,7 +24,12 @@ pub(super) fn refuse<T>(
     hint: impl Into<String>,
 ) -> Elaborated<T> {
     let hint = hint.into();
-    Err(Box::new(Problem { code, message: message.into(), span: span.clone(), hint: (!hint.is_empty()).then_some(hint) }))
+    Err(Box::new(Problem {
+        code,
+        message: message.into(),
+        span: span.clone(),
+        hint: (!hint.is_empty()).then_some(hint),
+    }))
 }
 
 /// One occurrence of an index letter.
@@ -115,7 +120,10 @@ impl<'a> Elaborator<'a> {
             if let Some(stray) = seen?.first() {
                 return refuse(
                     "latex::unsummed-index",
-                    format!("the index `{}` stands once in this term and not on the left", name::to_latex(&stray.letter)),
+                    format!(
+                        "the index `{}` stands once in this term and not on the left",
+                        name::to_latex(&stray.letter)
+                    ),
                     &stray.span,
                     "repeat it to sum over it, or let it stand on the left side too",
                 );
@@ -131,14 +139,24 @@ impl<'a> Elaborator<'a> {
             let span = chain.sides[k].span.start..chain.sides[k + 1].span.end;
             let (left, right) = self.same_shape(left, right, &span)?;
             if sides[k + 1].1.is_some() {
-                return refuse("latex::limit", "a limit stands on the left side", &chain.sides[k + 1].span, "exchange the sides");
+                return refuse(
+                    "latex::limit",
+                    "a limit stands on the left side",
+                    &chain.sides[k + 1].span,
+                    "exchange the sides",
+                );
             }
             let limit = match sides[k].1 {
                 None => None,
                 Some(target) => Some(Limit { approaches: self.limit_point(target)? }),
             };
             if left.shape.rank() > 0 && !matches!(kind, RelationKind::Equal | RelationKind::NotEqual) {
-                return refuse("latex::shape", format!("a {} cannot be ordered", left.shape), &span, "compare components");
+                return refuse(
+                    "latex::shape",
+                    format!("a {} cannot be ordered", left.shape),
+                    &span,
+                    "compare components",
+                );
             }
             let sign = self.scope.branch_sign();
             let all = left.components.iter().chain(&right.components).copied();
@@ -174,7 +192,12 @@ impl<'a> Elaborator<'a> {
             return Ok((left, filled));
         }
         let hint = if left.shape.rank() == 2 { r"the identity matrix is written `\mathbb{1}`" } else { "" };
-        refuse("latex::shape", format!("the left side is a {}, the right side a {}", left.shape, right.shape), span, hint)
+        refuse(
+            "latex::shape",
+            format!("the left side is a {}, the right side a {}", left.shape, right.shape),
+            span,
+            hint,
+        )
     }
 
     /// The value for every choice of the letters: a tensor with one axis for each, or the tensor itself without letters.
@@ -249,7 +272,8 @@ impl<'a> Elaborator<'a> {
                 }
                 if let Some(items) = sub {
                     let letters = items.iter().any(|i| matches!(i, SubItem::Name(_)));
-                    let extents: Vec<u16> = if letters { self.value(base)?.shape.extents().to_vec() } else { Vec::new() };
+                    let extents: Vec<u16> =
+                        if letters { self.value(base)?.shape.extents().to_vec() } else { Vec::new() };
                     for (axis, item) in items.iter().enumerate() {
                         if let SubItem::Name(letter) = item
                             && self.value_of(letter).is_none()
@@ -353,7 +377,7 @@ impl<'a> Elaborator<'a> {
     }
 
     /// Index letters that an expression leaves free: each once, in order of appearance.
-    pub(super) fn free(&mut self, node: &Node) -> Elaborated<Vec<Occurrence>> {
+    fn free(&mut self, node: &Node) -> Elaborated<Vec<Occurrence>> {
         if let NodeKind::Sum(terms) = &node.kind
             && terms.len() > 1
         {
@@ -367,7 +391,11 @@ impl<'a> Elaborator<'a> {
                     Some(before) if *before != names && !is_zero(term) => {
                         return refuse(
                             "latex::index",
-                            format!("this term has the free indices {}, the terms before it {}", list(&names), list(before)),
+                            format!(
+                                "this term has the free indices {}, the terms before it {}",
+                                list(&names),
+                                list(before)
+                            ),
                             &term.span,
                             "every term of a sum has the same free indices",
                         );
@@ -461,7 +489,8 @@ impl<'a> Elaborator<'a> {
         };
         let Some(sum) = sum else { return Ok(term) };
         let (a, b) = self.same_shape(sum, term, span).map_err(|mut p| {
-            p.message = p.message.replace("the left side is", "the terms before are").replace("the right side", "this term is");
+            p.message =
+                p.message.replace("the left side is", "the terms before are").replace("the right side", "this term is");
             p
         })?;
         let pairs = a.components.iter().zip(&b.components);
@@ -507,7 +536,11 @@ impl<'a> Elaborator<'a> {
                         Some(a) if a.shape.rank() == 1 && value.shape.rank() == 1 => {
                             tensor::dot(self.graph, &a, &value, &node.span)?
                         }
-                        Some(a) => tensor::product(self.graph, vec![(a, node.span.clone()), (value, part.span.clone())], &node.span)?,
+                        Some(a) => tensor::product(
+                            self.graph,
+                            vec![(a, node.span.clone()), (value, part.span.clone())],
+                            &node.span,
+                        )?,
                     });
                 }
                 acc.map_or_else(|| refuse("latex::empty", "an empty product", &node.span, ""), Ok)
@@ -519,7 +552,8 @@ impl<'a> Elaborator<'a> {
             NodeKind::Quotient(a, b) => {
                 let top = self.value(a)?;
                 let under = self.scalar(b)?;
-                Ok(self.map(top, |g, e| if g.is_zero(e) && g.as_constant(under).is_none() { e } else { g.div(e, under) }))
+                Ok(self
+                    .map(top, |g, e| if g.is_zero(e) && g.as_constant(under).is_none() { e } else { g.div(e, under) }))
             }
             NodeKind::Root(a, degree) => {
                 let e = self.scalar(a)?;
@@ -545,7 +579,12 @@ impl<'a> Elaborator<'a> {
                         let square = tensor::dot(self.graph, &t, &t, &node.span)?;
                         Ok(self.map(square, |g, e| g.unary(Op::Sqrt, e)))
                     }
-                    _ => refuse("latex::shape", "a matrix has no absolute value", &node.span, r"write `\det`, or a norm by components"),
+                    _ => refuse(
+                        "latex::shape",
+                        "a matrix has no absolute value",
+                        &node.span,
+                        r"write `\det`, or a norm by components",
+                    ),
                 }
             }
             NodeKind::Function(function, power, arguments) => {
@@ -616,7 +655,9 @@ impl<'a> Elaborator<'a> {
                         let s = g.unary(Op::Sin, x);
                         g.div(one, s)
                     }
-                    "log" => return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, r"write `\ln`"),
+                    "log" => {
+                        return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, r"write `\ln`");
+                    }
                     _ => return refuse("latex::unknown-function", format!("`{function}` is not known"), span, ""),
                 }
             }
@@ -655,7 +696,12 @@ impl<'a> Elaborator<'a> {
             return Ok(t);
         }
         if order > 1 {
-            return refuse("latex::derivative", "a higher derivative by something other than time", span, "write it out");
+            return refuse(
+                "latex::derivative",
+                "a higher derivative by something other than time",
+                span,
+                "write it out",
+            );
         }
         let top = self.time_derivative(of, span)?;
         let below = self.time_derivative(Tensor::scalar(by_value), span)?;
@@ -726,7 +772,12 @@ impl<'a> Elaborator<'a> {
                     }
                 },
                 SubItem::Other(c) => {
-                    return refuse("latex::index", format!("`{c}` is not an index"), span, "declare a symbol with this subscript");
+                    return refuse(
+                        "latex::index",
+                        format!("`{c}` is not an index"),
+                        span,
+                        "declare a symbol with this subscript",
+                    );
                 }
             });
         }
@@ -805,8 +856,11 @@ impl<'a> Elaborator<'a> {
             values.push(self.scalar(argument)?);
         }
         let place = |leaf: Leaf| formal.iter().position(|(s, _)| *s == leaf.symbol);
-        let components =
-            body.components.into_iter().map(|e| self.graph.substitute(e, |_, leaf| place(leaf).map(|i| values[i]))).collect();
+        let components = body
+            .components
+            .into_iter()
+            .map(|e| self.graph.substitute(e, |_, leaf| place(leaf).map(|i| values[i])))
+            .collect();
         Ok(Tensor { shape: body.shape, components })
     }
 
@@ -820,10 +874,16 @@ impl<'a> Elaborator<'a> {
         }
         let scope = self.scope;
         let moving = |leaf: &Leaf| {
-            leaf.instant.is_none() && matches!(scope.role(leaf.symbol), Some(Role::Time | Role::State | Role::Observable))
+            leaf.instant.is_none()
+                && matches!(scope.role(leaf.symbol), Some(Role::Time | Role::State | Role::Observable))
         };
         if self.graph.leaves([instant]).iter().any(moving) {
-            return refuse("latex::instant", "this time depends on time itself", span, "write a number, a parameter, or the time");
+            return refuse(
+                "latex::instant",
+                "this time depends on time itself",
+                span,
+                "write a number, a parameter, or the time",
+            );
         }
         let fixed = |graph: &mut Graph, leaf: Leaf| {
             if Some(leaf) == time {

@@ -36,8 +36,25 @@ pub(super) struct Token {
 }
 
 /// Commands without meaning for a formula.
-const IGNORED: &[&str] =
-    &["quad", "qquad", "displaystyle", "textstyle", "nonumber", "notag", "limits", "nolimits", "big", "Big", "bigl", "bigr", "Bigl", "Bigr", "bigg", "Bigg", "hfill"];
+const IGNORED: &[&str] = &[
+    "quad",
+    "qquad",
+    "displaystyle",
+    "textstyle",
+    "nonumber",
+    "notag",
+    "limits",
+    "nolimits",
+    "big",
+    "Big",
+    "bigl",
+    "bigr",
+    "Bigl",
+    "Bigr",
+    "bigg",
+    "Bigg",
+    "hfill",
+];
 
 /// Longest formula that is read, in bytes.
 pub(super) const LONGEST: usize = 1 << 20;
@@ -85,14 +102,19 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 Some(false) => push(Kind::CloseBar, at),
                 None => push(Kind::Sign('|'), at),
             },
-            '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.' | '&'
-            | '\'' | ';' => push(Kind::Sign(c), at),
+            '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.'
+            | '&' | '\'' | ';' => push(Kind::Sign(c), at),
             '\\' => {
                 let rest = &text[at..];
                 let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
                 if letters == 0 {
                     let Some(symbol) = rest.chars().next() else {
-                        problems.push(problem("latex::stray-backslash", "a backslash ends the formula".into(), start..at, ""));
+                        problems.push(problem(
+                            "latex::stray-backslash",
+                            "a backslash ends the formula".into(),
+                            start..at,
+                            "",
+                        ));
                         break;
                     };
                     at += symbol.len_utf8();

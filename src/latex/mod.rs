@@ -20,7 +20,7 @@ mod tensor;
 
 use std::ops::Range;
 
-pub use scope::{DeclareError, Declaration, Role, Scope};
+pub use scope::{Declaration, DeclareError, Role, Scope};
 pub use syntax::RelationKind;
 
 use crate::diag::Problem;

@@ -16,11 +16,14 @@ use crate::number::Rational;
 const DEEPEST: usize = 100;
 
 /// Functions of one argument that need no parentheses.
-const FUNCTIONS: &[&str] =
-    &["sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "log", "det", "cot", "sec", "csc"];
+const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "log", "det", "cot", "sec",
+    "csc",
+];
 
 /// Functions written with `\operatorname` or `\rm`, and their number of arguments.
-const OPERATORS: &[(&str, usize)] = &[("atan2", 2), ("agm", 2), ("tr", 1), ("diag", 0), ("diagonal", 0), ("arsinh", 1), ("arcosh", 1), ("artanh", 1)];
+const OPERATORS: &[(&str, usize)] =
+    &[("atan2", 2), ("agm", 2), ("tr", 1), ("diag", 0), ("diagonal", 0), ("arsinh", 1), ("arcosh", 1), ("artanh", 1)];
 
 type Parsed<T> = Result<T, Box<Problem>>;
 
@@ -75,7 +78,12 @@ impl Parser<'_> {
                 _ => {}
             }
             if open.len() > 4 * DEEPEST {
-                return refuse("latex::too-deep", "the nesting is too deep", token.span.clone(), "use a declared abbreviation");
+                return refuse(
+                    "latex::too-deep",
+                    "the nesting is too deep",
+                    token.span.clone(),
+                    "use a declared abbreviation",
+                );
             }
         }
         match open.pop() {
@@ -226,7 +234,12 @@ impl Parser<'_> {
             return refuse("latex::limit", "a limit goes along the time", variable, r"write `\lim_{t\rightarrow t_0}`");
         }
         if !(self.is_command("rightarrow") || self.is_command("to")) {
-            return refuse("latex::limit", format!("{} stands where `\\rightarrow` is expected", self.shown()), self.span(), "");
+            return refuse(
+                "latex::limit",
+                format!("{} stands where `\\rightarrow` is expected", self.shown()),
+                self.span(),
+                "",
+            );
         }
         self.bump();
         let sign = self.eat('-');
@@ -265,7 +278,11 @@ impl Parser<'_> {
             let start = p.span().start;
             let first = p.sign();
             let term = p.term()?;
-            if first.is_none() && !matches!(p.kind(), Kind::Sign('+' | '-')) && !p.is_command("pm") && !p.is_command("mp") {
+            if first.is_none()
+                && !matches!(p.kind(), Kind::Sign('+' | '-'))
+                && !p.is_command("pm")
+                && !p.is_command("mp")
+            {
                 return Ok(term);
             }
             let mut terms = vec![(first.unwrap_or(Sign::Plus), term)];
@@ -282,7 +299,12 @@ impl Parser<'_> {
         let mut parts = vec![self.crosses()?];
         while self.is_command("cdot") || self.is('*') {
             if self.is('*') {
-                return refuse("latex::unexpected", "`*` is not a product here", self.span(), r"write `\cdot`, or nothing");
+                return refuse(
+                    "latex::unexpected",
+                    "`*` is not a product here",
+                    self.span(),
+                    r"write `\cdot`, or nothing",
+                );
             }
             self.bump();
             parts.push(self.crosses()?);
@@ -324,7 +346,10 @@ impl Parser<'_> {
             if let (NodeKind::Number(_), Some(last)) = (&factor.kind, factors.last()) {
                 let (message, hint) = match last.kind {
                     NodeKind::Number(_) => ("two numbers stand side by side", r"write `\cdot` between them"),
-                    _ => ("a number stands behind a factor", r"write the number first, or `\cdot` before it, or a subscript"),
+                    _ => (
+                        "a number stands behind a factor",
+                        r"write the number first, or `\cdot` before it, or a subscript",
+                    ),
                 };
                 return refuse("latex::ambiguous", message, last.span.start..factor.span.end, hint);
             }
@@ -332,7 +357,12 @@ impl Parser<'_> {
         }
         if factors.is_empty() {
             let hint = if matches!(self.kind(), Kind::End) { "the formula stops too early" } else { "" };
-            return refuse("latex::unexpected", format!("{} stands where a factor is expected", self.shown()), self.span(), hint);
+            return refuse(
+                "latex::unexpected",
+                format!("{} stands where a factor is expected", self.shown()),
+                self.span(),
+                hint,
+            );
         }
         let end = self.last_end();
         let product = |mut f: Vec<Node>, span: Range<usize>| match (f.len(), f.pop()) {
@@ -389,7 +419,12 @@ impl Parser<'_> {
         loop {
             if self.is('_') {
                 if sub.is_some() {
-                    return refuse("latex::double-script", "a second subscript", self.span(), "put all indices into one pair of braces");
+                    return refuse(
+                        "latex::double-script",
+                        "a second subscript",
+                        self.span(),
+                        "put all indices into one pair of braces",
+                    );
                 }
                 self.bump();
                 sub = Some(self.subscript()?);
@@ -426,7 +461,12 @@ impl Parser<'_> {
         }
         match self.single_name()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
-            None => refuse("latex::unexpected", format!("{} stands where an exponent is expected", self.shown()), self.span(), ""),
+            None => refuse(
+                "latex::unexpected",
+                format!("{} stands where an exponent is expected", self.shown()),
+                self.span(),
+                "",
+            ),
         }
     }
 
@@ -629,7 +669,12 @@ impl Parser<'_> {
                         _ => NodeKind::Scripted { base: Box::new(first), sub: None, sup: None, sup_first: false },
                     }
                 } else {
-                    return refuse("latex::unexpected", format!("{} stands where `)` is expected", self.shown()), self.span(), "");
+                    return refuse(
+                        "latex::unexpected",
+                        format!("{} stands where `)` is expected", self.shown()),
+                        self.span(),
+                        "",
+                    );
                 };
                 self.expect(')')?;
                 Ok(Some(self.node(kind, start)))
@@ -662,7 +707,12 @@ impl Parser<'_> {
                 self.bars -= 1;
                 let inner = inner?;
                 if !self.eat('|') {
-                    return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, r"write `\left|` and `\right|`");
+                    return refuse(
+                        "latex::unbalanced",
+                        "`|` is never closed",
+                        start..start + 1,
+                        r"write `\left|` and `\right|`",
+                    );
                 }
                 Ok(Some(self.node(NodeKind::Absolute(Box::new(inner)), start)))
             }
@@ -714,7 +764,9 @@ impl Parser<'_> {
                     };
                     degree = match n.parse::<u16>() {
                         Ok(d @ 2..=64) => d,
-                        _ => return refuse("latex::unexpected", "the degree of a root lies between 2 and 64", span, ""),
+                        _ => {
+                            return refuse("latex::unexpected", "the degree of a root lies between 2 and 64", span, "");
+                        }
                     };
                     self.bump();
                     self.expect(']')?;
@@ -757,12 +809,19 @@ impl Parser<'_> {
                     self.switched_operator()
                 });
                 match word {
-                    Some(word) if OPERATORS.iter().any(|(name, _)| *name == word) => self.operator(word, start).map(Some),
+                    Some(word) if OPERATORS.iter().any(|(name, _)| *name == word) => {
+                        self.operator(word, start).map(Some)
+                    }
                     _ => {
                         self.at = back;
                         match self.single_name()? {
                             Some((name, _)) => self.symbol_named(name, 0, start).map(Some),
-                            None => refuse("latex::unknown-function", "this function is not known", start..self.last_end(), ""),
+                            None => refuse(
+                                "latex::unknown-function",
+                                "this function is not known",
+                                start..self.last_end(),
+                                "",
+                            ),
                         }
                     }
                 }
@@ -771,8 +830,8 @@ impl Parser<'_> {
                 self.bump();
                 self.function(c, start).map(Some)
             }
-            "rightarrow" | "to" | "cdot" | "times" | "pm" | "mp" | "ne" | "neq" | "equiv" | "le" | "leq" | "ge" | "geq"
-            | "lt" | "gt" | "leqslant" | "geqslant" | "end" | "infty" => Ok(None),
+            "rightarrow" | "to" | "cdot" | "times" | "pm" | "mp" | "ne" | "neq" | "equiv" | "le" | "leq" | "ge"
+            | "geq" | "lt" | "gt" | "leqslant" | "geqslant" | "end" | "infty" => Ok(None),
             "partial" | "nabla" | "int" | "sum" | "prod" => refuse(
                 "latex::unsupported",
                 format!("`\\{c}` is not part of the formula language"),
@@ -832,7 +891,12 @@ impl Parser<'_> {
         }
         match self.single_name()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
-            None => refuse("latex::unexpected", format!("{} stands where an argument is expected", self.shown()), self.span(), "use braces"),
+            None => refuse(
+                "latex::unexpected",
+                format!("{} stands where an argument is expected", self.shown()),
+                self.span(),
+                "use braces",
+            ),
         }
     }
 
@@ -888,7 +952,12 @@ impl Parser<'_> {
         self.expect('}')?;
         let span = self.span();
         if !self.eat('{') || !self.differential() {
-            return refuse("latex::derivative", "the denominator of a derivative is a differential", span, r"write `\frac{dx}{dt}`");
+            return refuse(
+                "latex::derivative",
+                "the denominator of a derivative is a differential",
+                span,
+                r"write `\frac{dx}{dt}`",
+            );
         }
         let by_start = self.span().start;
         let Some((name, _)) = self.single_name()? else {
@@ -902,7 +971,12 @@ impl Parser<'_> {
         let by = self.node(NodeKind::Symbol(symbol), by_start);
         let below = self.differential_order()?;
         if below != order {
-            return refuse("latex::derivative", "the two orders of the derivative differ", by_start..self.last_end(), "");
+            return refuse(
+                "latex::derivative",
+                "the two orders of the derivative differ",
+                by_start..self.last_end(),
+                "",
+            );
         }
         self.expect('}')?;
         let of = match of {
@@ -911,7 +985,14 @@ impl Parser<'_> {
                 let span = self.span();
                 match self.factor()? {
                     Some(of) => of,
-                    None => return refuse("latex::derivative", "nothing follows the derivative", span, r"write `\frac{d}{dt}(…)`"),
+                    None => {
+                        return refuse(
+                            "latex::derivative",
+                            "nothing follows the derivative",
+                            span,
+                            r"write `\frac{d}{dt}(…)`",
+                        );
+                    }
                 }
             }
         };
@@ -932,7 +1013,14 @@ impl Parser<'_> {
                 self.expect('}')?;
             }
             "pmatrix" | "bmatrix" | "matrix" => {}
-            _ => return refuse("latex::unsupported", format!("the environment `{environment}` is not known"), span, "use `pmatrix`"),
+            _ => {
+                return refuse(
+                    "latex::unsupported",
+                    format!("the environment `{environment}` is not known"),
+                    span,
+                    "use `pmatrix`",
+                );
+            }
         }
         let mut rows = vec![Vec::new()];
         loop {
@@ -953,11 +1041,21 @@ impl Parser<'_> {
             if self.is_command("end") {
                 self.bump();
                 if self.word().as_deref() != Some(environment.as_str()) {
-                    return refuse("latex::unbalanced", format!("`\\begin{{{environment}}}` is closed by another environment"), span, "");
+                    return refuse(
+                        "latex::unbalanced",
+                        format!("`\\begin{{{environment}}}` is closed by another environment"),
+                        span,
+                        "",
+                    );
                 }
                 break;
             }
-            return refuse("latex::unexpected", format!("{} is not expected in a matrix", self.shown()), self.span(), "");
+            return refuse(
+                "latex::unexpected",
+                format!("{} is not expected in a matrix", self.shown()),
+                self.span(),
+                "",
+            );
         }
         if rows.iter().any(|r| r.len() != rows[0].len()) {
             return refuse("latex::shape", "the rows of the matrix differ in length", start..self.last_end(), "");
@@ -1040,7 +1138,12 @@ impl Parser<'_> {
         }
         let sign = self.is('-') || self.is('+');
         if sign {
-            return refuse("latex::ambiguous", format!("a sign stands behind `\\{name}`"), self.span(), "put the argument into parentheses");
+            return refuse(
+                "latex::ambiguous",
+                format!("a sign stands behind `\\{name}`"),
+                self.span(),
+                "put the argument into parentheses",
+            );
         }
         let mut factors: Vec<Node> = Vec::new();
         loop {
@@ -1061,7 +1164,8 @@ impl Parser<'_> {
             factors.push(factor);
         }
         let argument_end = self.last_end();
-        let is_time = |n: &Node| matches!(&n.kind, NodeKind::Symbol(s) if self.scope.time_name() == Some(s.name.as_str()));
+        let is_time =
+            |n: &Node| matches!(&n.kind, NodeKind::Symbol(s) if self.scope.time_name() == Some(s.name.as_str()));
         let is_steady = |n: &Node| match &n.kind {
             NodeKind::Number(_) | NodeKind::Pi => true,
             NodeKind::Symbol(s) => !self.scope.is_moving(&s.name, s.sub.as_deref()),
@@ -1084,7 +1188,9 @@ impl Parser<'_> {
             );
         }
         if factors.len() == 1 {
-            return factors.pop().map_or_else(|| refuse("latex::unexpected", "no argument", start..argument_end, ""), Ok);
+            return factors
+                .pop()
+                .map_or_else(|| refuse("latex::unexpected", "no argument", start..argument_end, ""), Ok);
         }
         Ok(Node { kind: NodeKind::Product(factors), span: start..argument_end })
     }
@@ -1093,7 +1199,12 @@ impl Parser<'_> {
         let start = self.span().start;
         match self.single_name()? {
             Some((name, _)) => self.symbol_named(name, dots, start),
-            None => refuse("latex::unexpected", format!("{} stands where a symbol is expected", self.shown()), self.span(), ""),
+            None => refuse(
+                "latex::unexpected",
+                format!("{} stands where a symbol is expected", self.shown()),
+                self.span(),
+                "",
+            ),
         }
     }
 
@@ -1130,7 +1241,9 @@ impl Parser<'_> {
                 let shown = self.text[start..self.last_end()].to_owned();
                 return refuse(
                     "latex::ambiguous",
-                    format!("`{shown}` does not depend on time, so this is neither a value at a time nor a clear product"),
+                    format!(
+                        "`{shown}` does not depend on time, so this is neither a value at a time nor a clear product"
+                    ),
                     start..self.tokens[close].span.end,
                     r"leave the parentheses out, or write `\cdot`",
                 );

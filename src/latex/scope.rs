@@ -219,9 +219,11 @@ impl Scope {
         let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
         let mut definition = None;
         if let Some(text) = d.formula {
-            let letters: Vec<Name> = sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
+            let letters: Vec<Name> =
+                sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
             let mut elaborator = Elaborator::new(&inner, graph);
-            let (tensor, placed) = elaborate::definition(&mut elaborator, text, &letters).map_err(DeclareError::Formula)?;
+            let (tensor, placed) =
+                elaborate::definition(&mut elaborator, text, &letters).map_err(DeclareError::Formula)?;
             if placed {
                 for p in &mut pattern {
                     if matches!(p, Pattern::Literal(SubItem::Name(_))) {
@@ -280,7 +282,8 @@ impl Scope {
         let key = key.to_owned();
         let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
         // The same name again hides the earlier one.
-        self.entries.retain(|e| !(e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments)));
+        self.entries
+            .retain(|e| !(e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments)));
         self.entries.push(entry);
         Ok(symbol)
     }
@@ -300,7 +303,11 @@ impl Scope {
         let wanted = read_key(key).ok()?;
         let sub: Vec<Pattern> = wanted.sub.iter().cloned().map(Pattern::Literal).collect();
         let entry = self.entries.iter().rev().find(|e| {
-            e.key == key || (e.name == wanted.name && e.sub == sub && wanted.arguments.is_none() && e.arguments == Arguments::None)
+            e.key == key
+                || (e.name == wanted.name
+                    && e.sub == sub
+                    && wanted.arguments.is_none()
+                    && e.arguments == Arguments::None)
         });
         entry.map(|e| e.symbol)
     }

@@ -52,7 +52,11 @@ pub(super) fn cross(graph: &mut Graph, a: &Tensor, b: &Tensor, span: &Range<usiz
 }
 
 /// Juxtaposed factors: scalars, matrices, and at most one vector at the end (a row vector at the beginning).
-pub(super) fn product(graph: &mut Graph, factors: Vec<(Tensor, Range<usize>)>, span: &Range<usize>) -> Elaborated<Tensor> {
+pub(super) fn product(
+    graph: &mut Graph,
+    factors: Vec<(Tensor, Range<usize>)>,
+    span: &Range<usize>,
+) -> Elaborated<Tensor> {
     let mut scalar: Option<Expr> = None;
     let mut chain: Vec<(Tensor, Range<usize>)> = Vec::new();
     for (t, at) in factors {
