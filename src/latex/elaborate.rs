@@ -44,6 +44,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) graph: &'a mut Graph,
     values: Vec<(Name, u16)>,
     extents: BTreeMap<Name, u16>,
+    /// Whether terms of a sum may have different free indices: in the formula of an indexed abbreviation.
+    uneven: bool,
+    /// The size of an identity matrix: that of the matrices around it.
+    identity: Option<u16>,
 }
 
 /// Reads the formula of a declaration. `letters` are the letters of the key's subscript: when all of them are indices of
@@ -55,7 +59,9 @@ pub(super) fn definition(
 ) -> Result<(Tensor, bool), Vec<Problem>> {
     let chain = single(text, elaborator.scope)?;
     let node = &chain.sides[0];
+    elaborator.uneven = !letters.is_empty();
     let free = elaborator.free(node).map_err(|p| vec![*p])?;
+    elaborator.identity = elaborator.square_size(&chain);
     let pattern = !letters.is_empty() && letters.iter().all(|l| free.iter().any(|o| o.letter == *l));
     let letters: &[Name] = if pattern { letters } else { &[] };
     let tensor = elaborator.components(node, letters).map_err(|p| vec![*p])?;
@@ -80,7 +86,7 @@ pub(super) fn single(text: &str, scope: &Scope) -> Result<Chain, Vec<Problem>> {
 
 impl<'a> Elaborator<'a> {
     pub(super) fn new(scope: &'a Scope, graph: &'a mut Graph) -> Elaborator<'a> {
-        Elaborator { scope, graph, values: Vec::new(), extents: BTreeMap::new() }
+        Elaborator { scope, graph, values: Vec::new(), extents: BTreeMap::new(), uneven: false, identity: None }
     }
 
     /// A chain of relations.
@@ -96,6 +102,7 @@ impl<'a> Elaborator<'a> {
             });
         }
         self.extents.clear();
+        self.identity = self.square_size(chain);
         let mut letters: Vec<Name> = Vec::new();
         for (side, _) in &sides {
             let free = self.free(side)?;
@@ -388,7 +395,7 @@ impl<'a> Elaborator<'a> {
                 let mut names: Vec<Name> = free.iter().map(|o| o.letter.clone()).collect();
                 names.sort();
                 match &first {
-                    Some(before) if *before != names && !is_zero(term) => {
+                    Some(before) if *before != names && !self.uneven && !is_zero(term) => {
                         return refuse(
                             "latex::index",
                             format!(
@@ -508,12 +515,18 @@ impl<'a> Elaborator<'a> {
         match &node.kind {
             NodeKind::Number(r) => Ok(Tensor::scalar(self.graph.constant(r.clone()))),
             NodeKind::Pi => Ok(Tensor::scalar(self.graph.pi())),
-            NodeKind::Identity => refuse(
-                "latex::shape",
-                "the size of the identity matrix is not clear here",
-                &node.span,
-                "compare it with a matrix, or add it to one",
-            ),
+            NodeKind::Identity => match self.identity {
+                Some(n) => {
+                    let one = self.graph.integer(1);
+                    Ok(tensor::diagonal(self.graph, &vec![one; usize::from(n)]))
+                }
+                None => refuse(
+                    "latex::shape",
+                    "the size of the identity matrix is not clear here",
+                    &node.span,
+                    "compare it with a square matrix, or add it to one",
+                ),
+            },
             NodeKind::Symbol(s) => self.symbol(s, &node.span),
             NodeKind::Scripted { base, sub, sup, sup_first } => {
                 let base_value = self.value(base)?;
@@ -1031,6 +1044,41 @@ fn levi_civita(i: u16, j: u16, k: u16) -> i64 {
 }
 
 impl Elaborator<'_> {
+    /// Looks at the whole of an expression before its parts.
+    pub(super) fn prepare(&mut self, chain: &Chain) {
+        self.identity = self.square_size(chain);
+    }
+
+    /// The size of the square matrices that a chain names, if they agree.
+    pub(super) fn square_size(&self, chain: &Chain) -> Option<u16> {
+        let mut stack: Vec<&Node> = chain.sides.iter().collect();
+        let mut sizes: Vec<u16> = Vec::new();
+        while let Some(node) = stack.pop() {
+            if let NodeKind::Symbol(s) = &node.kind
+                && let Ok(found) = self.resolve(s, &node.span)
+                && found.indices.is_empty()
+            {
+                let shape = found.definition.map_or_else(|| self.graph.shape(found.symbol), |t| &t.shape);
+                if let &[n, m] = shape.extents()
+                    && n == m
+                {
+                    sizes.push(n);
+                }
+            }
+            if let NodeKind::Matrix(rows) = &node.kind
+                && rows.len() == rows[0].len()
+            {
+                sizes.push(rows.len() as u16);
+            }
+            stack.extend(node.children());
+        }
+        sizes.dedup();
+        match sizes.as_slice() {
+            [n] => Some(*n),
+            _ => None,
+        }
+    }
+
     /// An index that an expression leaves free, as a problem.
     pub(super) fn stray(&mut self, node: &Node) -> Elaborated<Option<Problem>> {
         let free = self.free(node)?;

@@ -105,6 +105,7 @@ pub fn read_expression(text: &str, scope: &Scope, graph: &mut Graph) -> Result<T
     let chain = elaborate::single(text, scope)?;
     let mut elaborator = Elaborator::new(scope, graph);
     let node = &chain.sides[0];
+    elaborator.prepare(&chain);
     if let Some(stray) = elaborator.stray(node).map_err(|p| vec![*p])? {
         return Err(vec![stray]);
     }

@@ -1250,7 +1250,10 @@ impl Parser<'_> {
             }
         }
         let span = start..self.last_end();
-        Ok(Node { kind: NodeKind::Symbol(symbol), span })
+        let applied = symbol.arguments.is_some() && symbol.sup.is_none();
+        let node = Node { kind: NodeKind::Symbol(symbol), span };
+        // `R(0)^T`: scripts behind the arguments belong to the value.
+        if applied { self.scripts(node) } else { Ok(node) }
     }
 
     /// Position of the token that closes the parenthesis at the present place.

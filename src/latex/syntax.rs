@@ -154,3 +154,26 @@ pub struct Chain {
     /// Its bytes.
     pub span: Range<usize>,
 }
+
+impl Node {
+    /// The nodes below this one, arguments and exponents included.
+    pub fn children(&self) -> Vec<&Node> {
+        match &self.kind {
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
+            NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
+            NodeKind::Scripted { base, sup, .. } => [base.as_ref()].into_iter().chain(sup.as_deref()).collect(),
+            NodeKind::Sum(terms) => terms.iter().map(|(_, t)| t).collect(),
+            NodeKind::Product(parts) | NodeKind::Dot(parts) | NodeKind::Tuple(parts) | NodeKind::Function(_, _, parts) => {
+                parts.iter().collect()
+            }
+            NodeKind::Cross(a, b) | NodeKind::Quotient(a, b) => vec![a, b],
+            NodeKind::Root(a, _) | NodeKind::Exponential(a) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::Derivative { of, by, .. } => vec![of, by],
+            NodeKind::Matrix(rows) => rows.iter().flatten().collect(),
+            NodeKind::Limit(body, target) => match target {
+                Target::Finite(t) => vec![body, t],
+                Target::PlusInfinity | Target::MinusInfinity => vec![body],
+            },
+        }
+    }
+}
