@@ -15,6 +15,8 @@ mod independence;
 mod measure;
 mod program;
 mod same_motion;
+#[cfg(test)]
+pub(crate) mod sample;
 mod stage;
 mod trial;
 mod verdict;
