@@ -9,7 +9,7 @@ use super::comparison::{Comparison, Group, Standing};
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Left, MeasuredGroup, Series, Setting, deciding, group_standings, weigh, witness};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, weigh, witness};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
@@ -296,11 +296,14 @@ fn apply_assumptions(
     };
     for (assumption, signs) in program.assumptions.iter().zip(&measured.assumptions) {
         let group = MeasuredGroup { group: &assumption.group, signs: signs.clone(), definedness: false };
-        let by_sign = group_standings(&group, claim.precision);
+        let judged = Judged::new(&group, claim.precision);
         let mut unclear = None;
         for i in 0..count {
-            let Some(standing) = by_sign.iter().map(|s| s[i]).reduce(Standing::or) else { continue };
-            let c = deciding(&group, 0, i, claim.precision);
+            let Some(standing) = judged.best(i) else { continue };
+            if standing == Standing::Satisfied {
+                continue;
+            }
+            let c = judged.deciding(0, i);
             let comparison = &assumption.group.comparisons[c];
             let sides = |what: &str| match &group.signs[0][c][i] {
                 Ok(m) => format!(
@@ -348,8 +351,8 @@ fn apply_assumptions(
 }
 
 /// The times that count at which a group holds, with the sign that makes it hold.
-fn holding(setting: &Setting, group: &MeasuredGroup) -> Option<(usize, usize)> {
-    let standing = group_standings(group, setting.precision);
+fn holding(setting: &Setting, judged: &Judged) -> Option<(usize, usize)> {
+    let standing = &judged.whole;
     (0..setting.times.len())
         .filter(|&i| setting.left[i] == Left::In)
         .find_map(|i| (0..standing.len()).find(|&s| standing[s][i] == Standing::Satisfied).map(|s| (i, s)))
@@ -366,8 +369,9 @@ fn never(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.witness = Some(witness(setting, &group.group.comparisons[c], i, m));
             return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
@@ -425,8 +429,9 @@ fn eventually(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.reason = Some(format!("first seen at the sample t = {}", short(setting.times[i])));
             evidence.residual =

@@ -163,9 +163,10 @@ impl Node {
             NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
             NodeKind::Scripted { base, sup, .. } => [base.as_ref()].into_iter().chain(sup.as_deref()).collect(),
             NodeKind::Sum(terms) => terms.iter().map(|(_, t)| t).collect(),
-            NodeKind::Product(parts) | NodeKind::Dot(parts) | NodeKind::Tuple(parts) | NodeKind::Function(_, _, parts) => {
-                parts.iter().collect()
-            }
+            NodeKind::Product(parts)
+            | NodeKind::Dot(parts)
+            | NodeKind::Tuple(parts)
+            | NodeKind::Function(_, _, parts) => parts.iter().collect(),
             NodeKind::Cross(a, b) | NodeKind::Quotient(a, b) => vec![a, b],
             NodeKind::Root(a, _) | NodeKind::Exponential(a) | NodeKind::Absolute(a) => vec![a],
             NodeKind::Derivative { of, by, .. } => vec![of, by],
