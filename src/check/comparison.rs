@@ -108,6 +108,9 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
                 let under = graph.unary(Op::Abs, b);
                 graph.div(image[&a], under)
             }
+            // Bounded functions and angles are of the size 1, also where they happen to vanish.
+            Node::Unary(Op::Sin | Op::Cos | Op::Tanh | Op::Arcsin | Op::Arccos | Op::Arctan, _)
+            | Node::Binary(Op::Arctan2, ..) => graph.integer(1),
             Node::Unary(..) | Node::Binary(..) => graph.unary(Op::Abs, node),
         };
         image.insert(node, m);

@@ -4,6 +4,7 @@
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
 use super::comparison::{Comparison, Group, at_instant};
+use super::trial::{Course, slack};
 use super::weigh::Measured;
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Shape, Tensor};
@@ -47,6 +48,7 @@ pub(super) struct Program {
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
     tape: Option<Tape>,
+    event: Option<Tape>,
     sign: Leaf,
 }
 
@@ -160,7 +162,7 @@ impl Program {
             groups.push((how, Group { comparisons, branching: false }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program { assumptions, groups, at, tape: None, sign: claim.scope.branch_sign() }
+        Program { assumptions, groups, at, tape: None, event: None, sign: claim.scope.branch_sign() }
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -195,7 +197,16 @@ impl Program {
         let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
         let inputs: Vec<Leaf> = known.iter().copied().chain([self.sign]).collect();
         self.tape = Some(Tape::compile(graph, &inputs, &roots)?);
+        self.event = self.at.map(|e| Tape::compile(graph, known, &[e])).transpose()?;
         Ok(())
+    }
+
+    /// How well the time of an event of this claim is known.
+    pub fn event_slack(&self, course: &Course, t: f64) -> f64 {
+        match &self.event {
+            Some(tape) => slack(tape, 0, course, t, &mut tape.slots(&())),
+            None => 0.0,
+        }
     }
 
     /// The tape, once compiled.

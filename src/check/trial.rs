@@ -15,7 +15,7 @@ use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots};
+use crate::tape::{Fault, Slots, Tape};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -40,6 +40,40 @@ impl Course<'_> {
     /// The values of all leaves at another time.
     pub fn values(&self, t: f64) -> Values {
         self.stage.values(self.trajectory, t)
+    }
+
+    /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
+    /// their error.
+    pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
+        let (before, after) = (self.values(t - slack), self.values(t + slack));
+        let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
+            let here = here?;
+            let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
+            // Over so short a time everything moves linearly; twice the change covers what is not.
+            Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
+        };
+        self.values(t).into_iter().zip(before).zip(after).map(widened).collect()
+    }
+}
+
+/// How well the time of an event is known: the error of the expression that vanishes there, over its speed.
+pub(super) fn slack(tape: &Tape, output: usize, course: &Course, t: f64, slots: &mut Slots<Bounded>) -> f64 {
+    let (from, to) = course.motion.span();
+    let step = 1e-6 * (to - from);
+    let floor = 4.0 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
+    let mut value = |t: f64| -> Option<Bounded> {
+        for (i, v) in course.values(t).into_iter().enumerate() {
+            slots.set(i, v);
+        }
+        tape.run(&(), slots);
+        tape.output(output, slots).ok().copied()
+    };
+    match (value(t), value((t - step).max(from)), value((t + step).min(to))) {
+        (Some(here), Some(before), Some(after)) => {
+            let speed = (after.value - before.value).abs() / ((t + step).min(to) - (t - step).max(from));
+            if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor }
+        }
+        _ => floor,
     }
 }
 
@@ -145,8 +179,8 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
     let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, &events.at) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let points = zeros.times.iter().map(|&t| course.values(t)).collect();
-            Some((zeros.times.clone(), points))
+            let at = |&t: &f64| course.values_at_event(t, program.event_slack(course, t));
+            Some((zeros.times.clone(), zeros.times.iter().map(at).collect()))
         }
         (Some(_), zeros) => return no_event(claim, course, zeros.as_ref()),
     };

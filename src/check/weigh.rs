@@ -67,16 +67,21 @@ pub(super) struct Setting<'a> {
     pub fault: &'a dyn Fn(&Comparison, usize, NoValue) -> String,
 }
 
-/// What a point must be large against: the size of the terms there, or typically along the motion, whichever is larger.
-fn scales(series: &Series) -> Vec<f64> {
+/// What a residual must be small against, for every comparison of a group and every time: the size of the terms at that
+/// time, or what is typical of the group along the motion, whichever is larger. The components of a vector share what is
+/// typical: that one of them vanishes does not make its rounding significant.
+fn scales(group: &[Series]) -> Vec<Vec<f64>> {
+    let typical = group.iter().map(typical).fold(0.0, f64::max);
+    let floor = if typical > 0.0 { typical } else { 1.0 };
+    let scale = |m: &Result<Measured, NoValue>| m.as_ref().map_or(floor, |m| m.magnitude.max(floor));
+    group.iter().map(|series| series.iter().map(scale).collect()).collect()
+}
+
+/// The median size of the terms of a comparison along the motion.
+fn typical(series: &Series) -> f64 {
     let mut sizes: Vec<f64> = series.iter().filter_map(|m| m.as_ref().ok().map(|m| m.magnitude)).collect();
     sizes.sort_by(f64::total_cmp);
-    let typical = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
-    let scale = |m: &Result<Measured, NoValue>| match m {
-        Ok(m) => m.magnitude.max(typical),
-        Err(_) => typical,
-    };
-    series.iter().map(scale).map(|s| if s > 0.0 { s } else { 1.0 }).collect()
+    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// A measured group, judged: everything that the rules look at, computed once.
@@ -94,7 +99,7 @@ pub(super) struct Judged<'a, 'g> {
 impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
-        let scales: Vec<Vec<Vec<f64>>> = measured.signs.iter().map(|s| s.iter().map(scales).collect()).collect();
+        let scales: Vec<Vec<Vec<f64>>> = measured.signs.iter().map(|s| scales(s)).collect();
         let one = |(s, series): (usize, &Vec<Series>)| -> Vec<Vec<Standing>> {
             let rows = measured.group.comparisons.iter().zip(series).zip(&scales[s]);
             rows.map(|((comparison, series), scales)| {
@@ -141,7 +146,9 @@ fn standings(
         (Err(NoValue::OutOfDomain), true) => Standing::Violated,
         (Err(_), true) => Standing::Inconclusive,
         (Ok(m), false) => judge(comparison.kind, m.difference, scale, precision),
-        (Err(reason), false) => Standing::NoValue(*reason),
+        (Err(NoValue::OutOfDomain), false) => Standing::NoValue(NoValue::OutOfDomain),
+        // A value may exist: this is a bound that is too large, not a formula that says nothing.
+        (Err(_), false) => Standing::Inconclusive,
     };
     series.iter().zip(scales).map(at).collect()
 }
@@ -281,8 +288,12 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                     let none = Bounded { value: 0.0, error: 0.0 };
                     let m = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
                     failures.push((0.0, witness(&setting, &group.group.comparisons[c], i, &m)));
-                } else {
-                    inconclusive_count += 1;
+                } else if standing[best][i] == Standing::Inconclusive {
+                    inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
+                    inconclusive.get_or_insert_with(|| {
+                        let why = (setting.fault)(&group.group.comparisons[c], i, NoValue::Indeterminate);
+                        format!("at t = {:.6}, {why}", setting.times[i])
+                    });
                 }
                 continue;
             };
