@@ -124,8 +124,7 @@ impl Program {
         let mut groups = Vec::new();
         let mut each = |graph: &mut Graph, w: &Written<Statement>, how: fn(Option<Expr>) -> Use| {
             for relation in &w.value.relations {
-                let vanishing = vanishing(graph, relation);
-                groups.push((how(vanishing), relation_group(graph, &claim.scope, &w.text, relation)));
+                groups.push((how(None), relation_group(graph, &claim.scope, &w.text, relation)));
                 if let (Some(limit), Some(last)) = (&relation.limit, groups.last_mut()) {
                     last.0 = Use::Limit(limit.approaches.clone());
                 }
@@ -134,8 +133,7 @@ impl Program {
         for form in &claim.forms {
             match form {
                 Form::Always(w) => each(graph, w, |_| Use::Always),
-                Form::Never(w) => each(graph, w, Use::Never),
-                Form::Eventually(w) => each(graph, w, Use::Eventually),
+                Form::Never(_) | Form::Eventually(_) => {}
                 Form::Solves { system } => {
                     for w in &systems[*system].equations {
                         each(graph, w, |_| Use::Always);
@@ -160,6 +158,23 @@ impl Program {
                 comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
             }
             groups.push((how, Group { comparisons, branching: false }));
+        }
+        for form in &claim.forms {
+            let (w, how): (_, fn(Option<Expr>) -> Use) = match form {
+                Form::Never(w) => (w, Use::Never),
+                Form::Eventually(w) => (w, Use::Eventually),
+                _ => continue,
+            };
+            // A chain happens when all of its relations hold at once.
+            let parts: Vec<Group> =
+                w.value.relations.iter().map(|r| relation_group(graph, &claim.scope, &w.text, r)).collect();
+            let zero = match w.value.relations.as_slice() {
+                [single] => vanishing(graph, single),
+                _ => None,
+            };
+            let branching = parts.iter().any(|g| g.branching);
+            let comparisons = parts.into_iter().flat_map(|g| g.comparisons).collect();
+            groups.push((how(zero), Group { comparisons, branching }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
         Program { assumptions, groups, at, tape: None, event: None, sign: claim.scope.branch_sign() }

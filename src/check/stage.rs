@@ -100,7 +100,8 @@ impl Stage {
                 let mut knows = vec![time.symbol];
                 for (symbol, value) in &trajectory.parameters {
                     parameters.retain(|(l, _): &(Leaf, Expr)| l.symbol != *symbol);
-                    parameters.extend(paired(graph, *symbol, 0, &value.value));
+                    let rounded: Vec<Expr> = value.value.iter().map(|&e| rounded(graph, e)).collect();
+                    parameters.extend(paired(graph, *symbol, 0, &rounded));
                     knows.push(*symbol);
                 }
                 let source = match &trajectory.motion {
@@ -359,6 +360,16 @@ impl Stage {
             error: motion.error().into_iter().fold(0.0, f64::max),
             problem: motion.problem().map(ToString::to_string),
         }
+    }
+}
+
+/// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
+/// in the file is equal without an error.
+fn rounded(graph: &mut Graph, e: Expr) -> Expr {
+    let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
+    match nearest.and_then(|x| crate::expr::Rational::try_from(x).ok()) {
+        Some(r) => graph.constant(r),
+        None => e,
     }
 }
 

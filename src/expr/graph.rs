@@ -300,16 +300,17 @@ impl Graph {
 
     /// Every node that the roots depend on, roots included, children before parents.
     pub fn reachable(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let mut seen = vec![false; self.nodes.len()];
-        let mut stack: Vec<Expr> = roots.into_iter().collect();
-        let mut found = Vec::new();
-        while let Some(e) = stack.pop() {
-            if !std::mem::replace(&mut seen[e.index()], true) {
+        // The youngest first: a node is complete once nothing younger is left, so that equal entries come together. The
+        // graph may be much larger than what is reached.
+        let mut open: std::collections::BinaryHeap<Expr> = roots.into_iter().collect();
+        let mut found: Vec<Expr> = Vec::new();
+        while let Some(e) = open.pop() {
+            if found.last() != Some(&e) {
                 found.push(e);
-                stack.extend(self.node(e).children());
+                open.extend(self.node(e).children());
             }
         }
-        found.sort_unstable();
+        found.reverse();
         found
     }
 
