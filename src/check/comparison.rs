@@ -101,6 +101,7 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
             Node::Pi => node,
             Node::Constant(_) | Node::Leaf(_) => graph.unary(Op::Abs, node),
             Node::Unary(Op::Neg, a) => image[&a],
+            Node::Unary(Op::Sqrt, a) => graph.unary(Op::Sqrt, image[&a]),
             Node::Unary(Op::Powi(n), a) if n >= 0 => graph.powi(image[&a], n),
             Node::Binary(Op::Add | Op::Sub, a, b) => graph.add(image[&a], image[&b]),
             Node::Binary(Op::Mul, a, b) => graph.mul(image[&a], image[&b]),

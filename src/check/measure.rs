@@ -1,14 +1,10 @@
 //! Quantities that are measured, not judged.
 
-use std::collections::BTreeMap;
-
 use super::account::Measurement;
 use super::program::at_event;
-use super::stage::Stage;
 use super::trial::{Course, incomplete, slack};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::Zeros;
 use crate::tape::Tape;
 
 /// Most values that are kept of one measure on one motion.
@@ -18,9 +14,9 @@ const MOST: usize = 200;
 pub(super) struct Compiled {
     index: usize,
     formula: Expr,
-    at: Option<Expr>,
+    /// What vanishes at the events at which it is taken.
+    pub at: Option<Expr>,
     tape: Option<Tape>,
-    events: BTreeMap<usize, Zeros>,
 }
 
 /// Compiles all measures; none when only some claims are asked for.
@@ -32,7 +28,7 @@ pub(super) fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled
     let one = |(index, m): (usize, &crate::derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
         let at = m.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Some(Compiled { index, formula, at, tape: None, events: BTreeMap::new() })
+        Some(Compiled { index, formula, at, tape: None })
     };
     measures.iter().enumerate().filter_map(one).collect()
 }
@@ -43,17 +39,9 @@ impl Compiled {
         graph.leaves([self.formula].into_iter().chain(self.at))
     }
 
-    /// Finds the events on every motion on which it is taken.
-    pub fn find_events(&mut self, derivation: &mut Derivation, stage: &Stage, tried: &[usize]) {
-        let Some(at) = self.at else { return };
-        for t in derivation.measures[self.index].trajectories.clone() {
-            if !tried.contains(&t) {
-                continue;
-            }
-            if let Some(zeros) = stage.zeros(&mut derivation.graph, t, at) {
-                self.events.insert(t, zeros);
-            }
-        }
+    /// Whether it is asked for on a motion.
+    pub fn is_taken_on(&self, derivation: &Derivation, trajectory: usize) -> bool {
+        derivation.measures.get(self.index).is_some_and(|m| m.trajectories.contains(&trajectory))
     }
 
     /// Makes the tape.
@@ -80,7 +68,7 @@ impl Compiled {
             None => vec![derivation.trajectories[trajectory].initial_time],
             Some(_) => {
                 let text = measure.at.as_ref().map_or("", |w| w.text.as_str());
-                match self.events.get(&trajectory) {
+                match course.stage.measured(self.index, trajectory) {
                     Some(zeros) => {
                         let partial = zeros.incomplete.as_ref();
                         out.reason =

@@ -31,7 +31,7 @@ use crate::expr::Rational;
 use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
-use stage::Stage;
+use stage::{Fields, Requests, Stage};
 use trial::{Course, Events};
 
 /// What to check.
@@ -72,7 +72,7 @@ pub fn check(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
-    let mut stage = Stage::build(derivation).map_err(CheckError::Problems)?;
+    let fields = Fields::solve(derivation).map_err(CheckError::Problems)?;
 
     // One program per claim and initial time: the value "at the start" is part of what a first integral says.
     let mut starts: Vec<Rational> = Vec::new();
@@ -93,7 +93,7 @@ pub fn check(
     let mut gradients = Vec::new();
     for &c in &claimed {
         programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
-        let variables = stage.state_leaves();
+        let variables = fields.state_leaves.clone();
         let claim = derivation.claims[c].clone();
         gradients.push(claim.forms.iter().find_map(|form| {
             match form {
@@ -113,7 +113,6 @@ pub fn check(
     wanted.extend(same_motion::leaves(derivation));
     wanted.sort_unstable();
     wanted.dedup();
-    stage.prepare(&mut derivation.graph, &wanted).map_err(CheckError::Defect)?;
     for program in programs.iter_mut().flatten() {
         if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
             let name = derivation.graph.leaf_latex(leaf);
@@ -123,12 +122,17 @@ pub fn check(
     let tried: Vec<usize> = (0..derivation.trajectories.len())
         .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
         .collect();
-    let mut measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
-    for m in &mut measures {
-        m.find_events(derivation, &stage, &tried);
-    }
-    let events = stage.events(derivation, &claimed, &tried, &programs, &start_of);
+    let measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
     let derivation: &Derivation = derivation;
+    let requests = Requests {
+        wanted: &wanted,
+        tried: &tried,
+        claimed: &claimed,
+        programs: &programs,
+        start_of: &start_of,
+        measures: &measures,
+    };
+    let stage = Stage::build(derivation, &fields, &requests)?;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
         let claim = &derivation.claims[claimed[k]];
@@ -144,7 +148,7 @@ pub fn check(
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
                     let none = Events::default();
-                    let events = events.get(&(k, t)).unwrap_or(&none);
+                    let events = stage.events(k, t).unwrap_or(&none);
                     one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
                 })
             };
@@ -226,7 +230,7 @@ fn assemble(
             results: columns.iter().zip(tried).filter_map(pair).collect(),
         });
     }
-    let trajectories = tried.iter().map(|&t| stage.account(derivation, t)).collect();
+    let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
     let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);
