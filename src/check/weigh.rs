@@ -233,6 +233,15 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
     Signs { words: Some(words), change: first[0].zip(first[1]) }
 }
 
+/// A violated comparison: where it is, and how far off in units of the size of its terms.
+struct Failure {
+    size: f64,
+    group: usize,
+    sign: usize,
+    comparison: usize,
+    time: usize,
+}
+
 /// Weighs the groups of a claim, all of which must hold.
 pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
     let count = setting.times.len();
@@ -240,7 +249,13 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
     let mut unclear_before = vec![false; count];
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
-    let mut failures: Vec<(f64, Witness)> = Vec::new();
+    let mut clearest: Option<Failure> = None;
+    let mut fail = |failure: Failure| {
+        // The clearest failure is the witness; among equals the earliest.
+        if clearest.as_ref().is_none_or(|c| failure.size > c.size) {
+            clearest = Some(failure);
+        }
+    };
     let all: Vec<Judged> = groups.iter().map(|g| Judged::new(g, setting.precision)).collect();
 
     // First what has no value: such points are left out of the claim as a whole.
@@ -264,7 +279,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
         return Verdict::new(Outcome::NotApplicable, evidence);
     }
 
-    for judged in &all {
+    for (g, judged) in all.iter().enumerate() {
         let (group, standing) = (judged.measured, &judged.whole);
         let sign = signs(setting.times, &setting.left, standing);
         if sign.words.is_some() {
@@ -285,9 +300,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                     // A claim of definedness: there is no value to show, the reason is.
                     let reason = (setting.fault)(&group.group.comparisons[c], i, NoValue::OutOfDomain);
                     evidence.reason.get_or_insert(reason);
-                    let none = Bounded { value: 0.0, error: 0.0 };
-                    let m = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
-                    failures.push((0.0, witness(&setting, &group.group.comparisons[c], i, &m)));
+                    fail(Failure { size: 0.0, group: g, sign: best, comparison: c, time: i });
                 } else if standing[best][i] == Standing::Inconclusive {
                     inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
                     inconclusive.get_or_insert_with(|| {
@@ -315,8 +328,8 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                     });
                 }
                 Standing::Violated => {
-                    let scale = judged.scales[best][c][i];
-                    failures.push((size / scale, witness(&setting, &group.group.comparisons[c], i, m)));
+                    let size = size / judged.scales[best][c][i];
+                    fail(Failure { size, group: g, sign: best, comparison: c, time: i });
                 }
             }
         }
@@ -325,17 +338,19 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
             let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
             let c = judged.deciding(wrong, i);
             if let Ok(m) = &group.signs[wrong][c][i] {
-                let scale = judged.scales[wrong][c][i];
-                failures.push((m.difference.value.abs() / scale, witness(&setting, &group.group.comparisons[c], i, m)));
+                let size = m.difference.value.abs() / judged.scales[wrong][c][i];
+                fail(Failure { size, group: g, sign: wrong, comparison: c, time: i });
                 evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
             }
         }
     }
 
-    // The clearest failure is the witness; among equals the earliest.
-    let clearest = failures.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
-    if let Some((_, witness)) = clearest {
-        evidence.witness = Some(witness);
+    if let Some(f) = clearest {
+        let none = Bounded { value: 0.0, error: 0.0 };
+        let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
+        let measured = all[f.group].measured;
+        let m = measured.signs[f.sign][f.comparison][f.time].as_ref().unwrap_or(&absent);
+        evidence.witness = Some(witness(&setting, &measured.group.comparisons[f.comparison], f.time, m));
         return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
     }
     if inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
