@@ -49,6 +49,8 @@ pub(super) struct Program {
     pub at: Option<Expr>,
     tape: Option<Tape>,
     event: Option<Tape>,
+    /// Where the inputs of the tape stand among the leaves of a point.
+    inputs: Vec<usize>,
     sign: Leaf,
 }
 
@@ -177,7 +179,15 @@ impl Program {
             groups.push((how(zero), Group { comparisons, branching }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program { assumptions, groups, at, tape: None, event: None, sign: claim.scope.branch_sign() }
+        Program {
+            assumptions,
+            groups,
+            at,
+            tape: None,
+            event: None,
+            inputs: Vec::new(),
+            sign: claim.scope.branch_sign(),
+        }
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -203,15 +213,22 @@ impl Program {
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 
-    /// Makes the tape. `known` are the leaves of a point, in its order.
+    /// Makes the tape. `known` are the leaves of a point, sorted.
     pub fn compile(&mut self, graph: &mut Graph, known: &[Leaf]) -> Result<(), Leaf> {
         let mut roots = Vec::new();
         for c in self.comparisons() {
             roots.push((c.left, c.right, c.magnitude));
         }
         let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
-        let inputs: Vec<Leaf> = known.iter().copied().chain([self.sign]).collect();
-        self.tape = Some(Tape::compile(graph, &inputs, &roots)?);
+        // Only what the claim depends on is copied from a point.
+        let mut needed = graph.leaves(roots.iter().copied());
+        needed.retain(|&l| l != self.sign);
+        self.inputs.clear();
+        for leaf in &needed {
+            self.inputs.push(known.binary_search(leaf).map_err(|_| *leaf)?);
+        }
+        needed.push(self.sign);
+        self.tape = Some(Tape::compile(graph, &needed, &roots)?);
         self.event = self.at.map(|e| Tape::compile(graph, known, &[e])).transpose()?;
         Ok(())
     }
@@ -222,6 +239,11 @@ impl Program {
             Some(tape) => slack(tape, 0, course, t, &mut tape.slots(&())),
             None => 0.0,
         }
+    }
+
+    /// The position among the leaves of a point of an input of the tape.
+    pub fn input(&self, position: usize) -> Option<usize> {
+        self.inputs.get(position).copied()
     }
 
     /// The tape, once compiled.
@@ -238,10 +260,10 @@ impl Program {
     ) -> Vec<Result<Measured, NoValue>> {
         let Some(tape) = &self.tape else { return Vec::new() };
         let slots = slots.get_or_insert_with(|| tape.slots(&()));
-        for (i, v) in values.iter().enumerate() {
-            slots.set(i, *v);
+        for (i, &at) in self.inputs.iter().enumerate() {
+            slots.set(i, values.get(at).copied().unwrap_or(Err(NoValue::OutOfDomain)));
         }
-        slots.set(values.len(), Ok(Bounded { value: sign, error: 0.0 }));
+        slots.set(self.inputs.len(), Ok(Bounded { value: sign, error: 0.0 }));
         tape.run(&(), slots);
         let comparison = |k: usize| {
             Ok(Measured {

@@ -9,7 +9,7 @@ use super::comparison::{Comparison, Group, Standing};
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, weigh, witness};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, TOLERATED_INCONCLUSIVE, weigh, witness};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
@@ -157,7 +157,7 @@ impl<'a> Describer<'a> {
         let position = self.program.position(comparison);
         let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
         match fault {
-            Some(Fault::Input(i)) => match self.leaves.get(i) {
+            Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
                 Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),
                 None => reason.to_string(),
             },
@@ -188,6 +188,18 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         Some((t, p)) => (t.as_slice(), p.as_slice()),
         None => (course.times.as_slice(), course.points.as_slice()),
     };
+    // An equation among the assumptions that fails at the first point settles it.
+    if program.assumptions.iter().any(|a| a.throughout) {
+        let (first, point) = (&times[..1], &points[..1]);
+        let describer = Describer::new(graph, program, course, first, point);
+        if let Err(verdict) = apply_assumptions(claim, program, &measure(program, point), &describer)
+            && verdict.outcome() == Outcome::NotApplicable
+            && verdict.evidence().excluded.is_empty()
+            && program.assumptions.iter().all(|a| a.throughout)
+        {
+            return *verdict;
+        }
+    }
     let describer = Describer::new(graph, program, course, times, points);
     let measured = measure(program, points);
 
@@ -224,9 +236,58 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         }
     }
     if !weighed.is_empty() {
-        verdicts.push(weigh(setting(), &weighed));
+        let verdict = weigh(setting(), &weighed);
+        verdicts.push(match at_events {
+            Some(_) => verdict,
+            None => look_closer(graph, claim, program, course, verdict),
+        });
     }
     all_of(verdicts)
+}
+
+/// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
+const CLOSER: usize = 4;
+
+/// Tries a claim that holds at further times around its worst sample: the worst of all times lies between samples.
+fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course, verdict: Verdict) -> Verdict {
+    let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
+    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
+    let neighbours = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| course.times.get(i));
+    let between = |&other: &f64| {
+        let worst = worst.at;
+        (1..=CLOSER).map(move |k| worst + (other - worst) * k as f64 / (CLOSER + 1) as f64)
+    };
+    let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+    times.sort_by(f64::total_cmp);
+    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
+    let describer = Describer::new(graph, program, course, &times, &points);
+    let measured = measure(program, &points);
+    let Ok(left) = apply_assumptions(claim, program, &measured, &describer) else { return verdict };
+    let values = |c: &Comparison, i: usize| describer.values(c, i);
+    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
+    let setting = Setting {
+        times: &times,
+        left,
+        precision: claim.precision,
+        one_sign_throughout: claim.branches_throughout,
+        values: &values,
+        fault: &fault,
+    };
+    let held =
+        program.groups.iter().zip(measured.groups).filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
+    let groups: Vec<MeasuredGroup> = held
+        .map(|((how, group), signs)| MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) })
+        .collect();
+    let closer = weigh(setting, &groups);
+    match (closer.outcome(), &closer.evidence().residual) {
+        (Outcome::Fails(_), _) => closer,
+        (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
+            let samples = verdict.evidence().samples + closer.evidence().samples;
+            let residual = Some(r.clone());
+            Verdict::new(verdict.outcome(), Evidence { samples, residual, ..verdict.evidence().clone() })
+        }
+        _ => verdict,
+    }
 }
 
 fn find(occurrences: &[(usize, Zeros)], position: usize) -> Option<&Zeros> {
@@ -332,6 +393,7 @@ fn apply_assumptions(
         let group = MeasuredGroup { group: &assumption.group, signs: signs.clone(), definedness: false };
         let judged = Judged::new(&group, claim.precision);
         let mut unclear = None;
+        let mut unclear_count = 0;
         for i in 0..count {
             let Some(standing) = judged.best(i) else { continue };
             if standing == Standing::Satisfied {
@@ -362,6 +424,10 @@ fn apply_assumptions(
                 }
                 Standing::Inconclusive if assumption.throughout => {
                     unclear.get_or_insert_with(|| sides("cannot be decided"));
+                    unclear_count += 1;
+                    if left[i] == Left::In {
+                        left[i] = Left::Out(format!("the assumption `{}` cannot be decided", assumption.text));
+                    }
                 }
                 Standing::Violated | Standing::Inconclusive => {
                     if left[i] == Left::In {
@@ -370,7 +436,9 @@ fn apply_assumptions(
                 }
             }
         }
-        if let Some(reason) = unclear {
+        if let Some(reason) = unclear
+            && unclear_count as f64 > TOLERATED_INCONCLUSIVE * count as f64
+        {
             return conclude(Outcome::Undecided, reason);
         }
     }

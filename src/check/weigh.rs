@@ -11,7 +11,7 @@ use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, 
 use crate::number::{Bounded, NoValue};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
-const TOLERATED_INCONCLUSIVE: f64 = 0.1;
+pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.1;
 
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
