@@ -304,7 +304,8 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                 } else if standing[best][i] == Standing::Inconclusive {
                     inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
                     inconclusive.get_or_insert_with(|| {
-                        let why = (setting.fault)(&group.group.comparisons[c], i, NoValue::Indeterminate);
+                        let reason = group.signs[best][c][i].err().unwrap_or(NoValue::Indeterminate);
+                        let why = (setting.fault)(&group.group.comparisons[c], i, reason);
                         format!("at t = {:.6}, {why}", setting.times[i])
                     });
                 }
@@ -353,7 +354,9 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
         evidence.witness = Some(witness(&setting, &measured.group.comparisons[f.comparison], f.time, m));
         return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
     }
-    if inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
+    // That something has a value is claimed of every point: one that cannot tell leaves it open.
+    let definedness = groups.iter().any(|g| g.definedness) && inconclusive_count > 0;
+    if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
         evidence.reason = Some(format!(
             "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; a more accurate \

@@ -132,8 +132,13 @@ impl Prepared {
         let turns = self.core.turns(&self.program, t, &mut scratch.angles);
         let read = |bench: &Bench<Bounded>, output: usize, order: usize| {
             let series = self.program.output(bench, output)?;
-            let factorial = Bounded::exact((1..=order).map(|k| k as f64).product());
-            (series.coefficient(order) * factorial).checked()
+            let coefficient = series.coefficient(order);
+            if order < 2 {
+                // A product would add a rounding error, and make exact parameters inexact.
+                return coefficient.checked();
+            }
+            let factorial = Bounded::exact((2..=order).map(|k| k as f64).product());
+            (coefficient * factorial).checked()
         };
         self.program.run(&self.core, &mut scratch.bench, t, &turns);
         let branch = self.program.at_branch_point(&scratch.bench);
