@@ -11,11 +11,15 @@
 //! number type. The table below generates the trait, so that an operation without an implementation in some number type
 //! does not compile. Results are written in place: series and lanes then need no allocation in the loop.
 
+mod finite;
 mod operation;
+mod random;
 mod real;
 
 pub use dashu_ratio::RBig as Rational;
+pub use finite::{Finite, FiniteField, is_prime};
 pub use operation::{Number, Op};
+pub use random::Draws;
 
 /// Why an operation has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
