@@ -109,6 +109,11 @@ impl Graph {
         &self.symbols[symbol.index()].name
     }
 
+    /// The symbol that was last declared with this name.
+    pub fn find_symbol(&self, name: &str) -> Option<Symbol> {
+        self.symbols.iter().rposition(|entry| entry.name == name).map(|at| Symbol(at as u32))
+    }
+
     /// The shape a symbol was declared with.
     pub fn shape(&self, symbol: Symbol) -> &Shape {
         &self.symbols[symbol.index()].shape

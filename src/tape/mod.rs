@@ -33,7 +33,7 @@ pub struct Instruction {
 }
 
 /// A straight-line program. Slots are numbered: inputs first, then constants, then results.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     inputs: Vec<Leaf>,
     presets: Vec<Preset>,
@@ -97,6 +97,11 @@ impl Tape {
     /// The instructions in order.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
+    }
+
+    /// Number of slots: inputs, constants and results.
+    pub fn slot_count(&self) -> usize {
+        self.inputs.len() + self.presets.len() + self.instructions.len()
     }
 
     /// Number of outputs.

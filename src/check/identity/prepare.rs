@@ -1,0 +1,137 @@
+//! Premises before lowering: derivatives by time, explicit definitions.
+
+use super::outcome::{Premises, Reason};
+use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use std::collections::{HashMap, HashSet};
+
+/// The premises' equations, followed by as many of their derivatives by time as the highest rate that occurs asks for.
+pub(super) fn with_rates(
+    graph: &mut Graph,
+    premises: &Premises,
+    equations: &[(Expr, Expr)],
+) -> Result<Vec<(Expr, Expr)>, Reason> {
+    let mut all = premises.equations.clone();
+    let Some(time) = premises.time else { return Ok(all) };
+    let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
+    let highest = |graph: &Graph, pairs: &[(Expr, Expr)]| -> Option<u8> {
+        let sides = pairs.iter().flat_map(|&(l, r)| [l, r]);
+        graph.leaves(sides).into_iter().filter(|l| l.instant.is_none() && moves(*l)).map(|l| l.rate).max()
+    };
+    let wanted = highest(graph, equations).max(highest(graph, &all)).unwrap_or(0);
+    for &(left, right) in &premises.equations {
+        let Some(own) = highest(graph, &[(left, right)]) else { continue };
+        let (mut left, mut right) = (left, right);
+        for _ in own..wanted {
+            left = graph.time_derivative(left, time, moves).map_err(|_| Reason::NoDerivative)?;
+            right = graph.time_derivative(right, time, moves).map_err(|_| Reason::NoDerivative)?;
+            all.push((left, right));
+        }
+    }
+    Ok(all)
+}
+
+/// Leaves that stand in arguments of transcendental functions.
+pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> HashSet<Leaf> {
+    let mut arguments = Vec::new();
+    for e in graph.reachable(roots) {
+        match *graph.node(e) {
+            Node::Unary(op, a) => match op {
+                Op::Neg | Op::Sqrt | Op::Abs | Op::Powi(_) => {}
+                _ => arguments.push(a),
+            },
+            Node::Binary(Op::Pow | Op::Arctan2 | Op::Agm, a, b) => arguments.extend([a, b]),
+            _ => {}
+        }
+    }
+    graph.leaves(arguments).into_iter().collect()
+}
+
+/// Equations solved as they are written.
+pub(super) struct Explicit {
+    /// Leaf := expression without any of the defined leaves.
+    pub(super) definitions: HashMap<Leaf, Expr>,
+    /// What is left, with the definitions inserted.
+    pub(super) rest: Vec<(Expr, Expr)>,
+    /// Divided by.
+    pub(super) pivots: Vec<Expr>,
+}
+
+/// Takes `leaf = expression` as definitions, and solves for leaves in arguments of sin, exp … that occur linearly outside.
+pub(super) fn explicit(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    conclusions: &[(Expr, Expr)],
+    premises: &Premises,
+) -> Explicit {
+    let mut out = Explicit { definitions: HashMap::new(), rest: equations.to_vec(), pivots: Vec::new() };
+    loop {
+        let mut found = None;
+        for (at, &(left, right)) in out.rest.iter().enumerate() {
+            if let Some(definition) = as_definition(graph, left, right, premises) {
+                found = Some((at, definition));
+                break;
+            }
+        }
+        if found.is_none() {
+            let sides = out.rest.iter().chain(conclusions).flat_map(|&(l, r)| [l, r]);
+            let arguments = argument_leaves(graph, sides);
+            found = linear_argument(graph, &mut out, &arguments, premises);
+        }
+        let Some((at, (leaf, value))) = found else { return out };
+        out.rest.remove(at);
+        for e in out.definitions.values_mut() {
+            *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
+        }
+        for e in out.rest.iter_mut().flat_map(|(l, r)| [l, r]) {
+            *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
+        }
+        out.definitions.insert(leaf, value);
+    }
+}
+
+fn as_definition(graph: &Graph, left: Expr, right: Expr, premises: &Premises) -> Option<(Leaf, Expr)> {
+    let leaf = |e: Expr| match graph.node(e) {
+        Node::Leaf(leaf) if premises.time != Some(*leaf) => Some(*leaf),
+        _ => None,
+    };
+    let free = |leaf: Leaf, e: Expr| !graph.leaves([e]).contains(&leaf);
+    let forward = leaf(left).filter(|&l| free(l, right)).map(|l| (l, right));
+    let backward = leaf(right).filter(|&l| free(l, left)).map(|l| (l, left));
+    match (forward, backward) {
+        // Of two leaves the parameter stays.
+        (Some((l, _)), Some(back)) if premises.parameters.contains(&l) => Some(back),
+        (Some(forward), _) => Some(forward),
+        // A parameter on the right of an equation is not what the equation defines.
+        (None, back) => back.filter(|(l, _)| !premises.parameters.contains(l)),
+    }
+}
+
+fn linear_argument(
+    graph: &mut Graph,
+    out: &mut Explicit,
+    arguments: &HashSet<Leaf>,
+    premises: &Premises,
+) -> Option<(usize, (Leaf, Expr))> {
+    for (at, (left, right)) in out.rest.clone().into_iter().enumerate() {
+        let mut unknowns = graph.leaves([left, right]);
+        unknowns.retain(|l| {
+            arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l)
+        });
+        for unknown in unknowns {
+            let residual = graph.sub(left, right);
+            let Ok(slope) = graph.partial_derivative(residual, unknown) else { continue };
+            if graph.is_zero(slope) || graph.leaves([slope]).contains(&unknown) {
+                continue;
+            }
+            let zero = graph.integer(0);
+            let rest = graph.substitute(residual, |_, l| (l == unknown).then_some(zero));
+            if graph.as_constant(slope).is_none() {
+                out.pivots.push(slope);
+            }
+            let quotient = graph.div(rest, slope);
+            let value = graph.neg(quotient);
+            return Some((at, (unknown, value)));
+        }
+    }
+    None
+}

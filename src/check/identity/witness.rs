@@ -1,0 +1,411 @@
+//! Real points that satisfy the premises: witnesses against an identity, examples for one.
+//!
+//! A point is built in the order of the resolution: small rational values for the free leaves, angles with rational cosine
+//! and sine, then the definitions. It counts only after every premise, as it was given, has been evaluated there and found to
+//! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
+//! formulas as given, and exactly from the lowered formulas where every root is rational.
+
+use super::exact::Exact;
+use super::lower::{Generator, Generators};
+use super::outcome::{Point, PointValue, Refutation, Side};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use crate::number::{Draws, NoValue, Number};
+use crate::tape::{Slots, Tape};
+use std::collections::{HashMap, HashSet};
+
+/// Everything a point is built from and tested with.
+pub(super) struct Scene<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) generators: &'a Generators,
+    /// The claim as given.
+    pub(super) claim: &'a [(Expr, Expr)],
+    /// The claim lowered, with all definitions inserted; roots are positive roots.
+    pub(super) lowered: &'a [(Expr, Expr)],
+    /// Premises as given, with their derivatives by time.
+    pub(super) premises: &'a [(Expr, Expr)],
+    pub(super) nonzero: &'a [Expr],
+    pub(super) positive: &'a [Expr],
+    /// Definitions before lowering.
+    pub(super) explicit: &'a HashMap<Leaf, Expr>,
+    /// Definitions of the case, closed.
+    pub(super) defined: &'a HashMap<Leaf, Expr>,
+}
+
+/// A point that satisfies all premises, and what the claim's sides are there.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) point: Point,
+    pub(super) sides: Vec<(Side, Side)>,
+    /// First equation whose sides certainly differ.
+    pub(super) differs: Option<usize>,
+    /// Whether every equation's sides agree within rounding.
+    pub(super) agrees: bool,
+}
+
+const MAGNITUDES: [(i64, i64); 10] =
+    [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
+/// Half-angle tangents: cosine and sine are 3/5 and 4/5, 5/13 and 12/13 …
+const TANGENTS: [(i64, i64); 8] = [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1)];
+
+fn ratio((n, d): (i64, i64)) -> Rational {
+    Rational::from(n) / Rational::from(d)
+}
+
+/// Values of several expressions, and the largest magnitude on the way.
+fn evaluate<N: Number<Context = ()>>(
+    graph: &Graph,
+    exprs: &[Expr],
+    value: impl Fn(Leaf) -> Option<N>,
+) -> (Vec<Result<N, NoValue>>, Slots<N>, usize) {
+    let leaves = graph.leaves(exprs.iter().copied());
+    let Ok(tape) = Tape::compile(graph, &leaves, exprs) else {
+        let empty = Tape::default();
+        return (exprs.iter().map(|_| Err(NoValue::Unsupported)).collect(), empty.slots(&()), 0);
+    };
+    let mut slots: Slots<N> = tape.slots(&());
+    for (i, &leaf) in leaves.iter().enumerate() {
+        slots.set(i, value(leaf).ok_or(NoValue::Unsupported));
+    }
+    tape.run(&(), &mut slots);
+    let out = (0..exprs.len()).map(|i| tape.output(i, &slots).cloned()).collect();
+    (out, slots, tape.slot_count())
+}
+
+/// Values of expressions in binary64 with the largest magnitude met on the way to any of them.
+fn decimals(graph: &Graph, exprs: &[Expr], values: &HashMap<Leaf, f64>) -> (Vec<Option<f64>>, f64) {
+    let (out, slots, count) = evaluate::<f64>(graph, exprs, |l| values.get(&l).copied());
+    let largest =
+        (0..count).filter(|&s| slots.missing(s).is_none()).map(|s| slots.value(s).abs()).fold(0.0, f64::max);
+    (out.into_iter().map(Result::ok).collect(), largest)
+}
+
+impl Scene<'_> {
+    /// Tries one point.
+    pub(super) fn attempt(&self, number: u32, draws: &mut Draws) -> Option<Found> {
+        let mut exact: HashMap<Leaf, Rational> = HashMap::new();
+        let mut values: HashMap<Leaf, f64> = HashMap::new();
+        let mut circles: HashMap<Leaf, (Rational, Rational)> = HashMap::new();
+        let all: Vec<Expr> = self.everything();
+        let given = self.graph.leaves(all.iter().copied());
+        let wanted: Vec<Leaf> = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
+        self.angles(number, draws, &mut values, &mut circles);
+        let declared: HashSet<Leaf> = self
+            .positive
+            .iter()
+            .filter_map(|&e| match self.graph.node(e) {
+                Node::Leaf(l) => Some(*l),
+                _ => None,
+            })
+            .collect();
+        for &leaf in &wanted {
+            if self.generators.get(leaf).is_some()
+                || values.contains_key(&leaf)
+                || self.explicit.contains_key(&leaf)
+                || self.defined.contains_key(&leaf)
+                || self.awaited(leaf)
+            {
+                continue;
+            }
+            let mut r = ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize]);
+            if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
+                r = -r;
+            }
+            values.insert(leaf, r.to_f64().value());
+            exact.insert(leaf, r);
+        }
+        self.generate(draws, &mut values, &mut exact, &circles)?;
+        // Definitions of the case, then leaves that are arguments of what was solved for, then explicit definitions.
+        let (targets, exprs): (Vec<Leaf>, Vec<Expr>) = self.defined.iter().map(|(&l, &e)| (l, e)).unzip();
+        let (solved, _) = decimals(self.graph, &exprs, &values);
+        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
+        for ((&leaf, decimal), precise) in targets.iter().zip(solved).zip(precise) {
+            values.insert(leaf, decimal?);
+            if let Ok(Exact(r)) = precise {
+                exact.insert(leaf, r);
+            }
+        }
+        self.invert_solved(&mut values, &exact, &mut circles)?;
+        let (targets, exprs): (Vec<Leaf>, Vec<Expr>) = self.explicit.iter().map(|(&l, &e)| (l, e)).unzip();
+        let (solved, _) = decimals(self.graph, &exprs, &values);
+        for (&leaf, decimal) in targets.iter().zip(solved) {
+            // A definition that nothing else uses may have no value.
+            match decimal {
+                Some(v) => drop(values.insert(leaf, v)),
+                None if given.contains(&leaf) => return None,
+                None => {}
+            }
+        }
+        if !self.admits(&values) {
+            return None;
+        }
+        let mut found = self.sides(&values, &exact)?;
+        let point = given
+            .iter()
+            .filter(|l| self.generators.get(**l).is_none())
+            .filter_map(|&l| {
+                let value = PointValue {
+                    exact: exact.get(&l).cloned(),
+                    circle: circles.get(&l).cloned(),
+                    decimal: *values.get(&l)?,
+                };
+                Some((l, value))
+            })
+            .collect();
+        found.point = Point { values: point };
+        Some(found)
+    }
+
+    fn everything(&self) -> Vec<Expr> {
+        let sides = self.claim.iter().chain(self.premises).flat_map(|&(l, r)| [l, r]);
+        sides.chain(self.nonzero.iter().copied()).chain(self.positive.iter().copied()).collect()
+    }
+
+    fn lowered_exprs(&self) -> Vec<Expr> {
+        let sides = self.lowered.iter().flat_map(|&(l, r)| [l, r]);
+        let arguments = self.generators.list.iter().filter_map(|g| match *g {
+            Generator::Cosine(e) | Generator::Sine(e) | Generator::Exponential(e) | Generator::Opaque(e) => Some(e),
+            Generator::Sign | Generator::Half => None,
+        });
+        sides.chain(self.defined.values().copied()).chain(self.explicit.values().copied()).chain(arguments).collect()
+    }
+
+    /// q and leaf when e = q·leaf.
+    fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
+        let mut combinations = super::linear::Combinations::default();
+        let combination = combinations.of(self.graph, e);
+        let mut terms = combination.into_iter();
+        let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
+        match m.as_slice() {
+            &[(base, 1)] => match self.graph.node(base) {
+                Node::Leaf(leaf) => Some((q, *leaf)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn generator_leaf(&self, at: usize) -> Option<Leaf> {
+        self.generators.leaf(at)
+    }
+
+    /// Whether a leaf gets its value from a generator that is solved for.
+    fn awaited(&self, leaf: Leaf) -> bool {
+        (0..self.generators.list.len()).any(|at| {
+            let argument = match self.generators.list[at] {
+                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) => a,
+                _ => return false,
+            };
+            self.generator_leaf(at).is_some_and(|g| self.defined.contains_key(&g))
+                && self.multiple_of_leaf(argument).is_some_and(|(_, l)| l == leaf)
+        })
+    }
+
+    /// Angles that occur only as such: half-angle tangents are rational.
+    fn angles(
+        &self,
+        number: u32,
+        draws: &mut Draws,
+        values: &mut HashMap<Leaf, f64>,
+        circles: &mut HashMap<Leaf, (Rational, Rational)>,
+    ) {
+        for at in 0..self.generators.list.len() {
+            let Generator::Cosine(argument) = self.generators.list[at] else { continue };
+            let Some((q, leaf)) = self.multiple_of_leaf(argument) else { continue };
+            if self.awaited(leaf) || self.explicit.contains_key(&leaf) || self.defined.contains_key(&leaf) {
+                continue;
+            }
+            let others = self.generators.list.iter().enumerate().any(|(i, g)| match *g {
+                Generator::Cosine(a) | Generator::Exponential(a) | Generator::Opaque(a) if i != at => {
+                    self.graph.leaves([a]).contains(&leaf)
+                }
+                _ => false,
+            });
+            let outside = self.lowered.iter().flat_map(|&(l, r)| [l, r]).chain(self.defined.values().copied());
+            if others || self.graph.leaves(outside).contains(&leaf) {
+                continue;
+            }
+            let t = ratio(TANGENTS[draws.below(if number < 24 { 4 } else { 8 }) as usize]);
+            let square = &t * &t;
+            let under = Rational::ONE + &square;
+            circles.insert(leaf, ((Rational::ONE - &square) / &under, (&t + &t) / &under));
+            let mut half = 0.0;
+            if half.arctan(&(), &t.to_f64().value()).is_ok() {
+                values.insert(leaf, 2.0 * half / q.to_f64().value());
+            }
+        }
+    }
+
+    /// Values of the generators that are not solved for.
+    fn generate(
+        &self,
+        draws: &mut Draws,
+        values: &mut HashMap<Leaf, f64>,
+        exact: &mut HashMap<Leaf, Rational>,
+        circles: &HashMap<Leaf, (Rational, Rational)>,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            if self.defined.contains_key(&leaf) {
+                continue;
+            }
+            let argument = match self.generators.list[at] {
+                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
+                Generator::Sign => {
+                    let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
+                    values.insert(leaf, f64::from(sign));
+                    exact.insert(leaf, Rational::from(sign));
+                    continue;
+                }
+                Generator::Half => continue,
+            };
+            let (value, _) = decimals(self.graph, &[argument], values);
+            let Some(argument_value) = value[0] else { continue };
+            let mut out = 0.0;
+            let done = match self.generators.list[at] {
+                Generator::Cosine(_) => Number::cos(&mut out, &(), &argument_value),
+                Generator::Sine(_) => Number::sin(&mut out, &(), &argument_value),
+                Generator::Exponential(_) => Number::exp(&mut out, &(), &argument_value),
+                _ => {
+                    out = argument_value;
+                    Ok(())
+                }
+            };
+            done.ok()?;
+            values.insert(leaf, out);
+            let rational = self.multiple_of_leaf(argument).and_then(|(_, l)| circles.get(&l));
+            match (&self.generators.list[at], rational) {
+                (Generator::Cosine(_), Some((c, _))) => drop(exact.insert(leaf, c.clone())),
+                (Generator::Sine(_), Some((_, s))) => drop(exact.insert(leaf, s.clone())),
+                _ => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Angles whose cosine and sine, and exponents whose exponential, were solved for.
+    fn invert_solved(
+        &self,
+        values: &mut HashMap<Leaf, f64>,
+        exact: &HashMap<Leaf, Rational>,
+        circles: &mut HashMap<Leaf, (Rational, Rational)>,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            let (argument, circle) = match self.generators.list[at] {
+                Generator::Cosine(a) => (a, true),
+                Generator::Exponential(a) => (a, false),
+                _ => continue,
+            };
+            let sine = self.generators.leaf(at + 1);
+            let solved = |l: Option<Leaf>| l.is_some_and(|l| self.defined.contains_key(&l));
+            if !solved(Some(leaf)) && !(circle && solved(sine)) {
+                continue;
+            }
+            let (q, target) = self.multiple_of_leaf(argument)?;
+            if values.contains_key(&target) {
+                return None;
+            }
+            let mut out = 0.0;
+            if circle {
+                let (c, s) = (*values.get(&leaf)?, *values.get(&sine?)?);
+                out.arctan2(&(), &s, &c).ok()?;
+                if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
+                    circles.insert(target, (c.clone(), s.clone()));
+                }
+            } else {
+                Number::ln(&mut out, &(), values.get(&leaf)?).ok()?;
+            }
+            values.insert(target, out / q.to_f64().value());
+        }
+        Some(())
+    }
+
+    /// Whether the premises hold at a point, within rounding.
+    fn admits(&self, values: &HashMap<Leaf, f64>) -> bool {
+        let sides: Vec<Expr> = self.premises.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let (sides, largest) = decimals(self.graph, &sides, values);
+        let equal = sides.chunks(2).all(|pair| match pair {
+            &[Some(l), Some(r)] => (l - r).abs() <= 1e-11 * largest.max(1.0),
+            _ => false,
+        });
+        let (nonzero, scale) = decimals(self.graph, self.nonzero, values);
+        let (positive, _) = decimals(self.graph, self.positive, values);
+        equal
+            && largest < 1e6
+            && nonzero.iter().all(|v| v.is_some_and(|v| v.abs() > 1e-6 * scale.min(1.0)))
+            && positive.iter().all(|v| v.is_some_and(|v| v > 1e-9))
+    }
+
+    fn sides(&self, values: &HashMap<Leaf, f64>, exact: &HashMap<Leaf, Rational>) -> Option<Found> {
+        let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let (given, largest) = decimals(self.graph, &exprs, values);
+        let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
+        let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
+        for (at, pair) in given.chunks(2).enumerate() {
+            let &[Some(left), Some(right)] = pair else { return None };
+            let exact_side = |k: usize| match precise.get(2 * at + k) {
+                Some(Ok(Exact(r))) => Some(r.clone()),
+                _ => None,
+            };
+            let (l, r) = (exact_side(0), exact_side(1));
+            let gap = (left - right).abs();
+            let size = left.abs().max(right.abs());
+            let rounding = 1e-12 * largest.max(1.0);
+            let near = |e: &Option<Rational>, d: f64| {
+                e.as_ref().is_none_or(|e| (e.to_f64().value() - d).abs() <= 1e-6 * d.abs().max(1.0) + 1e3 * rounding)
+            };
+            if !near(&l, left) || !near(&r, right) {
+                return None;
+            }
+            let differs = match (&l, &r) {
+                (Some(l), Some(r)) => l != r,
+                _ => gap > 1e-6 * size && gap > 1e3 * rounding,
+            };
+            if differs && found.differs.is_none() {
+                found.differs = Some(at);
+            }
+            found.agrees &= !differs && gap <= 1e-6 * size.max(1.0) + 1e3 * rounding;
+            found.sides.push((Side { exact: l, decimal: left }, Side { exact: r, decimal: right }));
+        }
+        Some(found)
+    }
+}
+
+/// The refutation from points found: the first exact one, or the first; with a second point whose sides differ otherwise.
+pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
+    let refuting = || found.iter().filter(|f| f.differs.is_some());
+    let is_exact = |f: &&Found| {
+        f.differs.is_some_and(|at| f.sides[at].0.exact.is_some() && f.sides[at].1.exact.is_some())
+    };
+    let best = refuting().find(is_exact).or_else(|| refuting().next())?;
+    let equation = best.differs?;
+    let gap = |f: &Found| f.sides[equation].0.decimal - f.sides[equation].1.decimal;
+    let second = found
+        .iter()
+        .find(|f| (gap(f) - gap(best)).abs() > 1e-6 * gap(best).abs())
+        .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
+    let (left, right) = best.sides[equation].clone();
+    Some(Refutation { equation, point: best.point.clone(), left, right, second })
+}
+
+/// Radicands, denominators … of the operations of some formulas, see [`super::outcome::Condition`].
+pub(super) fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<super::outcome::Condition> {
+    use super::outcome::Condition;
+    let mut out = Vec::new();
+    for e in graph.reachable(exprs.iter().copied()) {
+        match *graph.node(e) {
+            Node::Binary(Op::Div, _, b) => out.push(Condition::Denominator(b)),
+            Node::Binary(Op::Pow, a, _) | Node::Unary(Op::Ln, a) => out.push(Condition::Positive(a)),
+            Node::Unary(Op::Powi(n), a) if n < 0 => out.push(Condition::Denominator(a)),
+            Node::Unary(Op::Sqrt, a) => out.push(Condition::Radicand(a)),
+            Node::Unary(Op::Arccos | Op::Arcsin, a) => out.push(Condition::Unit(a)),
+            Node::Unary(Op::Tan, a) => {
+                let cosine = graph.unary(Op::Cos, a);
+                out.push(Condition::Denominator(cosine));
+            }
+            _ => {}
+        }
+    }
+    out
+}
