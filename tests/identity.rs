@@ -132,3 +132,23 @@ fn nearly_true() {
     refuted(&format!("(x - 1)*({}) = x^60 - 1", sum(59)), "");
     refuted(&format!("(x - 1)*({}) + x^31 = x^60 - 1", sum(60)), "");
 }
+
+mod comment;
+
+#[test]
+fn the_comment() {
+    for step in comment::steps() {
+        let start = std::time::Instant::now();
+        let outcome = test(&step.claim, &step.premises, &step.moving);
+        let took = start.elapsed();
+        match outcome {
+            Identity::Proved(p) => {
+                println!(
+                    "{:32} 2^{:.0} degree {:.0} height {:.0} trials {} signs {} cases {} example {} {took:?}",
+                    step.id, p.log2_error, p.degree_bound, p.height_bound, p.trials, p.signs, p.cases, p.example.is_some()
+                );
+            }
+            other => println!("{:32} {} {other:?} {took:?}", step.id, other.word()),
+        }
+    }
+}

@@ -30,11 +30,13 @@ pub struct Options {
     pub most_signs: u32,
     /// Number of real points tried for a witness.
     pub attempts: u32,
+    /// How many pivots are looked at by themselves: the case that they vanish.
+    pub special_cases: u32,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 96 }
+        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 96, special_cases: 8 }
     }
 }
 

@@ -4,27 +4,37 @@ use super::outcome::{Premises, Reason};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use std::collections::{HashMap, HashSet};
 
+/// An equation among the premises.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Premise {
+    pub(super) left: Expr,
+    pub(super) right: Expr,
+    /// A derivative by time of a given one: used to solve for rates, and for nothing else as long as others are left.
+    pub(super) derived: bool,
+}
+
 /// The premises' equations, followed by as many of their derivatives by time as the highest rate that occurs asks for.
 pub(super) fn with_rates(
     graph: &mut Graph,
     premises: &Premises,
     equations: &[(Expr, Expr)],
-) -> Result<Vec<(Expr, Expr)>, Reason> {
-    let mut all = premises.equations.clone();
+) -> Result<Vec<Premise>, Reason> {
+    let mut all: Vec<Premise> =
+        premises.equations.iter().map(|&(left, right)| Premise { left, right, derived: false }).collect();
     let Some(time) = premises.time else { return Ok(all) };
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
     let highest = |graph: &Graph, pairs: &[(Expr, Expr)]| -> Option<u8> {
         let sides = pairs.iter().flat_map(|&(l, r)| [l, r]);
         graph.leaves(sides).into_iter().filter(|l| l.instant.is_none() && moves(*l)).map(|l| l.rate).max()
     };
-    let wanted = highest(graph, equations).max(highest(graph, &all)).unwrap_or(0);
+    let wanted = highest(graph, equations).max(highest(graph, &premises.equations)).unwrap_or(0);
     for &(left, right) in &premises.equations {
         let Some(own) = highest(graph, &[(left, right)]) else { continue };
         let (mut left, mut right) = (left, right);
         for _ in own..wanted {
             left = graph.time_derivative(left, time, moves).map_err(|_| Reason::NoDerivative)?;
             right = graph.time_derivative(right, time, moves).map_err(|_| Reason::NoDerivative)?;
-            all.push((left, right));
+            all.push(Premise { left, right, derived: true });
         }
     }
     Ok(all)
@@ -51,7 +61,7 @@ pub(super) struct Explicit {
     /// Leaf := expression without any of the defined leaves.
     pub(super) definitions: HashMap<Leaf, Expr>,
     /// What is left, with the definitions inserted.
-    pub(super) rest: Vec<(Expr, Expr)>,
+    pub(super) rest: Vec<Premise>,
     /// Divided by.
     pub(super) pivots: Vec<Expr>,
 }
@@ -59,21 +69,22 @@ pub(super) struct Explicit {
 /// Takes `leaf = expression` as definitions, and solves for leaves in arguments of sin, exp … that occur linearly outside.
 pub(super) fn explicit(
     graph: &mut Graph,
-    equations: &[(Expr, Expr)],
+    equations: &[Premise],
     conclusions: &[(Expr, Expr)],
     premises: &Premises,
 ) -> Explicit {
     let mut out = Explicit { definitions: HashMap::new(), rest: equations.to_vec(), pivots: Vec::new() };
     loop {
         let mut found = None;
-        for (at, &(left, right)) in out.rest.iter().enumerate() {
-            if let Some(definition) = as_definition(graph, left, right, premises) {
+        for (at, p) in out.rest.iter().enumerate() {
+            if let Some(definition) = as_definition(graph, p.left, p.right, premises) {
                 found = Some((at, definition));
                 break;
             }
         }
         if found.is_none() {
-            let sides = out.rest.iter().chain(conclusions).flat_map(|&(l, r)| [l, r]);
+            let sides = out.rest.iter().map(|p| (p.left, p.right)).chain(conclusions.iter().copied());
+            let sides = sides.flat_map(|(l, r)| [l, r]);
             let arguments = argument_leaves(graph, sides);
             found = linear_argument(graph, &mut out, &arguments, premises);
         }
@@ -82,7 +93,7 @@ pub(super) fn explicit(
         for e in out.definitions.values_mut() {
             *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
         }
-        for e in out.rest.iter_mut().flat_map(|(l, r)| [l, r]) {
+        for e in out.rest.iter_mut().flat_map(|p| [&mut p.left, &mut p.right]) {
             *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
         }
         out.definitions.insert(leaf, value);
@@ -112,7 +123,10 @@ fn linear_argument(
     arguments: &HashSet<Leaf>,
     premises: &Premises,
 ) -> Option<(usize, (Leaf, Expr))> {
-    for (at, (left, right)) in out.rest.clone().into_iter().enumerate() {
+    for (at, Premise { left, right, derived }) in out.rest.clone().into_iter().enumerate() {
+        if derived {
+            continue;
+        }
         let mut unknowns = graph.leaves([left, right]);
         unknowns.retain(|l| {
             arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l)

@@ -2,9 +2,9 @@
 
 use super::field::{Question, Trials, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
-use super::prepare::{argument_leaves, explicit, with_rates};
+use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
@@ -19,8 +19,8 @@ type Pairs = Vec<(Expr, Expr)>;
 /// The problem after lowering.
 struct Lowered {
     generators: Generators,
-    /// Residuals of the premises that are not definitions.
-    premises: Vec<Expr>,
+    /// Residuals of the premises that are not definitions, and whether they are derivatives of others.
+    premises: Vec<(Expr, bool)>,
     claim: Pairs,
     facts: Facts,
     denominators: Vec<Expr>,
@@ -37,8 +37,9 @@ pub fn identity_test(
     options: &Options,
 ) -> Identity {
     match decide(graph, equations, given, options) {
-        Ok(identity) => identity,
-        Err(reason) => Identity::Undecided(reason),
+        Ok(proof) => Identity::Proved(proof),
+        Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
+        Err(Stop::Undecided(reason)) => Identity::Undecided(reason),
     }
 }
 
@@ -57,109 +58,267 @@ impl From<Failed> for Reason {
     }
 }
 
-fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Result<Identity, Reason> {
+fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
     let premises = with_rates(graph, given, equations)?;
     let solved = explicit(graph, &premises, equations, given);
+    let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let mut lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &definitions)?;
-    let mut probe = Probe::new(&mut draws);
+    let probe = Probe::new(&mut draws);
     let parameters: HashSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
-    let cases = Solver {
+    lowered.frozen.extend(given.time);
+    let mut examination = Examination {
         graph,
-        generators: &mut lowered.generators,
-        probe: &mut probe,
-        facts: &lowered.facts,
-        frozen: &lowered.frozen.iter().copied().chain(given.time).collect(),
-        parameters: &parameters,
-    }
-    .solve(&lowered.premises)?;
-    if cases.is_empty() {
-        return Err(Reason::Contradiction);
-    }
-    let mut proof = Proof {
-        log2_error: f64::NEG_INFINITY,
-        degree_bound: 0.0,
-        height_bound: 0.0,
-        trials: 0,
-        primes: Vec::new(),
-        signs: 0,
-        cases: 0,
-        conditions: Vec::new(),
-        example: None,
+        probe,
+        draws,
+        lowered,
+        parameters,
+        claim: equations,
+        premises: &premises,
+        given,
+        explicit: &solved.definitions,
+        options,
     };
-    let mut open: Option<Reason> = None;
-    let mut empty: Option<Reason> = None;
-    let count = cases.len() as f64;
-    let each = Options { target_log2_error: options.target_log2_error - count.log2(), ..*options };
-    for case in &cases {
-        let map = closed(graph, &case.definitions);
-        let question = question(graph, &mut lowered, &mut probe, case, &map);
-        let outcome = trials(graph, &lowered.generators, &question, &each, &mut draws);
-        let sides: Pairs = lowered
-            .claim
-            .iter()
-            .map(|&(l, r)| (insert_definitions(graph, &map, l), insert_definitions(graph, &map, r)))
-            .collect();
+    let own = examination.lowered.premises.clone();
+    let generic = examination.run(&own)?;
+    let (mut proof, resolved) = merge(generic)?;
+    // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
+    let mut pivots = Pivots::of(&examination, &resolved);
+    for at in 0..pivots.list.len().min(options.special_cases as usize) {
+        let mut with_pivot = vec![(pivots.list[at], false)];
+        with_pivot.extend(&own);
+        let Ok(outcomes) = examination.run(&with_pivot) else { continue };
+        match merge(outcomes) {
+            Ok((special, resolved)) => {
+                proof.absorb(special);
+                pivots.nested[at] = Some(Pivots::of(&examination, &resolved).list);
+            }
+            Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
+            Err(Stop::Undecided(Reason::Contradiction)) => pivots.nested[at] = Some(Vec::new()),
+            Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
+            Err(Stop::Undecided(_)) => {}
+        }
+    }
+    let needed = pivots.needed();
+    let Examination { graph, lowered, .. } = examination;
+    let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
+    all.dedup();
+    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    Ok(proof)
+}
+
+/// What becomes of one case.
+enum Outcome {
+    Holds(Box<Proof>),
+    Refuted(Box<Refutation>),
+    Open(Reason),
+    /// The premises or the formulas rule the case out.
+    Empty(Reason),
+}
+
+/// Why a list of cases does not amount to a proof.
+enum Stop {
+    Refuted(Box<Refutation>),
+    Undecided(Reason),
+}
+
+impl From<Reason> for Stop {
+    fn from(reason: Reason) -> Stop {
+        Stop::Undecided(reason)
+    }
+}
+
+/// One proof from all cases, with the resolutions it rests on.
+fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
+    let mut proof: Option<Proof> = None;
+    let (mut open, mut empty, mut resolved) = (None, None, Vec::new());
+    for (case, outcome) in outcomes {
+        match outcome {
+            Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
+            Outcome::Open(reason) => drop(open.get_or_insert(reason)),
+            Outcome::Empty(reason) => drop(empty.get_or_insert(reason)),
+            Outcome::Holds(one) => {
+                resolved.push(case);
+                match &mut proof {
+                    None => proof = Some(*one),
+                    Some(all) => all.absorb(*one),
+                }
+            }
+        }
+    }
+    match (open, proof) {
+        (Some(reason), _) => Err(Stop::Undecided(reason)),
+        (None, Some(proof)) => Ok((proof, resolved)),
+        (None, None) => Err(Stop::Undecided(empty.unwrap_or(Reason::Contradiction))),
+    }
+}
+
+impl Proof {
+    /// Both proofs together.
+    fn absorb(&mut self, other: Proof) {
+        self.log2_error = self.log2_error.max(other.log2_error) + 1.0;
+        self.degree_bound = self.degree_bound.max(other.degree_bound);
+        self.height_bound = self.height_bound.max(other.height_bound);
+        self.trials = self.trials.max(other.trials);
+        self.primes.extend(other.primes);
+        self.signs = self.signs.max(other.signs);
+        self.cases += other.cases;
+        self.example = self.example.take().or(other.example);
+    }
+}
+
+/// What was divided by, and which of it a special case has dealt with.
+struct Pivots {
+    list: Vec<Expr>,
+    /// The pivots of the proof for the case that this one vanishes; `None` when there is no such proof.
+    nested: Vec<Option<Vec<Expr>>>,
+}
+
+impl Pivots {
+    /// The factors of the pivots that are not known to be ≠ 0.
+    fn of(examination: &Examination<'_>, cases: &[Resolved]) -> Pivots {
+        let Examination { graph, lowered, .. } = examination;
+        let mut list: Vec<Expr> = Vec::new();
+        for &pivot in cases.iter().flat_map(|c| &c.pivots) {
+            for (base, _) in factors(graph, pivot).1 {
+                if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
+                    list.push(base);
+                }
+            }
+        }
+        let nested = vec![None; list.len()];
+        Pivots { list, nested }
+    }
+
+    /// Pivots that must not vanish: all but those whose special case is proved from the remaining ones.
+    fn needed(&self) -> Vec<Expr> {
+        let mut needed = self.list.clone();
+        let mut relied_on: Vec<Expr> = Vec::new();
+        for (pivot, nested) in self.list.iter().zip(&self.nested) {
+            let Some(nested) = nested else { continue };
+            if !relied_on.contains(pivot) && nested.iter().all(|n| n != pivot && needed.contains(n)) {
+                needed.retain(|n| n != pivot);
+                relied_on.extend(nested);
+            }
+        }
+        needed
+    }
+}
+
+/// Everything that the cases of one test share.
+struct Examination<'a> {
+    graph: &'a mut Graph,
+    probe: Probe,
+    draws: Draws,
+    lowered: Lowered,
+    parameters: HashSet<Leaf>,
+    claim: &'a [(Expr, Expr)],
+    premises: &'a [(Expr, Expr)],
+    given: &'a Premises,
+    explicit: &'a HashMap<Leaf, Expr>,
+    options: &'a Options,
+}
+
+impl Examination<'_> {
+    /// All cases of the given lowered premises.
+    fn run(&mut self, premises: &[(Expr, bool)]) -> Result<Vec<(Resolved, Outcome)>, Reason> {
+        let cases = Solver {
+            graph: self.graph,
+            generators: &mut self.lowered.generators,
+            probe: &mut self.probe,
+            facts: &self.lowered.facts,
+            frozen: &self.lowered.frozen,
+            parameters: &self.parameters,
+        }
+        .solve(premises)?;
+        // Room for as many cases and special cases as there may be.
+        let target_log2_error = self.options.target_log2_error - 8.0;
+        let each = Options { target_log2_error, ..*self.options };
+        let mut out = Vec::new();
+        for case in cases {
+            let outcome = self.case(&case, &each);
+            out.push((case, outcome));
+        }
+        Ok(out)
+    }
+
+    fn case(&mut self, case: &Resolved, options: &Options) -> Outcome {
+        let map = closed(self.graph, &case.definitions);
+        if self.clashes(&map) {
+            return Outcome::Empty(Reason::Contradiction);
+        }
+        let question = question(self.graph, &mut self.lowered, &mut self.probe, case, &map);
+        let outcome = trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws);
+        let mut sides = Pairs::new();
+        for &(l, r) in &self.lowered.claim {
+            sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
+        }
         let scene = Scene {
-            graph,
-            generators: &lowered.generators,
-            claim: equations,
+            graph: self.graph,
+            generators: &self.lowered.generators,
+            claim: self.claim,
             lowered: &sides,
-            premises: &premises,
-            nonzero: &given.nonzero,
-            positive: &given.positive,
-            explicit: &solved.definitions,
+            premises: self.premises,
+            nonzero: &self.given.nonzero,
+            positive: &self.given.positive,
+            explicit: self.explicit,
             defined: &map,
         };
         match outcome {
             Trials::Vanish(bound) => {
-                let found = look(&scene, &mut draws, options.attempts, |f| !f.is_empty());
+                let found = look(&scene, &mut self.draws, options.attempts, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
-                    return Err(Reason::Defect(format!("proved over finite fields, but at a real point: {sides}")));
+                    let what = format!("proved over finite fields, but at a real point: {sides}");
+                    return Outcome::Open(Reason::Defect(what));
                 }
-                proof.example = proof.example.take().or_else(|| found.first().map(|f| f.point.clone()));
-                proof.trials = proof.trials.max(bound.primes.len());
-                proof.primes.extend(bound.primes);
-                proof.degree_bound = proof.degree_bound.max(bound.degree);
-                proof.height_bound = proof.height_bound.max(bound.height);
-                proof.signs = proof.signs.max(bound.signs);
-                proof.log2_error = add_log2(proof.log2_error, bound.log2_error);
-                proof.cases += 1;
+                Outcome::Holds(Box::new(Proof {
+                    log2_error: bound.log2_error,
+                    degree_bound: bound.degree,
+                    height_bound: bound.height,
+                    trials: bound.primes.len(),
+                    primes: bound.primes,
+                    signs: bound.signs,
+                    cases: 1,
+                    conditions: Vec::new(),
+                    example: found.into_iter().next().map(|f| f.point),
+                }))
             }
             Trials::Fail { failing, of } => {
                 let enough = |f: &[Found]| {
-                    refutation(f).is_some_and(|r| {
-                        r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some() || f.len() > 12
-                    })
+                    f.len() > 12
+                        || refutation(f).is_some_and(|r| {
+                            r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                        })
                 };
-                let found = look(&scene, &mut draws, options.attempts, enough);
-                if let Some(refutation) = refutation(&found) {
-                    return Ok(Identity::Refuted(Box::new(refutation)));
+                match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
+                    Some(refutation) => Outcome::Refuted(Box::new(refutation)),
+                    None => Outcome::Open(Reason::Branches { failing, of }),
                 }
-                open.get_or_insert(Reason::Branches { failing, of });
             }
-            Trials::Contradiction => drop(empty.get_or_insert(Reason::Contradiction)),
-            Trials::NoValue => drop(empty.get_or_insert(Reason::NoValue)),
-            Trials::Unsettled(reason) => drop(open.get_or_insert(reason)),
+            Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+            Trials::NoValue => Outcome::Empty(Reason::NoValue),
+            Trials::Unsettled(reason) => Outcome::Open(reason),
         }
     }
-    if let Some(reason) = open {
-        return Err(reason);
+
+    /// Whether something given as positive is not, by its structure, once the definitions are inserted.
+    fn clashes(&mut self, map: &HashMap<Leaf, Expr>) -> bool {
+        let positive = self.lowered.facts.positive.clone();
+        positive.iter().any(|&e| {
+            let image = insert_definitions(self.graph, map, e);
+            let mut others = self.lowered.facts.clone();
+            others.positive.remove(&image);
+            others.nonzero.remove(&image);
+            others.sign(self.graph, &self.lowered.generators, image).not_positive
+        })
     }
-    if proof.cases == 0 {
-        return Err(empty.unwrap_or(Reason::NoValue));
-    }
-    let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
-    all.dedup();
-    proof.conditions = conditions(graph, &lowered, given, &cases, &all, &solved.pivots);
-    Ok(Identity::Proved(proof))
 }
 
 fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
@@ -169,24 +328,22 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     }
 }
 
-/// log₂(2ᵃ + 2ᵇ), from above.
-fn add_log2(a: f64, b: f64) -> f64 {
-    if a == f64::NEG_INFINITY { b } else { a.max(b) + 1.0 }
-}
-
 fn lower(
     graph: &mut Graph,
-    premises: &[(Expr, Expr)],
+    premises: &[Premise],
     claim: &[(Expr, Expr)],
     (nonzero, positive): (&[Expr], &[Expr]),
     definitions: &[Expr],
 ) -> Result<Lowered, Reason> {
-    let residuals: Vec<Expr> = premises.iter().map(|&(l, r)| graph.sub(l, r)).collect();
+    let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(definitions));
     let frozen = argument_leaves(graph, roots.iter().copied());
     let mut lowering = Lowering::new(graph, &roots);
-    let premises = residuals.iter().map(|&e| lowering.lower(e)).collect::<Result<Vec<_>, _>>()?;
+    let mut images = Vec::new();
+    for (&e, premise) in residuals.iter().zip(premises) {
+        images.push((lowering.lower(e)?, premise.derived));
+    }
     let mut sides = Vec::new();
     for &(l, r) in claim {
         sides.push((lowering.lower(l)?, lowering.lower(r)?));
@@ -201,7 +358,7 @@ fn lower(
         not_zero.push(lowering.lower(e)?);
     }
     // Formulas are claimed where they have a value, so their denominators are not 0 there.
-    let mut lowered_roots = premises.clone();
+    let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
     lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
     for &e in definitions {
         lowered_roots.push(lowering.lower(e)?);
@@ -221,7 +378,7 @@ fn lower(
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
     }
     let generators = lowering.generators;
-    Ok(Lowered { generators, premises, claim: sides, facts, denominators, assumed: not_zero, frozen })
+    Ok(Lowered { generators, premises: images, claim: sides, facts, denominators, assumed: not_zero, frozen })
 }
 
 /// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
@@ -308,6 +465,7 @@ fn conditions(
     given: &Premises,
     cases: &[Resolved],
     formulas: &[Expr],
+    explicit: &[Expr],
     pivots: &[Expr],
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
@@ -323,9 +481,8 @@ fn conditions(
         })
     };
     let mut out = domains(graph, formulas);
-    let mut from_cases = Vec::new();
+    let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
     for case in cases {
-        from_cases.extend(case.pivots.iter().map(|&e| Condition::Pivot(e)));
         from_cases.extend(case.radicands.iter().map(|&e| Condition::Radicand(e)));
     }
     let unknown = |graph: &Graph, c: &Condition| match *c {
@@ -341,7 +498,7 @@ fn conditions(
             other => other,
         });
     }
-    out.extend(pivots.iter().map(|&e| Condition::Pivot(e)));
+    out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
     // Declared facts need no mention.
     let mut facts = Facts::default();
     facts.positive.extend(given.positive.iter().copied());

@@ -270,10 +270,13 @@ impl<'a> Roots<'a> {
         if self.graph.is_zero(e) || self.graph.is_one(e) {
             return e;
         }
-        if let Some(square) = self.as_square(e) {
-            return square;
-        }
         let (mut q, parts) = factors(self.graph, e);
+        // Products are taken apart first; only what stays together is looked up.
+        if parts.iter().filter(|&&(base, k)| k % 2 != 0 && !self.not_negative(base)).count() > 1 || parts.len() == 1 {
+            if let Some(square) = self.as_square(e) {
+                return square;
+            }
+        }
         let mut out = self.graph.integer(1);
         let mut rest = self.graph.integer(1);
         let mut rest_empty = true;
@@ -393,8 +396,8 @@ impl<'a> Roots<'a> {
 
     /// √e = √q·|m₁·m₂| when e = q·(m₁m₂)² for expressions of the problem.
     fn as_square(&mut self, e: Expr) -> Option<Expr> {
-        let sum = matches!(self.graph.node(e), Node::Binary(Op::Add | Op::Sub, ..));
-        if !sum || self.candidates.is_empty() {
+        let compound = matches!(self.graph.node(e), Node::Binary(Op::Add | Op::Sub | Op::Mul | Op::Div, ..));
+        if !compound || self.candidates.is_empty() {
             return None;
         }
         let (x, y) = (self.value(0, e)?, self.value(1, e)?);

@@ -63,12 +63,13 @@ const HIGHEST: usize = 8;
 #[derive(Clone, Default)]
 struct Case {
     out: Resolved,
-    pending: Vec<Expr>,
+    /// Residuals, and whether each is a derivative by time of others.
+    pending: Vec<(Expr, bool)>,
     on_circle: BTreeSet<Leaf>,
 }
 
 struct Candidate {
-    rank: (u8, u8, u8, usize),
+    rank: (bool, u8, u8, u8, usize),
     equation: usize,
     unknown: Leaf,
     coefficients: Vec<Expr>,
@@ -92,7 +93,7 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> HashMap
 
 impl Solver<'_> {
     /// All cases; an empty list when the premises contradict each other in every case.
-    pub(super) fn solve(&mut self, equations: &[Expr]) -> Result<Vec<Resolved>, Failed> {
+    pub(super) fn solve(&mut self, equations: &[(Expr, bool)]) -> Result<Vec<Resolved>, Failed> {
         let mut open = vec![Case { pending: equations.to_vec(), ..Case::default() }];
         let mut done = Vec::new();
         while let Some(mut case) = open.pop() {
@@ -105,7 +106,7 @@ impl Solver<'_> {
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
-                        one.pending[equation] = part;
+                        one.pending[equation].0 = part;
                         one.out.split_on.push(part);
                         open.push(one);
                     }
@@ -129,19 +130,22 @@ impl Solver<'_> {
                 }
             }
             let Some(best) = best else {
-                case.out.unsolved.append(&mut case.pending);
+                case.out.unsolved.extend(case.pending.drain(..).map(|(e, _)| e));
                 return Ok(Next::Done);
             };
+            if let Some(next) = self.zero_root(case, &best) {
+                return Ok(next);
+            }
             self.define(case, best);
         }
     }
 
     /// Numerators of the pending equations, without known factors; splits, contradictions.
     fn tidy(&mut self, case: &mut Case) -> Result<Option<Next>, Failed> {
-        let mut kept: Vec<Expr> = Vec::new();
+        let mut kept: Vec<(Expr, bool)> = Vec::new();
         let pending = std::mem::take(&mut case.pending);
         let mut split = None;
-        for e in pending {
+        for (e, derived) in pending {
             let (top, _) = fraction(self.graph, e);
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
@@ -149,11 +153,20 @@ impl Solver<'_> {
                 Sight::Nonzero => {}
             }
             let (_, parts) = factors(self.graph, top);
-            let parts: Vec<Expr> = parts
+            let mut parts: Vec<Expr> = parts
                 .into_iter()
                 .filter(|&(base, k)| k > 0 && !self.facts.sign(self.graph, self.generators, base).nonzero)
                 .map(|(base, _)| base)
                 .collect();
+            if parts.len() > 1 {
+                // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
+                let free = |base: &Expr| match self.graph.node(*base) {
+                    Node::Leaf(leaf) => self.frozen.contains(leaf),
+                    _ => false,
+                };
+                case.out.pivots.extend(parts.iter().copied().filter(free));
+                parts.retain(|base| !free(base));
+            }
             match parts.as_slice() {
                 [] => return Ok(Some(Next::Contradiction)),
                 &[one] => {
@@ -162,11 +175,11 @@ impl Solver<'_> {
                     if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
                     }
-                    kept.push(reduced);
+                    kept.push((reduced, derived));
                 }
                 many => {
                     split.get_or_insert((kept.len(), many.to_vec()));
-                    kept.push(one_product(self.graph, many));
+                    kept.push((one_product(self.graph, many), derived));
                 }
             }
         }
@@ -230,6 +243,29 @@ impl Solver<'_> {
         (parts[0], parts[1])
     }
 
+    /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
+    fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
+        let all = &candidate.coefficients;
+        let lowest = *all.first()?;
+        let (e, _) = case.pending[candidate.equation];
+        let x = self.graph.leaf(candidate.unknown);
+        if e == x || self.probe.sight(self.graph, self.generators, lowest) != Sight::Zero {
+            return None;
+        }
+        case.out.taken_as_zero.extend(candidate.vanishing.iter().copied());
+        if !self.graph.is_zero(lowest) {
+            case.out.taken_as_zero.push(lowest);
+        }
+        let mut quotient = self.graph.integer(0);
+        for &c in all[1..].iter().rev() {
+            let raised = self.graph.mul_structural(quotient, x);
+            quotient = self.graph.add(raised, c);
+        }
+        let known = |this: &Self, e: Expr| this.facts.sign(this.graph, this.generators, e).nonzero;
+        let parts = [x, quotient].into_iter().filter(|&e| !known(self, e)).collect();
+        Some(Next::Split(candidate.equation, parts))
+    }
+
     fn class(&self, leaf: Leaf) -> Option<u8> {
         if self.frozen.contains(&leaf) {
             return None;
@@ -245,14 +281,14 @@ impl Solver<'_> {
     }
 
     fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
-        let e = case.pending[equation];
+        let (e, derived) = case.pending[equation];
         let mut out = Vec::new();
         let size = self.graph.reachable([e]).len();
         let mut leaves: Vec<(u8, Leaf)> =
             self.graph.leaves([e]).into_iter().filter_map(|l| Some((self.class(l)?, l))).collect();
         leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
         for (class, unknown) in leaves {
-            if out.iter().any(|c: &Candidate| c.rank.0 < class) {
+            if out.iter().any(|c: &Candidate| c.rank.1 < class) {
                 break;
             }
             let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) else { continue };
@@ -276,7 +312,7 @@ impl Solver<'_> {
                 2
             };
             out.push(Candidate {
-                rank: (class, all.len() as u8, quality, size),
+                rank: (derived && unknown.rate == 0, class, all.len() as u8, quality, size),
                 equation,
                 unknown,
                 coefficients: all,
@@ -311,9 +347,9 @@ impl Solver<'_> {
             let (c, s, one) = (g.leaf(c), g.leaf(s), g.integer(1));
             let (cc, ss) = (g.powi(c, 2), g.powi(s, 2));
             let sum = g.add(cc, ss);
-            case.pending.push(g.sub(sum, one));
+            case.pending.push((g.sub(sum, one), false));
         }
-        for e in &mut case.pending {
+        for (e, _) in &mut case.pending {
             *e = self.graph.substitute(*e, |_, leaf| (leaf == unknown).then_some(value));
         }
     }

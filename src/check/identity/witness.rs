@@ -113,27 +113,20 @@ impl Scene<'_> {
             values.insert(leaf, r.to_f64().value());
             exact.insert(leaf, r);
         }
-        self.generate(draws, &mut values, &mut exact, &circles)?;
-        // Definitions of the case, then leaves that are arguments of what was solved for, then explicit definitions.
-        let (targets, exprs): (Vec<Leaf>, Vec<Expr>) = self.defined.iter().map(|(&l, &e)| (l, e)).unzip();
-        let (solved, _) = decimals(self.graph, &exprs, &values);
-        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
-        for ((&leaf, decimal), precise) in targets.iter().zip(solved).zip(precise) {
-            values.insert(leaf, decimal?);
-            if let Ok(Exact(r)) = precise {
-                exact.insert(leaf, r);
+        self.signs(draws, &mut values, &mut exact);
+        // What is solved for may depend on generators, whose arguments may depend on what is solved for.
+        loop {
+            let before = values.len();
+            self.generate(&mut values, &mut exact, &circles)?;
+            self.define(self.defined, &mut values, &mut exact)?;
+            self.invert_solved(&mut values, &exact, &mut circles)?;
+            self.define(self.explicit, &mut values, &mut exact)?;
+            if values.len() == before {
+                break;
             }
         }
-        self.invert_solved(&mut values, &exact, &mut circles)?;
-        let (targets, exprs): (Vec<Leaf>, Vec<Expr>) = self.explicit.iter().map(|(&l, &e)| (l, e)).unzip();
-        let (solved, _) = decimals(self.graph, &exprs, &values);
-        for (&leaf, decimal) in targets.iter().zip(solved) {
-            // A definition that nothing else uses may have no value.
-            match decimal {
-                Some(v) => drop(values.insert(leaf, v)),
-                None if given.contains(&leaf) => return None,
-                None => {}
-            }
+        if given.iter().any(|l| !values.contains_key(l)) {
+            return None;
         }
         if !self.admits(&values) {
             return None;
@@ -235,31 +228,60 @@ impl Scene<'_> {
         }
     }
 
-    /// Values of the generators that are not solved for.
+    fn signs(&self, draws: &mut Draws, values: &mut HashMap<Leaf, f64>, exact: &mut HashMap<Leaf, Rational>) {
+        for at in 0..self.generators.list.len() {
+            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
+                let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
+                values.insert(leaf, f64::from(sign));
+                exact.insert(leaf, Rational::from(sign));
+            }
+        }
+    }
+
+    /// Definitions whose leaves have values; `None` when one of them has no real value.
+    fn define(
+        &self,
+        definitions: &HashMap<Leaf, Expr>,
+        values: &mut HashMap<Leaf, f64>,
+        exact: &mut HashMap<Leaf, Rational>,
+    ) -> Option<()> {
+        let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
+        open.retain(|&(l, e)| {
+            !values.contains_key(&l) && self.graph.leaves([e]).iter().all(|l| values.contains_key(l))
+        });
+        open.sort_unstable();
+        let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
+        let (decimal, _) = decimals(self.graph, &exprs, values);
+        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
+        for ((&(leaf, _), decimal), precise) in open.iter().zip(decimal).zip(precise) {
+            values.insert(leaf, decimal?);
+            if let Ok(Exact(r)) = precise {
+                exact.insert(leaf, r);
+            }
+        }
+        Some(())
+    }
+
+    /// Values of the generators that are not solved for and whose arguments have values.
     fn generate(
         &self,
-        draws: &mut Draws,
         values: &mut HashMap<Leaf, f64>,
         exact: &mut HashMap<Leaf, Rational>,
         circles: &HashMap<Leaf, (Rational, Rational)>,
     ) -> Option<()> {
         for at in 0..self.generators.list.len() {
             let Some(leaf) = self.generator_leaf(at) else { continue };
-            if self.defined.contains_key(&leaf) {
+            if self.defined.contains_key(&leaf) || values.contains_key(&leaf) {
                 continue;
             }
             let argument = match self.generators.list[at] {
                 Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
-                Generator::Sign => {
-                    let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
-                    values.insert(leaf, f64::from(sign));
-                    exact.insert(leaf, Rational::from(sign));
-                    continue;
-                }
-                Generator::Half => continue,
+                Generator::Sign | Generator::Half => continue,
             };
-            let (value, _) = decimals(self.graph, &[argument], values);
-            let Some(argument_value) = value[0] else { continue };
+            if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                continue;
+            }
+            let argument_value = decimals(self.graph, &[argument], values).0[0]?;
             let mut out = 0.0;
             let done = match self.generators.list[at] {
                 Generator::Cosine(_) => Number::cos(&mut out, &(), &argument_value),
@@ -303,17 +325,18 @@ impl Scene<'_> {
             }
             let (q, target) = self.multiple_of_leaf(argument)?;
             if values.contains_key(&target) {
-                return None;
+                continue;
             }
             let mut out = 0.0;
             if circle {
-                let (c, s) = (*values.get(&leaf)?, *values.get(&sine?)?);
+                let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
                 out.arctan2(&(), &s, &c).ok()?;
                 if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
                     circles.insert(target, (c.clone(), s.clone()));
                 }
             } else {
-                Number::ln(&mut out, &(), values.get(&leaf)?).ok()?;
+                let Some(e) = values.get(&leaf) else { continue };
+                Number::ln(&mut out, &(), e).ok()?;
             }
             values.insert(target, out / q.to_f64().value());
         }
