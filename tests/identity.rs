@@ -145,7 +145,14 @@ fn the_comment() {
             Identity::Proved(p) => {
                 println!(
                     "{:32} 2^{:.0} degree {:.0} height {:.0} trials {} signs {} cases {} example {} {took:?}",
-                    step.id, p.log2_error, p.degree_bound, p.height_bound, p.trials, p.signs, p.cases, p.example.is_some()
+                    step.id,
+                    p.log2_error,
+                    p.degree_bound,
+                    p.height_bound,
+                    p.trials,
+                    p.signs,
+                    p.cases,
+                    p.example.is_some()
                 );
             }
             other => println!("{:32} {} {other:?} {took:?}", step.id, other.word()),

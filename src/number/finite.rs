@@ -401,9 +401,7 @@ mod tests {
             assert_eq!(f.product(f.imaginary_unit(), f.imaginary_unit()), f.integer(-1));
             let mut roots = 0;
             for _ in 0..200 {
-                let pair = |d: &mut Draws| {
-                    f.sum(f.draw_element(d), f.product(f.imaginary_unit(), f.draw_element(d)))
-                };
+                let pair = |d: &mut Draws| f.sum(f.draw_element(d), f.product(f.imaginary_unit(), f.draw_element(d)));
                 let (a, b, c) = (pair(&mut draws), pair(&mut draws), pair(&mut draws));
                 let left = f.product(a, f.sum(b, c));
                 assert_eq!(left, f.sum(f.product(a, b), f.product(a, c)));

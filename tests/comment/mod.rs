@@ -22,16 +22,8 @@ fn next(i: usize) -> usize {
 /// Entry of R = Rz(φ) Rx(θ) Rz(ψ).
 pub fn euler(i: usize, j: usize) -> &'static str {
     [
-        [
-            "cos(ph)*cos(ps) - sin(ph)*cos(th)*sin(ps)",
-            "-cos(ph)*sin(ps) - sin(ph)*cos(th)*cos(ps)",
-            "sin(ph)*sin(th)",
-        ],
-        [
-            "sin(ph)*cos(ps) + cos(ph)*cos(th)*sin(ps)",
-            "-sin(ph)*sin(ps) + cos(ph)*cos(th)*cos(ps)",
-            "-cos(ph)*sin(th)",
-        ],
+        ["cos(ph)*cos(ps) - sin(ph)*cos(th)*sin(ps)", "-cos(ph)*sin(ps) - sin(ph)*cos(th)*cos(ps)", "sin(ph)*sin(th)"],
+        ["sin(ph)*cos(ps) + cos(ph)*cos(th)*sin(ps)", "-sin(ph)*sin(ps) + cos(ph)*cos(th)*cos(ps)", "-cos(ph)*sin(th)"],
         ["sin(th)*sin(ps)", "sin(th)*cos(ps)", "cos(th)"],
     ][i - 1][j - 1]
 }

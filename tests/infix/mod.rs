@@ -184,3 +184,36 @@ fn tokens(text: &str) -> Vec<String> {
     }
     out
 }
+
+/// An expression in the notation of [`Reader`], cut off below some depth.
+pub fn show(graph: &Graph, e: Expr, depth: usize) -> String {
+    use rederive::expr::Node;
+    if depth == 0 {
+        return "…".into();
+    }
+    let sub = |e| show(graph, e, depth - 1);
+    match graph.node(e) {
+        Node::Constant(r) => r.to_string(),
+        Node::Pi => "pi".into(),
+        Node::Leaf(l) => {
+            let name = graph.name(l.symbol);
+            if name.starts_with('\u{2063}') {
+                return format!("g{}", l.component);
+            }
+            format!("{name}{}", "'".repeat(l.rate as usize))
+        }
+        Node::Unary(Op::Powi(n), a) => format!("{}^{n}", sub(*a)),
+        Node::Unary(Op::Neg, a) => format!("-{}", sub(*a)),
+        Node::Unary(op, a) => format!("{}({})", op.spelling().trim_start_matches('\\'), sub(*a)),
+        Node::Binary(op, a, b) => {
+            let sign = match op {
+                Op::Add => "+",
+                Op::Sub => "-",
+                Op::Mul => "*",
+                Op::Div => "/",
+                other => other.spelling(),
+            };
+            format!("({}{sign}{})", sub(*a), sub(*b))
+        }
+    }
+}

@@ -75,17 +75,12 @@ pub(super) fn trials(
     options: &Options,
     draws: &mut Draws,
 ) -> Trials {
-    let roots: Vec<Expr> = [
-        &question.residuals,
-        &question.filters,
-        &question.zeros,
-        &question.assumed,
-        &question.nonzeros,
-    ]
-    .into_iter()
-        .flatten()
-        .copied()
-        .collect();
+    let roots: Vec<Expr> =
+        [&question.residuals, &question.filters, &question.zeros, &question.assumed, &question.nonzeros]
+            .into_iter()
+            .flatten()
+            .copied()
+            .collect();
     let leaves = graph.leaves(roots.iter().copied());
     let Ok(tape) = Tape::compile(graph, &leaves, &roots) else { return Trials::Unsettled(Reason::TooLarge) };
     let (signs, free): (Vec<usize>, Vec<usize>) =
@@ -93,8 +88,7 @@ pub(super) fn trials(
     if signs.len() > options.most_signs.min(20) as usize {
         return Trials::Unsettled(Reason::TooManyRoots(signs.len()));
     }
-    let tested =
-        question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
+    let tested = question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
     let Some((degree, height)) = bounds(&tape, &leaves, generators, tested, signs.len()) else {
         return Trials::Unsettled(Reason::TooLarge);
     };
@@ -177,13 +171,7 @@ fn all_sheets(
     if holds == 0 { Some(Trials::Contradiction) } else { None }
 }
 
-fn sheet(
-    tape: &Tape,
-    field: &FiniteField,
-    slots: &Slots<Finite>,
-    question: &Question,
-    rigid: &[bool],
-) -> Sheet {
+fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Question, rigid: &[bool]) -> Sheet {
     let mut at = 0;
     let mut next = || {
         at += 1;

@@ -425,5 +425,4 @@ impl<'g> Lowering<'g> {
         }
         self.image.get(&e).copied().ok_or(TooLarge)
     }
-
 }

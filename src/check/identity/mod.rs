@@ -16,7 +16,5 @@ mod sign;
 mod solve;
 mod witness;
 
-pub use outcome::{
-    Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side,
-};
+pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
 pub use prove::identity_test;

@@ -36,7 +36,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Options {
-        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 96, special_cases: 8 }
+        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 240, special_cases: 8 }
     }
 }
 

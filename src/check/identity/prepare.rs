@@ -128,9 +128,7 @@ fn linear_argument(
             continue;
         }
         let mut unknowns = graph.leaves([left, right]);
-        unknowns.retain(|l| {
-            arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l)
-        });
+        unknowns.retain(|l| arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l));
         for unknown in unknowns {
             let residual = graph.sub(left, right);
             let Ok(slope) = graph.partial_derivative(residual, unknown) else { continue };

@@ -8,7 +8,7 @@ use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
-use super::solve::{Failed, Resolved, Solver, closed, insert_definitions};
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, domains, refutation};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::number::Draws;
@@ -30,12 +30,7 @@ struct Lowered {
 }
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
-pub fn identity_test(
-    graph: &mut Graph,
-    equations: &[(Expr, Expr)],
-    given: &Premises,
-    options: &Options,
-) -> Identity {
+pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Identity {
     match decide(graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
@@ -84,12 +79,14 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
         given,
         explicit: &solved.definitions,
         options,
+        examples: options.attempts,
+        strategy: Strategy::AsGiven,
     };
     let own = examination.lowered.premises.clone();
-    let generic = examination.run(&own)?;
-    let (mut proof, resolved) = merge(generic)?;
+    let (mut proof, resolved) = examination.generic(&own)?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
     let mut pivots = Pivots::of(&examination, &resolved);
+    examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
         let mut with_pivot = vec![(pivots.list[at], false)];
         with_pivot.extend(&own);
@@ -223,9 +220,27 @@ struct Examination<'a> {
     given: &'a Premises,
     explicit: &'a HashMap<Leaf, Expr>,
     options: &'a Options,
+    /// Real points tried for an example of something proved.
+    examples: u32,
+    strategy: Strategy,
 }
 
 impl Examination<'_> {
+    /// The first order of solving that settles the question.
+    fn generic(&mut self, premises: &[(Expr, bool)]) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let mut first = None;
+        for strategy in Strategy::ALL {
+            self.strategy = strategy;
+            match self.run(premises).map_err(Stop::from).and_then(merge) {
+                Err(Stop::Undecided(
+                    reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
+                )) => drop(first.get_or_insert(reason)),
+                settled => return settled,
+            }
+        }
+        Err(Stop::Undecided(first.unwrap_or(Reason::NoValue)))
+    }
+
     /// All cases of the given lowered premises.
     fn run(&mut self, premises: &[(Expr, bool)]) -> Result<Vec<(Resolved, Outcome)>, Reason> {
         let cases = Solver {
@@ -235,6 +250,7 @@ impl Examination<'_> {
             facts: &self.lowered.facts,
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
+            strategy: self.strategy,
         }
         .solve(premises)?;
         // Room for as many cases and special cases as there may be.
@@ -272,7 +288,7 @@ impl Examination<'_> {
         };
         match outcome {
             Trials::Vanish(bound) => {
-                let found = look(&scene, &mut self.draws, options.attempts, |f| !f.is_empty());
+                let found = look(&scene, &mut self.draws, self.examples, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
                     let what = format!("proved over finite fields, but at a real point: {sides}");
@@ -293,9 +309,8 @@ impl Examination<'_> {
             Trials::Fail { failing, of } => {
                 let enough = |f: &[Found]| {
                     f.len() > 12
-                        || refutation(f).is_some_and(|r| {
-                            r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
-                        })
+                        || refutation(f)
+                            .is_some_and(|r| r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some())
                 };
                 match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
                     Some(refutation) => Outcome::Refuted(Box::new(refutation)),

@@ -45,21 +45,8 @@ pub(super) struct Roots<'a> {
 }
 
 /// Rational factors by which two radicands may differ and still be recognised.
-const SCALES: [(i64, i64); 13] = [
-    (1, 1),
-    (-1, 1),
-    (4, 1),
-    (1, 4),
-    (2, 1),
-    (1, 2),
-    (-4, 1),
-    (-1, 4),
-    (3, 1),
-    (1, 3),
-    (9, 1),
-    (1, 9),
-    (-2, 1),
-];
+const SCALES: [(i64, i64); 13] =
+    [(1, 1), (-1, 1), (4, 1), (1, 4), (2, 1), (1, 2), (-4, 1), (-1, 4), (3, 1), (1, 3), (9, 1), (1, 9), (-2, 1)];
 
 const MOST_CANDIDATES: usize = 256;
 
@@ -214,11 +201,7 @@ impl<'a> Roots<'a> {
     fn scale(&self, n: Finite, d: Finite) -> (Rational, Rational) {
         let f = &self.probe.field;
         let back = |v: Finite| {
-            SCALES
-                .iter()
-                .flat_map(|&(n, d)| [n, d])
-                .find(|&k| f.integer(k) == v)
-                .map_or(Rational::ONE, Rational::from)
+            SCALES.iter().flat_map(|&(n, d)| [n, d]).find(|&k| f.integer(k) == v).map_or(Rational::ONE, Rational::from)
         };
         (back(n), back(d))
     }

@@ -45,6 +45,26 @@ pub(super) enum Failed {
     TooManyCases,
 }
 
+/// Which equation is solved next, and for which unknown: where one order runs into choices of signs that the other premises
+/// only partly exclude, or into pivots that vanish, another may not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Strategy {
+    /// Equations in the order in which they are given.
+    AsGiven,
+    /// Pivots known to be ≠ 0 first, even in quadratic equations.
+    CertainPivots,
+    /// Linear equations first.
+    LowDegree,
+    /// Pivots known to be ≠ 0 first, unknowns in the opposite order.
+    LastFirst,
+}
+
+impl Strategy {
+    /// In the order of trying.
+    pub(super) const ALL: [Strategy; 4] =
+        [Strategy::AsGiven, Strategy::LowDegree, Strategy::CertainPivots, Strategy::LastFirst];
+}
+
 /// What the resolution works with.
 pub(super) struct Solver<'a> {
     pub(super) graph: &'a mut Graph,
@@ -53,6 +73,8 @@ pub(super) struct Solver<'a> {
     pub(super) facts: &'a Facts,
     /// Leaves that must stay free: they stand in arguments of transcendental functions.
     pub(super) frozen: &'a HashSet<Leaf>,
+    /// In which order.
+    pub(super) strategy: Strategy,
     /// Leaves that are solved for only when nothing else can be.
     pub(super) parameters: &'a HashSet<Leaf>,
 }
@@ -60,16 +82,27 @@ pub(super) struct Solver<'a> {
 const MOST_CASES: usize = 16;
 const HIGHEST: usize = 8;
 
+/// An equation that is not yet used.
+#[derive(Clone, Copy)]
+struct Pending {
+    /// A numerator that must vanish.
+    e: Expr,
+    /// The residual it comes from: the test of signs wants its value, without what it was multiplied by.
+    plain: Expr,
+    /// Whether it is a derivative by time of others.
+    derived: bool,
+}
+
 #[derive(Clone, Default)]
 struct Case {
     out: Resolved,
-    /// Residuals, and whether each is a derivative by time of others.
-    pending: Vec<(Expr, bool)>,
+    pending: Vec<Pending>,
     on_circle: BTreeSet<Leaf>,
 }
 
 struct Candidate {
-    rank: (bool, u8, u8, u8, usize),
+    class: u8,
+    rank: (bool, u8, usize, u8, u8, usize, usize),
     equation: usize,
     unknown: Leaf,
     coefficients: Vec<Expr>,
@@ -94,7 +127,8 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> HashMap
 impl Solver<'_> {
     /// All cases; an empty list when the premises contradict each other in every case.
     pub(super) fn solve(&mut self, equations: &[(Expr, bool)]) -> Result<Vec<Resolved>, Failed> {
-        let mut open = vec![Case { pending: equations.to_vec(), ..Case::default() }];
+        let pending = equations.iter().map(|&(e, derived)| Pending { e, plain: e, derived }).collect();
+        let mut open = vec![Case { pending, ..Case::default() }];
         let mut done = Vec::new();
         while let Some(mut case) = open.pop() {
             if open.len() + done.len() > MOST_CASES {
@@ -106,7 +140,8 @@ impl Solver<'_> {
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
-                        one.pending[equation].0 = part;
+                        let derived = one.pending[equation].derived;
+                        one.pending[equation] = Pending { e: part, plain: part, derived };
                         one.out.split_on.push(part);
                         open.push(one);
                     }
@@ -130,7 +165,7 @@ impl Solver<'_> {
                 }
             }
             let Some(best) = best else {
-                case.out.unsolved.extend(case.pending.drain(..).map(|(e, _)| e));
+                case.out.unsolved.extend(case.pending.drain(..).map(|p| p.plain));
                 return Ok(Next::Done);
             };
             if let Some(next) = self.zero_root(case, &best) {
@@ -142,11 +177,15 @@ impl Solver<'_> {
 
     /// Numerators of the pending equations, without known factors; splits, contradictions.
     fn tidy(&mut self, case: &mut Case) -> Result<Option<Next>, Failed> {
-        let mut kept: Vec<(Expr, bool)> = Vec::new();
+        let mut kept: Vec<Pending> = Vec::new();
         let pending = std::mem::take(&mut case.pending);
         let mut split = None;
-        for (e, derived) in pending {
-            let (top, _) = fraction(self.graph, e);
+        let mut seen = HashSet::new();
+        for one in pending {
+            let (top, _) = fraction(self.graph, one.e);
+            if !seen.insert(top) {
+                continue;
+            }
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
                 Sight::Nowhere => return Err(Failed::NoValue),
@@ -169,21 +208,20 @@ impl Solver<'_> {
             }
             match parts.as_slice() {
                 [] => return Ok(Some(Next::Contradiction)),
-                &[one] => {
-                    let reduced = self.on_circle(one);
+                &[base] => {
+                    let reduced = self.on_circle(base);
                     let (_, again) = factors(self.graph, reduced);
                     if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
                     }
-                    kept.push((reduced, derived));
+                    kept.push(Pending { e: reduced, ..one });
                 }
                 many => {
                     split.get_or_insert((kept.len(), many.to_vec()));
-                    kept.push((one_product(self.graph, many), derived));
+                    kept.push(Pending { e: one_product(self.graph, many), ..one });
                 }
             }
         }
-        kept.dedup();
         case.pending = kept;
         Ok(split.map(|(equation, parts)| Next::Split(equation, parts)))
     }
@@ -247,7 +285,7 @@ impl Solver<'_> {
     fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
         let all = &candidate.coefficients;
         let lowest = *all.first()?;
-        let (e, _) = case.pending[candidate.equation];
+        let e = case.pending[candidate.equation].e;
         let x = self.graph.leaf(candidate.unknown);
         if e == x || self.probe.sight(self.graph, self.generators, lowest) != Sight::Zero {
             return None;
@@ -281,14 +319,14 @@ impl Solver<'_> {
     }
 
     fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
-        let (e, derived) = case.pending[equation];
+        let Pending { e, derived, .. } = case.pending[equation];
         let mut out = Vec::new();
         let size = self.graph.reachable([e]).len();
         let mut leaves: Vec<(u8, Leaf)> =
             self.graph.leaves([e]).into_iter().filter_map(|l| Some((self.class(l)?, l))).collect();
         leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
         for (class, unknown) in leaves {
-            if out.iter().any(|c: &Candidate| c.rank.1 < class) {
+            if out.iter().any(|c: &Candidate| c.class < class) {
                 break;
             }
             let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) else { continue };
@@ -311,8 +349,17 @@ impl Solver<'_> {
             } else {
                 2
             };
+            let degree = all.len() as u8;
+            let late = derived && unknown.rate == 0;
+            let position = out.len();
             out.push(Candidate {
-                rank: (derived && unknown.rate == 0, class, all.len() as u8, quality, size),
+                class,
+                rank: match self.strategy {
+                    Strategy::AsGiven => (late, class, equation, degree, quality, size, position),
+                    Strategy::CertainPivots => (late, class, 0, quality, degree, size, position),
+                    Strategy::LowDegree => (late, class, 0, degree, quality, size, position),
+                    Strategy::LastFirst => (late, class, 0, quality, degree, size, usize::MAX - position),
+                },
                 equation,
                 unknown,
                 coefficients: all,
@@ -347,10 +394,11 @@ impl Solver<'_> {
             let (c, s, one) = (g.leaf(c), g.leaf(s), g.integer(1));
             let (cc, ss) = (g.powi(c, 2), g.powi(s, 2));
             let sum = g.add(cc, ss);
-            case.pending.push((g.sub(sum, one), false));
+            let e = g.sub(sum, one);
+            case.pending.push(Pending { e, plain: e, derived: false });
         }
-        for (e, _) in &mut case.pending {
-            *e = self.graph.substitute(*e, |_, leaf| (leaf == unknown).then_some(value));
+        for p in &mut case.pending {
+            p.e = self.graph.substitute(p.e, |_, leaf| (leaf == unknown).then_some(value));
         }
     }
 

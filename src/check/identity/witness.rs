@@ -42,8 +42,9 @@ pub(super) struct Found {
     pub(super) agrees: bool,
 }
 
-const MAGNITUDES: [(i64, i64); 10] =
-    [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
+const MAGNITUDES: [(i64, i64); 10] = [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
+/// Numbers below 1: entries of rotations with rational coefficients, above all.
+const SMALL: [(i64, i64); 10] = [(1, 3), (2, 3), (0, 1), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 2), (1, 4)];
 /// Half-angle tangents: cosine and sine are 3/5 and 4/5, 5/13 and 12/13 …
 const TANGENTS: [(i64, i64); 8] = [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1)];
 
@@ -74,8 +75,7 @@ fn evaluate<N: Number<Context = ()>>(
 /// Values of expressions in binary64 with the largest magnitude met on the way to any of them.
 fn decimals(graph: &Graph, exprs: &[Expr], values: &HashMap<Leaf, f64>) -> (Vec<Option<f64>>, f64) {
     let (out, slots, count) = evaluate::<f64>(graph, exprs, |l| values.get(&l).copied());
-    let largest =
-        (0..count).filter(|&s| slots.missing(s).is_none()).map(|s| slots.value(s).abs()).fold(0.0, f64::max);
+    let largest = (0..count).filter(|&s| slots.missing(s).is_none()).map(|s| slots.value(s).abs()).fold(0.0, f64::max);
     (out.into_iter().map(Result::ok).collect(), largest)
 }
 
@@ -106,7 +106,11 @@ impl Scene<'_> {
             {
                 continue;
             }
-            let mut r = ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize]);
+            let mut r = if number % 3 == 2 && !declared.contains(&leaf) {
+                ratio(SMALL[draws.below(10) as usize])
+            } else {
+                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
+            };
             if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
                 r = -r;
             }
@@ -398,9 +402,8 @@ impl Scene<'_> {
 /// The refutation from points found: the first exact one, or the first; with a second point whose sides differ otherwise.
 pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
     let refuting = || found.iter().filter(|f| f.differs.is_some());
-    let is_exact = |f: &&Found| {
-        f.differs.is_some_and(|at| f.sides[at].0.exact.is_some() && f.sides[at].1.exact.is_some())
-    };
+    let is_exact =
+        |f: &&Found| f.differs.is_some_and(|at| f.sides[at].0.exact.is_some() && f.sides[at].1.exact.is_some());
     let best = refuting().find(is_exact).or_else(|| refuting().next())?;
     let equation = best.differs?;
     let gap = |f: &Found| f.sides[equation].0.decimal - f.sides[equation].1.decimal;
