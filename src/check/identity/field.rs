@@ -153,10 +153,7 @@ fn all_sheets(
             Sheet::Partial(filter) => partial = Some(filter),
             Sheet::NoRoot => return Some(Trials::Unsettled(Reason::NoPoint)),
             Sheet::Unsupported => return Some(Trials::Unsettled(Reason::TooLarge)),
-            Sheet::NotZero => {
-                let what = "an expression recognised as zero is not".to_owned();
-                return Some(Trials::Unsettled(Reason::Defect(what)));
-            }
+            Sheet::NotZero => return Some(Trials::Unsettled(Reason::Coincidence)),
         }
     }
     if let Some(filter) = partial {

@@ -159,6 +159,8 @@ pub enum Reason {
     Bound(f64),
     /// No point of the field was found at which all roots exist.
     NoPoint,
+    /// A relation between roots that held at all random points of the preparation does not hold at others: try another seed.
+    Coincidence,
     /// The field test and the real points contradict each other: a defect of this program.
     Defect(String),
 }
@@ -189,6 +191,7 @@ impl std::fmt::Display for Reason {
             Reason::NoDerivative => f.write_str("a derivative by time cannot be written with the known operations"),
             Reason::Bound(b) => write!(f, "the error bound stays at 2^{b:.0}"),
             Reason::NoPoint => f.write_str("no point of the field was found at which all square roots exist"),
+            Reason::Coincidence => f.write_str("a relation between roots held at some random points only"),
             Reason::Defect(what) => write!(f, "the two routes disagree, a defect of this program: {what}"),
         }
     }

@@ -18,7 +18,7 @@
 
 use super::lower::{Generator, Generators};
 use super::polynomial::factors;
-use super::probe::Probe;
+use super::probe::{Probe, Sight};
 use super::sign::Facts;
 use super::solve::unmarked;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
@@ -189,6 +189,9 @@ impl<'a> Roots<'a> {
                     let scaled = self.graph.constant(q.clone());
                     let image = self.graph.mul(scaled, e);
                     let difference = self.graph.sub(b, image);
+                    if !self.confirmed(difference) {
+                        continue;
+                    }
                     self.taken_as_zero.push(difference);
                     return (q, e);
                 }
@@ -204,6 +207,11 @@ impl<'a> Roots<'a> {
             SCALES.iter().flat_map(|&(n, d)| [n, d]).find(|&k| f.integer(k) == v).map_or(Rational::ONE, Rational::from)
         };
         (back(n), back(d))
+    }
+
+    /// Whether a relation seen at two points holds at more, with other signs of the roots in it.
+    fn confirmed(&mut self, difference: Expr) -> bool {
+        self.probe.sight(self.graph, self.generators, difference) == Sight::Zero
     }
 
     fn value(&mut self, point: usize, e: Expr) -> Option<Finite> {
@@ -433,6 +441,9 @@ impl<'a> Roots<'a> {
             let factor = self.graph.constant(q.clone());
             let scaled = self.graph.mul(factor, square);
             let difference = self.graph.sub(e, scaled);
+            if !self.confirmed(difference) {
+                continue;
+            }
             self.taken_as_zero.push(difference);
             let absolute = self.absolute(m);
             let constant = self.constant_root(&q);
