@@ -7,7 +7,11 @@
 //!                                 ↑ number/ ↑
 //! ```
 pub mod check;
+pub mod derivation;
 pub mod diag;
 pub mod expr;
+pub mod flow;
+pub mod latex;
 pub mod number;
+pub mod report;
 pub mod tape;

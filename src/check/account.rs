@@ -100,6 +100,8 @@ pub struct Summary {
     pub not_applicable: usize,
     /// Pairs that stay undecided.
     pub undecided: usize,
+    /// Pairs that stay undecided although the file does not say so: it expects nothing of them.
+    pub open: usize,
     /// Pairs that differ from what the file expects.
     pub unexpected: usize,
 }
@@ -113,7 +115,10 @@ impl Account {
                 Outcome::Holds(_) => s.holds += 1,
                 Outcome::Fails(_) => s.fails += 1,
                 Outcome::NotApplicable => s.not_applicable += 1,
-                Outcome::Undecided => s.undecided += 1,
+                Outcome::Undecided => {
+                    s.undecided += 1;
+                    s.open += usize::from(pair.expected.is_none());
+                }
             }
             s.unexpected += usize::from(pair.is_unexpected());
         }

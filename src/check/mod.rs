@@ -1,8 +1,234 @@
 //! Claims against trajectories: the only room that can make a [`Verdict`].
+//!
+//! **In:** a [`Derivation`]. **Out:** an [`Account`]: one verdict for every claim on every trajectory, with its evidence.
+//!
+//! The order of work: [`stage`] turns trajectories into motions; [`program`] turns every form of claim into comparisons;
+//! `trial` measures them at the points of a motion; [`weigh`] makes the verdict. Motions are independent of one another
+//! and are tried in parallel; the result does not depend on how many threads there are.
+//!
+//! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
+//! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
 mod account;
+mod comparison;
 pub mod identity;
+mod independence;
+mod measure;
+mod program;
+mod same_motion;
+mod stage;
+mod trial;
 mod verdict;
+mod weigh;
 
 pub use account::{Account, ClaimAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+
+use crate::derivation::{Claim, Derivation, Form};
+use crate::diag::Diagnostic;
+use crate::expr::Rational;
+use independence::Gradients;
+use program::Program;
+use rayon::prelude::*;
+use stage::Stage;
+use trial::{Course, Events};
+
+/// What to check.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Options {
+    /// Only claims with these ids; all when empty.
+    pub claims: Vec<String>,
+    /// Only trajectories with these ids; all when empty.
+    pub trajectories: Vec<String>,
+}
+
+/// Why a check could not be made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CheckError {
+    /// Problems in the derivation file.
+    Problems(Vec<Diagnostic>),
+    /// The program contradicts itself: a defect to be reported.
+    Defect(String),
+}
+
+/// A claim with everything that is compiled for it.
+struct Prepared<'a> {
+    claim: &'a Claim,
+    program: Program,
+    gradients: Option<Result<Gradients, String>>,
+}
+
+/// Tries every claim on every trajectory.
+///
+/// `progress` is told how many of how many trajectories are done.
+///
+/// # Errors
+/// [`CheckError::Problems`] for systems that cannot be solved for their rates and trajectories that cannot be built;
+/// [`CheckError::Defect`] when two independent computations of the same value disagree.
+pub fn check(
+    derivation: &mut Derivation,
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
+    let mut stage = Stage::build(derivation).map_err(CheckError::Problems)?;
+
+    // One program per claim and initial time: the value "at the start" is part of what a first integral says.
+    let mut starts: Vec<Rational> = Vec::new();
+    let start_of: Vec<usize> = derivation
+        .trajectories
+        .iter()
+        .map(|t| {
+            let start = Rational::try_from(t.initial_time).unwrap_or(Rational::ZERO);
+            starts.iter().position(|s| *s == start).unwrap_or_else(|| {
+                starts.push(start);
+                starts.len() - 1
+            })
+        })
+        .collect();
+    let claimed: Vec<usize> =
+        (0..derivation.claims.len()).filter(|&c| chosen(&options.claims, &derivation.claims[c].id)).collect();
+    let mut programs: Vec<Vec<Program>> = Vec::new();
+    let mut gradients = Vec::new();
+    for &c in &claimed {
+        programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
+        let variables = stage.state_leaves();
+        let claim = derivation.claims[c].clone();
+        gradients.push(claim.forms.iter().find_map(|form| {
+            match form {
+                Form::Independent { functions, subject_to } => Some(
+                    Gradients::new(&mut derivation.graph, &claim.scope, &variables, functions, subject_to)
+                        .map_err(|e| e.to_string()),
+                ),
+                _ => None,
+            }
+        }));
+    }
+    let measures = measure::compile(derivation, options.claims.is_empty());
+
+    let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
+    wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
+    wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
+    wanted.extend(same_motion::leaves(derivation));
+    wanted.sort_unstable();
+    wanted.dedup();
+    stage.prepare(&mut derivation.graph, &wanted).map_err(CheckError::Defect)?;
+    for program in programs.iter_mut().flatten() {
+        if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
+            let name = derivation.graph.leaf_latex(leaf);
+            return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
+        }
+    }
+    let mut measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+    for m in &mut measures {
+        m.find_events(derivation, &stage);
+    }
+
+    let events = stage.events(derivation, &claimed, &programs, &start_of);
+    let derivation: &Derivation = derivation;
+    let mut prepared: Vec<Vec<Prepared>> = Vec::new();
+    for (k, per_start) in programs.into_iter().enumerate() {
+        let claim = &derivation.claims[claimed[k]];
+        let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
+        prepared.push(per_start.into_iter().map(one).collect());
+    }
+    let tried: Vec<usize> = (0..derivation.trajectories.len())
+        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
+        .collect();
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
+        .par_iter()
+        .map(|&t| {
+            let course = stage.course(&derivation.graph, t, &wanted)?;
+            let verdict = |k: usize| {
+                let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
+                claim.trajectories.contains(&t).then(|| {
+                    let none = Events::default();
+                    let events = events.get(&(k, t)).unwrap_or(&none);
+                    one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
+                })
+            };
+            let verdicts = (0..prepared.len()).map(verdict).collect();
+            let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+            progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
+            Ok((verdicts, measured))
+        })
+        .collect();
+    let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
+    Ok(assemble(derivation, &stage, &claimed, &tried, columns))
+}
+
+/// The verdict of one claim on one motion.
+fn one_pair(
+    derivation: &Derivation,
+    claim: &Claim,
+    program: &Program,
+    gradients: Option<&Result<Gradients, String>>,
+    course: &Course,
+    events: &Events,
+) -> Verdict {
+    let mut verdicts = Vec::new();
+    if !program.groups.is_empty() {
+        verdicts.push(trial::try_claim(&derivation.graph, claim, program, course, events));
+    }
+    for form in &claim.forms {
+        match form {
+            Form::SameMotion { other, of } => {
+                verdicts.push(same_motion::try_on(derivation, claim, program, course, *other, of));
+            }
+            Form::Independent { .. } => verdicts.push(match gradients {
+                Some(Ok(g)) => g.try_on(&derivation.graph, claim, program, course),
+                Some(Err(reason)) => undecided(reason.clone()),
+                None => undecided("no gradients were computed".to_owned()),
+            }),
+            _ => {}
+        }
+    }
+    let verdict = trial::all_of(verdicts);
+    // What was not reached was not tried.
+    match (course.motion.problem(), verdict.outcome()) {
+        (Some(problem), Outcome::Holds(_)) => {
+            let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
+            Verdict::new(Outcome::Undecided, evidence)
+        }
+        _ => verdict,
+    }
+}
+
+fn undecided(reason: String) -> Verdict {
+    Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
+}
+
+/// Puts the columns together into the account.
+fn assemble(
+    derivation: &Derivation,
+    stage: &Stage,
+    claimed: &[usize],
+    tried: &[usize],
+    columns: Vec<(Vec<Option<Verdict>>, Vec<Measurement>)>,
+) -> Account {
+    let mut claims = Vec::new();
+    for (k, &c) in claimed.iter().enumerate() {
+        let claim = &derivation.claims[c];
+        let pair = |(column, &t): (&(Vec<Option<Verdict>>, Vec<Measurement>), &usize)| {
+            let verdict = column.0[k].clone()?;
+            let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
+            Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected })
+        };
+        claims.push(ClaimAccount {
+            id: claim.id.clone(),
+            reading: claim.reading.clone(),
+            says: claim.says.clone(),
+            place: claim.place.clone(),
+            formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
+            assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
+            remark: claim.remark.clone(),
+            results: columns.iter().zip(tried).filter_map(pair).collect(),
+        });
+    }
+    let trajectories = tried.iter().map(|&t| stage.account(derivation, t)).collect();
+    let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
+    let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
+    measurements.sort_by_key(order);
+    Account { trajectories, claims, measurements }
+}

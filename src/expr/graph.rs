@@ -142,6 +142,11 @@ impl Graph {
         &self.nodes[e.index()]
     }
 
+    /// The node that is written like this, if there is one already.
+    pub fn find(&self, node: &Node) -> Option<Expr> {
+        self.index.get(node).copied()
+    }
+
     /// Number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()

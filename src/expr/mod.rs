@@ -12,6 +12,7 @@
 
 mod calculus;
 mod graph;
+mod print;
 mod tensor;
 
 pub use crate::number::{Op, Rational};

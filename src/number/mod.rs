@@ -11,15 +11,24 @@
 //! number type. The table below generates the trait, so that an operation without an implementation in some number type
 //! does not compile. Results are written in place: series and lanes then need no allocation in the loop.
 
+mod bounded;
+mod dual;
 mod finite;
+mod jet;
 mod operation;
 mod random;
 mod real;
+mod scalar;
+mod series;
+mod slope;
 
+pub use bounded::Bounded;
 pub use dashu_ratio::RBig as Rational;
 pub use finite::{Finite, FiniteField, is_prime};
+pub use jet::{Jet, Orders};
 pub use operation::{Number, Op};
 pub use random::Draws;
+pub use scalar::Scalar;
 
 /// Why an operation has no value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

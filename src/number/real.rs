@@ -31,20 +31,27 @@ pub(super) fn powi(a: f64, n: i32) -> f64 {
     if n < 0 { 1.0 / acc } else { acc }
 }
 
+/// More iterations of the arithmetic–geometric mean than any two numbers need: one per halving of the exponent of their
+/// ratio, at most 11, and about five more until they agree.
+pub(super) const AGM_ITERATIONS: u32 = 32;
+
 /// The arithmetic–geometric mean of two positive numbers; 0 when one of them is 0.
 pub(super) fn agm(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 {
         return 0.0;
     }
     let (mut a, mut b) = (a, b);
-    // Quadratic convergence: 40 halvings cover the whole exponent range of binary64.
-    for _ in 0..64 {
-        if (a - b).abs() <= 2.0 * f64::EPSILON * a.abs() {
+    for _ in 0..AGM_ITERATIONS {
+        if (a - b).abs() <= 4.0 * f64::EPSILON * a.abs() {
             break;
         }
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        let product = a * b;
+        // Outside this range the product has lost digits, or overflowed.
+        let in_range = (1e-290..=f64::MAX).contains(&product);
+        let geometric = if in_range { product.sqrt() } else { a.sqrt() * b.sqrt() };
+        (a, b) = (0.5 * a + 0.5 * b, geometric);
     }
-    0.5 * (a + b)
+    0.5 * a + 0.5 * b
 }
 
 impl Number for f64 {
@@ -67,12 +74,12 @@ impl Number for f64 {
         Ok(())
     }
     fn neg(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = -*a;
+        *self = finite(-*a)?;
         Ok(())
     }
     fn sqrt(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
         domain(*a >= 0.0)?;
-        *self = a.sqrt();
+        *self = finite(a.sqrt())?;
         Ok(())
     }
     fn exp(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
@@ -123,7 +130,7 @@ impl Number for f64 {
         Ok(())
     }
     fn abs(&mut self, _: &(), a: &f64) -> Result<(), NoValue> {
-        *self = a.abs();
+        *self = finite(a.abs())?;
         Ok(())
     }
     fn add(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {

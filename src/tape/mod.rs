@@ -41,6 +41,17 @@ pub struct Tape {
     outputs: Vec<u32>,
 }
 
+/// The first thing without a value on the way to an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// An input was given without a value: its position.
+    Input(usize),
+    /// A constant that the number type cannot hold.
+    Constant,
+    /// An operation outside its domain; its arguments have values.
+    Instruction(Instruction),
+}
+
 /// The memory of one evaluation, reused from one to the next.
 #[derive(Clone, Debug)]
 pub struct Slots<N> {
@@ -158,6 +169,27 @@ impl Tape {
         match slots.missing[at] {
             Some(reason) => Err(reason),
             None => Ok(&slots.values[at]),
+        }
+    }
+
+    /// Where the reason lies that an output has no value after [`Tape::run`]; `None` where it has one.
+    pub fn fault<N>(&self, output: usize, slots: &Slots<N>) -> Option<Fault> {
+        let mut at = self.outputs[output] as usize;
+        slots.missing[at]?;
+        let first = self.inputs.len() + self.presets.len();
+        loop {
+            if at < self.inputs.len() {
+                return Some(Fault::Input(at));
+            }
+            // A constant without a value is too large for the number type.
+            let Some(&step) = at.checked_sub(first).and_then(|i| self.instructions.get(i)) else {
+                return Some(Fault::Constant);
+            };
+            match (slots.missing[step.a as usize], slots.missing[step.b as usize]) {
+                (Some(_), _) => at = step.a as usize,
+                (None, Some(_)) => at = step.b as usize,
+                (None, None) => return Some(Fault::Instruction(step)),
+            }
         }
     }
 

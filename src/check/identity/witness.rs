@@ -9,7 +9,7 @@ use super::exact::Exact;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
-use crate::number::{Draws, NoValue, Number};
+use crate::number::{Bounded, Draws, NoValue, Number};
 use crate::tape::{Slots, Tape};
 use std::collections::{HashMap, HashSet};
 
@@ -52,38 +52,55 @@ fn ratio((n, d): (i64, i64)) -> Rational {
     Rational::from(n) / Rational::from(d)
 }
 
-/// Values of several expressions, and the largest magnitude on the way.
+/// Values of several expressions.
 fn evaluate<N: Number<Context = ()>>(
     graph: &Graph,
     exprs: &[Expr],
     value: impl Fn(Leaf) -> Option<N>,
-) -> (Vec<Result<N, NoValue>>, Slots<N>, usize) {
+) -> (Tape, Slots<N>) {
     let leaves = graph.leaves(exprs.iter().copied());
-    let Ok(tape) = Tape::compile(graph, &leaves, exprs) else {
-        let empty = Tape::default();
-        return (exprs.iter().map(|_| Err(NoValue::Unsupported)).collect(), empty.slots(&()), 0);
-    };
+    // Every leaf is an input, so the program exists.
+    let tape = Tape::compile(graph, &leaves, exprs).unwrap_or_default();
     let mut slots: Slots<N> = tape.slots(&());
     for (i, &leaf) in leaves.iter().enumerate() {
         slots.set(i, value(leaf).ok_or(NoValue::Unsupported));
     }
     tape.run(&(), &mut slots);
-    let out = (0..exprs.len()).map(|i| tape.output(i, &slots).cloned()).collect();
-    (out, slots, tape.slot_count())
+    (tape, slots)
 }
 
-/// Values of expressions in binary64 with the largest magnitude met on the way to any of them.
-fn decimals(graph: &Graph, exprs: &[Expr], values: &HashMap<Leaf, f64>) -> (Vec<Option<f64>>, f64) {
-    let (out, slots, count) = evaluate::<f64>(graph, exprs, |l| values.get(&l).copied());
-    let largest = (0..count).filter(|&s| slots.missing(s).is_none()).map(|s| slots.value(s).abs()).fold(0.0, f64::max);
-    (out.into_iter().map(Result::ok).collect(), largest)
+/// Values of expressions with bounds of their errors.
+///
+/// An angle atan2(y, x) that the bounds place on both sides of the negative half-axis has no value here: [`Bounded`] would
+/// yield one of two representatives.
+fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+    let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
+    let torn = tape.instructions().iter().any(|i| {
+        let y = slots.value(i.a as usize);
+        i.op == Op::Arctan2 && y.error > 0.0 && y.contains_zero() && slots.value(i.b as usize).value < 0.0
+    });
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
 }
+
+fn exactly(graph: &Graph, exprs: &[Expr], exact: &HashMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+    let (tape, slots) = evaluate::<Exact>(graph, exprs, |l| exact.get(&l).cloned().map(Exact));
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().map(|e| e.0.clone())).collect()
+}
+
+/// The value of a rational, with its rounding.
+fn rounded(r: &Rational) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    Number::rational(&mut out, &(), r).ok()?;
+    Some(out)
+}
+
+type Values = HashMap<Leaf, Bounded>;
 
 impl Scene<'_> {
     /// Tries one point.
     pub(super) fn attempt(&self, number: u32, draws: &mut Draws) -> Option<Found> {
         let mut exact: HashMap<Leaf, Rational> = HashMap::new();
-        let mut values: HashMap<Leaf, f64> = HashMap::new();
+        let mut values = Values::new();
         let mut circles: HashMap<Leaf, (Rational, Rational)> = HashMap::new();
         let all: Vec<Expr> = self.everything();
         let given = self.graph.leaves(all.iter().copied());
@@ -114,7 +131,7 @@ impl Scene<'_> {
             if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
                 r = -r;
             }
-            values.insert(leaf, r.to_f64().value());
+            values.insert(leaf, rounded(&r)?);
             exact.insert(leaf, r);
         }
         self.signs(draws, &mut values, &mut exact);
@@ -143,7 +160,7 @@ impl Scene<'_> {
                 let value = PointValue {
                     exact: exact.get(&l).cloned(),
                     circle: circles.get(&l).cloned(),
-                    decimal: *values.get(&l)?,
+                    decimal: values.get(&l)?.value,
                 };
                 Some((l, value))
             })
@@ -202,7 +219,7 @@ impl Scene<'_> {
         &self,
         number: u32,
         draws: &mut Draws,
-        values: &mut HashMap<Leaf, f64>,
+        values: &mut Values,
         circles: &mut HashMap<Leaf, (Rational, Rational)>,
     ) {
         for at in 0..self.generators.list.len() {
@@ -225,18 +242,19 @@ impl Scene<'_> {
             let square = &t * &t;
             let under = Rational::ONE + &square;
             circles.insert(leaf, ((Rational::ONE - &square) / &under, (&t + &t) / &under));
-            let mut half = 0.0;
-            if half.arctan(&(), &t.to_f64().value()).is_ok() {
-                values.insert(leaf, 2.0 * half / q.to_f64().value());
+            let angle = rounded(&t).and_then(|t| function(|out| Number::arctan(out, &(), &t)));
+            let factor = rounded(&(Rational::from(2) / q));
+            if let (Some(angle), Some(factor)) = (angle, factor) {
+                values.extend(function(|out| Number::mul(out, &(), &angle, &factor)).map(|v| (leaf, v)));
             }
         }
     }
 
-    fn signs(&self, draws: &mut Draws, values: &mut HashMap<Leaf, f64>, exact: &mut HashMap<Leaf, Rational>) {
+    fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut HashMap<Leaf, Rational>) {
         for at in 0..self.generators.list.len() {
             if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
                 let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
-                values.insert(leaf, f64::from(sign));
+                values.insert(leaf, Bounded::exact(f64::from(sign)));
                 exact.insert(leaf, Rational::from(sign));
             }
         }
@@ -246,7 +264,7 @@ impl Scene<'_> {
     fn define(
         &self,
         definitions: &HashMap<Leaf, Expr>,
-        values: &mut HashMap<Leaf, f64>,
+        values: &mut Values,
         exact: &mut HashMap<Leaf, Rational>,
     ) -> Option<()> {
         let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
@@ -255,13 +273,11 @@ impl Scene<'_> {
         });
         open.sort_unstable();
         let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
-        let (decimal, _) = decimals(self.graph, &exprs, values);
-        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
+        let decimal = decimals(self.graph, &exprs, values);
+        let precise = exactly(self.graph, &exprs, exact);
         for ((&(leaf, _), decimal), precise) in open.iter().zip(decimal).zip(precise) {
             values.insert(leaf, decimal?);
-            if let Ok(Exact(r)) = precise {
-                exact.insert(leaf, r);
-            }
+            exact.extend(precise.map(|r| (leaf, r)));
         }
         Some(())
     }
@@ -269,7 +285,7 @@ impl Scene<'_> {
     /// Values of the generators that are not solved for and whose arguments have values.
     fn generate(
         &self,
-        values: &mut HashMap<Leaf, f64>,
+        values: &mut Values,
         exact: &mut HashMap<Leaf, Rational>,
         circles: &HashMap<Leaf, (Rational, Rational)>,
     ) -> Option<()> {
@@ -285,19 +301,14 @@ impl Scene<'_> {
             if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
                 continue;
             }
-            let argument_value = decimals(self.graph, &[argument], values).0[0]?;
-            let mut out = 0.0;
-            let done = match self.generators.list[at] {
-                Generator::Cosine(_) => Number::cos(&mut out, &(), &argument_value),
-                Generator::Sine(_) => Number::sin(&mut out, &(), &argument_value),
-                Generator::Exponential(_) => Number::exp(&mut out, &(), &argument_value),
-                _ => {
-                    out = argument_value;
-                    Ok(())
-                }
+            let value = decimals(self.graph, &[argument], values)[0]?;
+            let value = match self.generators.list[at] {
+                Generator::Cosine(_) => function(|out| Number::cos(out, &(), &value)),
+                Generator::Sine(_) => function(|out| Number::sin(out, &(), &value)),
+                Generator::Exponential(_) => function(|out| Number::exp(out, &(), &value)),
+                _ => Some(value),
             };
-            done.ok()?;
-            values.insert(leaf, out);
+            values.insert(leaf, value?);
             let rational = self.multiple_of_leaf(argument).and_then(|(_, l)| circles.get(&l));
             match (&self.generators.list[at], rational) {
                 (Generator::Cosine(_), Some((c, _))) => drop(exact.insert(leaf, c.clone())),
@@ -311,7 +322,7 @@ impl Scene<'_> {
     /// Angles whose cosine and sine, and exponents whose exponential, were solved for.
     fn invert_solved(
         &self,
-        values: &mut HashMap<Leaf, f64>,
+        values: &mut Values,
         exact: &HashMap<Leaf, Rational>,
         circles: &mut HashMap<Leaf, (Rational, Rational)>,
     ) -> Option<()> {
@@ -331,72 +342,78 @@ impl Scene<'_> {
             if values.contains_key(&target) {
                 continue;
             }
-            let mut out = 0.0;
-            if circle {
+            let inverse = if circle {
                 let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
-                out.arctan2(&(), &s, &c).ok()?;
                 if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
                     circles.insert(target, (c.clone(), s.clone()));
                 }
+                // Either end of the cut is an angle with this cosine and sine.
+                function(|out| Number::arctan2(out, &(), &s, &c))
             } else {
                 let Some(e) = values.get(&leaf) else { continue };
-                Number::ln(&mut out, &(), e).ok()?;
-            }
-            values.insert(target, out / q.to_f64().value());
+                function(|out| Number::ln(out, &(), e))
+            };
+            let (inverse, q) = (inverse?, rounded(&q)?);
+            values.insert(target, function(|out| Number::div(out, &(), &inverse, &q))?);
         }
         Some(())
     }
 
-    /// Whether the premises hold at a point, within rounding.
-    fn admits(&self, values: &HashMap<Leaf, f64>) -> bool {
+    /// Whether the premises hold at a point, as far as the bounds tell, and these are small.
+    fn admits(&self, values: &Values) -> bool {
         let sides: Vec<Expr> = self.premises.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let (sides, largest) = decimals(self.graph, &sides, values);
-        let equal = sides.chunks(2).all(|pair| match pair {
-            &[Some(l), Some(r)] => (l - r).abs() <= 1e-11 * largest.max(1.0),
+        let equal = decimals(self.graph, &sides, values).chunks(2).all(|pair| match pair {
+            &[Some(l), Some(r)] => {
+                let error = l.error + r.error;
+                (l.value - r.value).abs() <= error && error <= 1e-6 * l.value.abs().max(1.0)
+            }
             _ => false,
         });
-        let (nonzero, scale) = decimals(self.graph, self.nonzero, values);
-        let (positive, _) = decimals(self.graph, self.positive, values);
+        let nonzero = decimals(self.graph, self.nonzero, values);
+        let positive = decimals(self.graph, self.positive, values);
         equal
-            && largest < 1e6
-            && nonzero.iter().all(|v| v.is_some_and(|v| v.abs() > 1e-6 * scale.min(1.0)))
-            && positive.iter().all(|v| v.is_some_and(|v| v > 1e-9))
+            && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
+            && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
     }
 
-    fn sides(&self, values: &HashMap<Leaf, f64>, exact: &HashMap<Leaf, Rational>) -> Option<Found> {
+    fn sides(&self, values: &Values, exact: &HashMap<Leaf, Rational>) -> Option<Found> {
         let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let (given, largest) = decimals(self.graph, &exprs, values);
+        let given = decimals(self.graph, &exprs, values);
         let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let (precise, ..) = evaluate::<Exact>(self.graph, &exprs, |l| exact.get(&l).cloned().map(Exact));
+        let precise = exactly(self.graph, &exprs, exact);
         let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
         for (at, pair) in given.chunks(2).enumerate() {
             let &[Some(left), Some(right)] = pair else { return None };
-            let exact_side = |k: usize| match precise.get(2 * at + k) {
-                Some(Ok(Exact(r))) => Some(r.clone()),
-                _ => None,
+            let (l, r) = (precise[2 * at].clone(), precise[2 * at + 1].clone());
+            // The exact value of the lowered formula must be one that the formula as given may have.
+            let fits = |e: &Option<Rational>, d: Bounded| {
+                e.as_ref()
+                    .is_none_or(|e| rounded(e).is_some_and(|e| (e.value - d.value).abs() <= 2.0 * (e.error + d.error)))
             };
-            let (l, r) = (exact_side(0), exact_side(1));
-            let gap = (left - right).abs();
-            let size = left.abs().max(right.abs());
-            let rounding = 1e-12 * largest.max(1.0);
-            let near = |e: &Option<Rational>, d: f64| {
-                e.as_ref().is_none_or(|e| (e.to_f64().value() - d).abs() <= 1e-6 * d.abs().max(1.0) + 1e3 * rounding)
-            };
-            if !near(&l, left) || !near(&r, right) {
+            if !fits(&l, left) || !fits(&r, right) {
                 return None;
             }
+            let error = left.error + right.error;
+            let apart = (left.value - right.value).abs() > 4.0 * error;
             let differs = match (&l, &r) {
                 (Some(l), Some(r)) => l != r,
-                _ => gap > 1e-6 * size && gap > 1e3 * rounding,
+                _ => apart,
             };
             if differs && found.differs.is_none() {
                 found.differs = Some(at);
             }
-            found.agrees &= !differs && gap <= 1e-6 * size.max(1.0) + 1e3 * rounding;
-            found.sides.push((Side { exact: l, decimal: left }, Side { exact: r, decimal: right }));
+            found.agrees &= !differs && error <= 1e-6 * left.value.abs().max(1.0);
+            found.sides.push((Side { exact: l, decimal: left.value }, Side { exact: r, decimal: right.value }));
         }
         Some(found)
     }
+}
+
+/// The result of an operation, if it has one.
+fn function(f: impl FnOnce(&mut Bounded) -> Result<(), NoValue>) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    f(&mut out).ok()?;
+    Some(out)
 }
 
 /// The refutation from points found: the first exact one, or the first; with a second point whose sides differ otherwise.

@@ -1,0 +1,173 @@
+//! Comparisons: what every form of claim becomes.
+//!
+//! **In:** the two sides of a relation. **Out:** scalar [`Comparison`]s, gathered in [`Group`]s of those that must be true
+//! together (all components of one equation share one sign of ±), and [`Standing`], the judgement of a comparison at one
+//! point.
+//!
+//! **The rule.** With v = left − right and b its propagated error bound, an equation is *violated* when |v| > κ·b,
+//! *satisfied* when |v| ≤ b and b is small against the size of the terms (b ≤ precision · scale), and *inconclusive*
+//! otherwise: a loose bound can excuse a wrong formula, so it never makes a claim hold. κ = [`GUARD`] leaves room between
+//! the two, because the error of a trajectory is an estimate.
+
+use crate::expr::{Expr, Graph, Node, Op};
+use crate::latex::RelationKind;
+use crate::number::{Bounded, NoValue};
+
+/// A residual refutes an equation only beyond this many error bounds.
+pub(super) const GUARD: f64 = 10.0;
+
+/// One scalar comparison of a claim.
+#[derive(Clone, Debug)]
+pub(super) struct Comparison {
+    /// How a report names it: the formula, with the component where there are several.
+    pub label: String,
+    /// What is claimed of the two sides.
+    pub kind: RelationKind,
+    /// The left side.
+    pub left: Expr,
+    /// The right side.
+    pub right: Expr,
+    /// Sum of the sizes of the terms of both sides: what "small" is measured by.
+    pub magnitude: Expr,
+}
+
+impl Comparison {
+    /// A comparison with its magnitude.
+    pub fn new(graph: &mut Graph, label: String, kind: RelationKind, left: Expr, right: Expr) -> Comparison {
+        let (a, b) = (magnitude(graph, left), magnitude(graph, right));
+        let magnitude = graph.add(a, b);
+        Comparison { label, kind, left, right, magnitude }
+    }
+}
+
+/// Comparisons that must be true together, for one sign of ±.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    /// The comparisons.
+    pub comparisons: Vec<Comparison>,
+    /// Whether a ± occurs.
+    pub branching: bool,
+}
+
+/// The size of the terms that an expression is made of: sums do not cancel, everything else as it is.
+///
+/// For a residual like `[A − B cos²ψ] sin²θ` it is (|A| + |B| cos²ψ) sin²θ, which stays of the size of what was computed
+/// even where the bracket vanishes.
+fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
+    let mut image = std::collections::HashMap::new();
+    for node in graph.reachable([e]) {
+        let m = match graph.node(node).clone() {
+            Node::Pi => node,
+            Node::Constant(_) | Node::Leaf(_) => graph.unary(Op::Abs, node),
+            Node::Unary(Op::Neg, a) => image[&a],
+            Node::Unary(Op::Powi(n), a) if n >= 0 => graph.powi(image[&a], n),
+            Node::Binary(Op::Add | Op::Sub, a, b) => graph.add(image[&a], image[&b]),
+            Node::Binary(Op::Mul, a, b) => graph.mul(image[&a], image[&b]),
+            Node::Binary(Op::Div, a, b) => {
+                let under = graph.unary(Op::Abs, b);
+                graph.div(image[&a], under)
+            }
+            Node::Unary(..) | Node::Binary(..) => graph.unary(Op::Abs, node),
+        };
+        image.insert(node, m);
+    }
+    image[&e]
+}
+
+/// How a comparison stands at one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Standing {
+    /// True within a tight error bound.
+    Satisfied,
+    /// False beyond the error bound.
+    Violated,
+    /// The error bound is too large to tell.
+    Inconclusive,
+    /// A side has no value.
+    NoValue(NoValue),
+}
+
+impl Standing {
+    /// The standing of several comparisons that must be true together: no value, then violated, then inconclusive.
+    pub fn and(self, other: Standing) -> Standing {
+        let rank = |s: Standing| match s {
+            Standing::NoValue(_) => 3,
+            Standing::Violated => 2,
+            Standing::Inconclusive => 1,
+            Standing::Satisfied => 0,
+        };
+        if rank(other) > rank(self) { other } else { self }
+    }
+
+    /// The standing of two alternatives of which one must be true.
+    pub fn or(self, other: Standing) -> Standing {
+        let rank = |s: Standing| match s {
+            Standing::Satisfied => 0,
+            Standing::Inconclusive => 1,
+            Standing::Violated => 2,
+            Standing::NoValue(_) => 3,
+        };
+        if rank(other) < rank(self) { other } else { self }
+    }
+}
+
+/// Judges `left kind right`, where `difference` is left − right with its error bound.
+///
+/// `scale` is the size of the terms, see [`magnitude`]; `precision` what the claim asks for, relative to it.
+pub(super) fn judge(kind: RelationKind, difference: Bounded, scale: f64, precision: f64) -> Standing {
+    let (v, b) = (difference.value, difference.error);
+    let tight = b <= precision * scale;
+    let (zero, apart) = (v.abs() <= b, v.abs() > GUARD * b);
+    let decide = |satisfied: bool, violated: bool| match (satisfied, violated) {
+        (true, _) => Standing::Satisfied,
+        (_, true) => Standing::Violated,
+        _ => Standing::Inconclusive,
+    };
+    match kind {
+        RelationKind::Equal => decide(zero && tight, apart),
+        RelationKind::NotEqual => decide(apart, zero && tight),
+        RelationKind::Less => decide(apart && v < 0.0, (apart && v > 0.0) || (zero && tight)),
+        RelationKind::LessEqual => decide((apart && v < 0.0) || (zero && tight), apart && v > 0.0),
+        RelationKind::Greater => decide(apart && v > 0.0, (apart && v < 0.0) || (zero && tight)),
+        RelationKind::GreaterEqual => decide((apart && v > 0.0) || (zero && tight), apart && v < 0.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(value: f64, error: f64) -> Bounded {
+        Bounded { value, error }
+    }
+
+    #[test]
+    fn a_loose_bound_never_makes_an_equation_hold() {
+        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-13), 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-6), 1.0, 1e-9), Standing::Inconclusive);
+        assert_eq!(judge(RelationKind::Equal, at(0.0, 0.0), 1.0, 1e-9), Standing::Satisfied);
+    }
+
+    #[test]
+    fn beyond_the_guarded_bound_an_equation_is_violated_and_between_it_is_open() {
+        assert_eq!(judge(RelationKind::Equal, at(1.1e-12, 1e-13), 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::Equal, at(5e-13, 1e-13), 1.0, 1e-9), Standing::Inconclusive);
+        assert_eq!(judge(RelationKind::Equal, at(1.0, 0.01), 1.0, 1e-9), Standing::Violated);
+    }
+
+    #[test]
+    fn strict_relations_exclude_equality_and_weak_ones_admit_it() {
+        let zero = at(1e-16, 1e-15);
+        assert_eq!(judge(RelationKind::Less, zero, 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::LessEqual, zero, 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::Greater, zero, 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::GreaterEqual, zero, 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::NotEqual, zero, 1.0, 1e-9), Standing::Violated);
+        let below = at(-0.5, 1e-15);
+        assert_eq!(judge(RelationKind::Less, below, 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::LessEqual, below, 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::Greater, below, 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::GreaterEqual, below, 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::NotEqual, below, 1.0, 1e-9), Standing::Satisfied);
+    }
+}

@@ -1,0 +1,171 @@
+//! Independence of functions of the state.
+//!
+//! Functions f₁ … f_k are independent at a point of the set on which constraints g hold when their gradients are linearly
+//! independent of one another and of those of the constraints: rank(∇g, ∇f) = rank(∇g) + k. The gradients are exact
+//! derivatives of the expressions; the rank is read off singular values of the matrix with normalised rows.
+
+use nalgebra::DMatrix;
+
+use super::program::Program;
+use super::trial::{Course, assumptions_of};
+use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
+use super::weigh::Left;
+use crate::derivation::{Claim, Written};
+use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
+use crate::latex::{Scope, Statement};
+use crate::number::Bounded;
+use crate::tape::Tape;
+
+/// Singular values below this share of the largest count as zero.
+const ZERO: f64 = 1e-9;
+/// Singular values above this share of the largest count as nonzero; between the two nothing is concluded.
+const NONZERO: f64 = 1e-6;
+/// Number of sample times at which the rank is taken.
+const POINTS: usize = 33;
+
+/// The gradients of constraints and functions, ready to be evaluated.
+#[derive(Clone, Debug)]
+pub(super) struct Gradients {
+    constraints: usize,
+    functions: usize,
+    variables: Vec<Leaf>,
+    entries: Vec<Expr>,
+    text: String,
+}
+
+/// `e` with observables replaced by their definitions, down to states, parameters and time.
+pub(super) fn expand(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    let mut e = e;
+    // Definitions are acyclic: each is written in terms of earlier symbols.
+    loop {
+        let mut changed = false;
+        e = graph.substitute(e, |_, leaf| {
+            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0 && leaf.instant.is_none())?;
+            changed = true;
+            definition.components.get(leaf.component as usize).copied()
+        });
+        if !changed {
+            return e;
+        }
+    }
+}
+
+impl Gradients {
+    /// Gradients with respect to `variables`.
+    ///
+    /// # Errors
+    /// [`NoDerivative`] where a function has no derivative among the known operations.
+    pub fn new(
+        graph: &mut Graph,
+        scope: &Scope,
+        variables: &[Leaf],
+        functions: &[Written<Tensor>],
+        subject_to: &[Written<Statement>],
+    ) -> Result<Gradients, NoDerivative> {
+        let mut rows: Vec<Expr> = Vec::new();
+        for relation in subject_to.iter().flat_map(|w| &w.value.relations) {
+            for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+                rows.push(graph.sub(l, r));
+            }
+        }
+        let constraints = rows.len();
+        rows.extend(functions.iter().flat_map(|w| &w.value.components));
+        let mut entries = Vec::new();
+        for &row in &rows {
+            let row = expand(graph, scope, row);
+            for &variable in variables {
+                entries.push(graph.partial_derivative(row, variable)?);
+            }
+        }
+        let names: Vec<&str> = functions.iter().map(|w| w.text.as_str()).collect();
+        let text = format!("rank of the gradients of {}", names.join(", "));
+        Ok(Gradients { constraints, functions: rows.len() - constraints, variables: variables.to_vec(), entries, text })
+    }
+
+    /// The leaves that must be known.
+    pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
+        graph.leaves(self.entries.iter().copied())
+    }
+
+    /// Tries the independence along a motion.
+    pub fn try_on(&self, graph: &Graph, claim: &Claim, program: &Program, course: &Course) -> Verdict {
+        let left = match assumptions_of(graph, claim, program, course) {
+            Ok(left) => left,
+            Err(verdict) => return *verdict,
+        };
+        let undecided =
+            |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
+        let Ok(tape) = Tape::compile(graph, course.leaves, &self.entries) else {
+            return undecided("the functions depend on something that this motion does not have".to_owned());
+        };
+        let mut slots = tape.slots::<Bounded>(&());
+        let mut evidence = Evidence::default();
+        let step = (course.points.len() / POINTS).max(1);
+        let (mut unclear, mut smallest) = (None, f64::INFINITY);
+        for ((point, &t), left) in course.points.iter().zip(&course.times).zip(&left).step_by(step) {
+            if *left != Left::In {
+                continue;
+            }
+            let values = tape.evaluate(&(), point, &mut slots);
+            let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+            let (n, rows) = (self.variables.len(), self.constraints + self.functions);
+            let all = normalised(rows, n, &values);
+            let some = normalised(self.constraints, n, &values[..self.constraints * n]);
+            let (full, full_gap) = rank(&all);
+            let (base, base_gap) = rank(&some);
+            evidence.samples += 1;
+            smallest = smallest.min(full_gap);
+            match (full, base) {
+                (Some(full), Some(base)) if full == base + self.functions => {}
+                (Some(full), Some(base)) => {
+                    let found = full.saturating_sub(base);
+                    evidence.witness = Some(Witness {
+                        t,
+                        formula: self.text.clone(),
+                        left: found as f64,
+                        right: self.functions as f64,
+                        bound: 0.0,
+                        values: vec![],
+                    });
+                    evidence.reason =
+                        Some(format!("only {found} of the {} functions are independent there", self.functions));
+                    return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
+                }
+                _ => unclear = Some((t, full_gap.min(base_gap))),
+            }
+        }
+        if let Some((t, gap)) = unclear {
+            return undecided(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
+        }
+        if evidence.samples == 0 {
+            return undecided("the gradients have no value at any sample".to_owned());
+        }
+        evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
+        Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
+    }
+}
+
+/// A matrix with rows scaled to length 1; zero rows stay.
+fn normalised(rows: usize, columns: usize, values: &[Bounded]) -> DMatrix<f64> {
+    let mut m = DMatrix::from_fn(rows, columns, |i, j| values[i * columns + j].value);
+    for mut row in m.row_iter_mut() {
+        let length = row.norm();
+        if length > 0.0 {
+            row /= length;
+        }
+    }
+    m
+}
+
+/// Rank, or `None` when a singular value lies in between; with the smallest one that is not zero.
+fn rank(m: &DMatrix<f64>) -> (Option<usize>, f64) {
+    if m.nrows() == 0 {
+        return (Some(0), f64::INFINITY);
+    }
+    let values = m.clone().singular_values();
+    let largest = values.max();
+    let gap = values.iter().copied().filter(|&s| s > ZERO * largest).fold(f64::INFINITY, f64::min);
+    let sure = values.iter().filter(|&&s| s > NONZERO * largest).count();
+    let zero = values.iter().filter(|&&s| s <= ZERO * largest).count();
+    ((sure + zero == values.len()).then_some(sure), gap)
+}

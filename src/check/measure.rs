@@ -1,0 +1,114 @@
+//! Quantities that are measured, not judged.
+
+use std::collections::BTreeMap;
+
+use super::account::Measurement;
+use super::program::at_event;
+use super::stage::Stage;
+use super::trial::{Course, incomplete};
+use crate::derivation::Derivation;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::flow::Zeros;
+use crate::tape::Tape;
+
+/// Most values that are kept of one measure on one motion.
+const MOST: usize = 200;
+
+/// A measure, compiled.
+pub(super) struct Compiled {
+    index: usize,
+    formula: Expr,
+    at: Option<Expr>,
+    tape: Option<Tape>,
+    events: BTreeMap<usize, Zeros>,
+}
+
+/// Compiles all measures; none when only some claims are asked for.
+pub(super) fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled> {
+    let Derivation { graph, measures, .. } = derivation;
+    if !wanted {
+        return Vec::new();
+    }
+    let one = |(index, m): (usize, &crate::derivation::Measure)| {
+        let formula = m.formula.value.as_scalar()?;
+        let at = m.at.as_ref().and_then(|w| at_event(graph, &w.value));
+        Some(Compiled { index, formula, at, tape: None, events: BTreeMap::new() })
+    };
+    measures.iter().enumerate().filter_map(one).collect()
+}
+
+impl Compiled {
+    /// The leaves that must be known.
+    pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
+        graph.leaves([self.formula].into_iter().chain(self.at))
+    }
+
+    /// Finds the events on every motion on which it is taken.
+    pub fn find_events(&mut self, derivation: &mut Derivation, stage: &Stage) {
+        let Some(at) = self.at else { return };
+        for t in derivation.measures[self.index].trajectories.clone() {
+            if let Some(zeros) = stage.zeros(&mut derivation.graph, t, at) {
+                self.events.insert(t, zeros);
+            }
+        }
+    }
+
+    /// Makes the tape.
+    pub fn tape(mut self, graph: &mut Graph, known: &[Leaf]) -> Compiled {
+        self.tape = Tape::compile(graph, known, &[self.formula]).ok();
+        self
+    }
+
+    /// Takes the measure on a motion; `None` when it is not asked for there.
+    pub fn take(&self, derivation: &Derivation, course: &Course) -> Option<Measurement> {
+        let trajectory = course.trajectory;
+        let measure = derivation.measures.get(self.index)?;
+        if !measure.trajectories.contains(&trajectory) {
+            return None;
+        }
+        let mut out = Measurement {
+            measure: measure.id.clone(),
+            trajectory: derivation.trajectories[trajectory].id.clone(),
+            values: Vec::new(),
+            reason: None,
+        };
+        let times = match self.at {
+            None => vec![derivation.trajectories[trajectory].initial_time],
+            Some(_) => {
+                let text = measure.at.as_ref().map_or("", |w| w.text.as_str());
+                match self.events.get(&trajectory) {
+                    Some(zeros) => {
+                        let partial = zeros.incomplete.as_ref();
+                        out.reason =
+                            partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
+                        if zeros.times.is_empty() && out.reason.is_none() {
+                            out.reason = Some(format!("`{text}` does not happen on this motion"));
+                        }
+                        zeros.times.clone()
+                    }
+                    None => {
+                        out.reason = Some(format!("`{text}` has no meaning on this motion"));
+                        Vec::new()
+                    }
+                }
+            }
+        };
+        let Some(tape) = &self.tape else {
+            out.reason = Some("the measure depends on something that motions do not have".to_owned());
+            return Some(out);
+        };
+        let mut slots = tape.slots(&());
+        for &t in times.iter().take(MOST) {
+            let values = tape.evaluate(&(), &course.values(t), &mut slots);
+            match values.first() {
+                Some(Ok(v)) => out.values.push((t, v.value, v.error)),
+                Some(Err(reason)) => out.reason = Some(format!("no value at t = {t:.6}: {reason}")),
+                None => {}
+            }
+        }
+        if times.len() > MOST {
+            out.reason = Some(format!("{} further events are not listed", times.len() - MOST));
+        }
+        Some(out)
+    }
+}

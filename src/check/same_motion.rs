@@ -1,0 +1,61 @@
+//! Two motions compared, state by state, at the same times.
+
+use super::comparison::{Comparison, Group};
+use super::program::Program;
+use super::trial::{Course, assumptions_of, settle};
+use super::verdict::Verdict;
+use super::weigh::{Measured, MeasuredGroup, Series};
+use crate::derivation::{Claim, Derivation, Form};
+use crate::expr::{Leaf, Node, Symbol};
+use crate::latex::RelationKind;
+use crate::number::{Bounded, NoValue};
+
+/// The leaves that the comparisons of motions need.
+pub(super) fn leaves(derivation: &Derivation) -> Vec<Leaf> {
+    let forms = derivation.claims.iter().flat_map(|c| &c.forms);
+    let of = forms.filter_map(|form| match form {
+        Form::SameMotion { of, .. } => Some(of),
+        _ => None,
+    });
+    of.flatten().flat_map(|&s| components(derivation, s)).collect()
+}
+
+fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
+    let count = derivation.graph.component_count(symbol);
+    (0..count).map(|component| Leaf { symbol, component: component as u16, rate: 0, instant: None }).collect()
+}
+
+/// Compares the states `of` of a motion with those of another.
+pub(super) fn try_on(
+    derivation: &Derivation,
+    claim: &Claim,
+    program: &Program,
+    course: &Course,
+    other: usize,
+    of: &[Symbol],
+) -> Verdict {
+    let (from, to) = course.stage.motion(other).span();
+    let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
+        course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
+    let mut comparisons = Vec::new();
+    let mut series: Vec<Series> = Vec::new();
+    for leaf in of.iter().flat_map(|&s| components(derivation, s)) {
+        let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
+        let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
+        let label = format!("{} of both motions", derivation.graph.leaf_latex(leaf));
+        comparisons.push(Comparison { label, kind: RelationKind::Equal, left: node, right: node, magnitude: node });
+        let compare = |(ours, theirs): (&Vec<Result<Bounded, NoValue>>, &Option<Vec<_>>)| {
+            let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;
+            let (left, right): (Bounded, Bounded) = (ours[at]?, theirs[at]?);
+            let difference = left - right;
+            Ok(Measured { left, right, difference, magnitude: left.value.abs() + right.value.abs() })
+        };
+        series.push(course.points.iter().zip(&theirs).map(compare).collect());
+    }
+    let group = Group { comparisons, branching: false };
+    let measured = MeasuredGroup { group: &group, signs: vec![series], definedness: false };
+    match assumptions_of(&derivation.graph, claim, program, course) {
+        Ok(left) => settle(&derivation.graph, claim, program, course, left, &[measured]),
+        Err(verdict) => *verdict,
+    }
+}

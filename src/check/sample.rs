@@ -1,0 +1,204 @@
+//! A handmade account with verdicts of every kind, for the tests of the reports. Not part of the program.
+
+use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
+
+/// The derivation file that the account belongs to.
+pub(crate) const FILE: &str = r"
+[derivation]
+title = 'A spring'
+concerns = 'Nobody, *Springs* (1900)'
+remark = 'Made up.'
+
+[conventions]
+sign = 'x grows to the right'
+
+[symbols]
+'t' = { role = 'time', unit = 's' }
+'x' = { role = 'state', unit = 'm', says = 'elongation' }
+'v' = { role = 'state', unit = 'm/s' }
+'k' = { role = 'parameter', positive = true }
+
+[system.spring]
+states = ['x', 'v']
+equations = ['\dot x=v', '\dot v=x']
+
+[[trajectory]]
+id = 'pulled'
+title = 'Pulled and let go'
+system = 'spring'
+initial = { 'x' = 1, 'v' = 0 }
+parameters = { 'k' = 2.5 }
+span = [0, 10]
+
+[[trajectory]]
+id = 'pushed'
+system = 'spring'
+initial = { 'x' = 0, 'v' = 1 }
+parameters = { 'k' = 2.5 }
+span = [0, 10]
+
+[[claim]]
+id = 'motion'
+says = 'Velocity is the rate of x'
+place = 'Eq. (1)'
+label = 's1'
+assuming = ['k>0']
+always = ['\dot x=v']
+follows-from = ['spring']
+expect = 'holds'
+
+[[claim]]
+id = 'rest'
+says = 'It rests | everywhere <sic>'
+always = ['v=0, x=0']
+remark = 'The wrong claim.'
+expect = { fails = ['pulled'], holds = ['pushed'] }
+
+[[claim]]
+id = 'far'
+says = 'It goes far'
+[[claim.reading]]
+id = 'near'
+says = 'if far is near'
+never = ['x=7']
+[[claim.reading]]
+id = 'sky'
+says = 'if far is the sky'
+defined = ['x']
+expect = 'not-applicable'
+
+[[measure]]
+id = 'reach'
+says = 'how far it goes'
+formula = 'x'
+at = 'v=0'
+unit = 'm'
+";
+
+fn pair(trajectory: &str, outcome: Outcome, evidence: Evidence, expected: Option<&'static str>) -> PairAccount {
+    PairAccount { trajectory: trajectory.into(), verdict: Verdict::new(outcome, evidence), expected }
+}
+
+fn holds(max: f64) -> Evidence {
+    let residual = Some(Residual { max, bound: 3.0e-13, at: 12.5 });
+    Evidence { samples: 400, residual, ..Evidence::default() }
+}
+
+fn fails(max: f64) -> Evidence {
+    let witness = Witness {
+        t: 2.25,
+        formula: "v".into(),
+        left: 0.25 + max,
+        right: 0.25,
+        bound: 1.5e-14,
+        values: vec![("v".into(), 0.25 + max), ("x".into(), f64::NAN)],
+    };
+    Evidence { witness: Some(witness), residual: Some(Residual { max, bound: 1.5e-14, at: 2.25 }), ..holds(max) }
+}
+
+fn reason(text: &str) -> Evidence {
+    Evidence { reason: Some(text.into()), ..Evidence::default() }
+}
+
+fn trajectory(id: &str, title: &str) -> TrajectoryAccount {
+    TrajectoryAccount {
+        id: id.into(),
+        title: title.into(),
+        span: (0.0, 10.0),
+        source: "integrated",
+        given: vec![("k".into(), vec![2.5]), ("x".into(), vec![1.0])],
+        steps: 42,
+        error: 2.0e-15,
+        problem: None,
+    }
+}
+
+fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Vec<PairAccount>) -> ClaimAccount {
+    ClaimAccount {
+        id: id.into(),
+        reading: reading.map(Into::into),
+        says: says.into(),
+        place: (id == "motion").then(|| "Eq. (1)".into()),
+        formulas: vec![formula.into()],
+        assumptions: if id == "motion" { vec!["k>0".into()] } else { Vec::new() },
+        remark: (id == "rest").then(|| "The wrong claim.".into()),
+        results,
+    }
+}
+
+/// The account.
+pub(crate) fn account() -> Account {
+    let sampled = Outcome::Holds(Strength::Sampled);
+    let refuted = Outcome::Fails(Strength::Sampled);
+    let gap = Exclusion { from: 1.0, to: 1.5, reason: "the denominator x is too close to 0".into() };
+    Account {
+        trajectories: vec![trajectory("pulled", "Pulled and let go"), trajectory("pushed", "pushed")],
+        claims: vec![
+            claim(
+                "motion",
+                None,
+                "Velocity is the rate of x",
+                r"\dot x=v",
+                vec![
+                    pair("pulled", sampled, holds(1.2e-14), Some("holds")),
+                    pair(
+                        "pushed",
+                        sampled,
+                        Evidence { excluded: vec![gap], branch: Some("+".into()), ..holds(0.0) },
+                        Some("holds"),
+                    ),
+                ],
+            ),
+            claim(
+                "rest",
+                None,
+                "It rests | everywhere <sic>",
+                "v=0, x=0",
+                vec![
+                    pair("pulled", refuted, fails(0.5), Some("fails")),
+                    pair("pushed", refuted, fails(1.0), Some("holds")),
+                ],
+            ),
+            claim(
+                "far",
+                Some("near"),
+                "if far is near",
+                "x=7",
+                vec![
+                    pair("pulled", Outcome::Undecided, reason("not seen at 400 samples"), None),
+                    pair("pushed", Outcome::Undecided, reason("not seen at 400 samples"), None),
+                ],
+            ),
+            claim(
+                "far",
+                Some("sky"),
+                "if far is the sky",
+                "x",
+                vec![
+                    pair(
+                        "pulled",
+                        Outcome::NotApplicable,
+                        reason("`k>0` is unmet at t = 0: k = -1"),
+                        Some("not-applicable"),
+                    ),
+                    pair("pushed", sampled, holds(0.0), Some("not-applicable")),
+                ],
+            ),
+        ],
+        measurements: vec![
+            Measurement {
+                measure: "reach".into(),
+                trajectory: "pulled".into(),
+                values: vec![(0.0, 1.0, 1e-15), (3.0, -1.0, 2e-15)],
+                reason: None,
+            },
+            Measurement {
+                measure: "reach".into(),
+                trajectory: "pushed".into(),
+                values: Vec::new(),
+                reason: Some("v=0 does not happen".into()),
+            },
+        ],
+    }
+}

@@ -1,0 +1,103 @@
+//! `rederive check`.
+
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rederive::check::{Account, CheckError, Options, Summary};
+use rederive::derivation::Derivation;
+use rederive::report;
+
+use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
+
+pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
+    let mut derivations = files::load_all(&files::find(&arguments.paths)?)?;
+    files::known(&derivations, &arguments.claim, &arguments.trajectory)?;
+    derivations.retain(|d| files::concerns(d, &arguments.claim, &arguments.trajectory));
+    let options = Options { claims: arguments.claim.clone(), trajectories: arguments.trajectory.clone() };
+    let filtered = !options.claims.is_empty() || !options.trajectories.is_empty();
+
+    let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
+    let mut problems = Vec::new();
+    for (i, derivation) in derivations.iter_mut().enumerate() {
+        let account = match account(derivation, &options) {
+            Ok(account) => account,
+            Err(Stop::Diagnostics(found)) => {
+                problems.extend(found);
+                continue;
+            }
+            Err(stop) => return Err(stop),
+        };
+        let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
+        if let Some(folder) = &folder {
+            write_reports(folder, derivation, &account)?;
+        }
+        let mut text = match (arguments.format, arguments.quiet) {
+            (Format::Json, _) => report::json(derivation, &account),
+            (Format::Text, true) => report::exceptions(derivation, &account, true),
+            (Format::Text, false) => report::summary(derivation, &account, true),
+        };
+        if arguments.format == Format::Text && !arguments.quiet {
+            text.insert_str(0, if i > 0 { "\n" } else { "" });
+            let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
+            text.push_str(&written.unwrap_or_default());
+        }
+        print(&text)?;
+        let summary = account.summary();
+        if summary.holds + summary.fails == 0 {
+            complain(&format!("{}: no claim was decided\n", derivation.file.path));
+            exit = exit.and(Exit::Undecided);
+        }
+        exit = exit.and(exit_of(&summary));
+    }
+    if !problems.is_empty() {
+        return Err(Stop::Diagnostics(problems));
+    }
+    if filtered && !arguments.no_reports && !arguments.quiet {
+        complain("no report was written: only a part was checked\n");
+    }
+    Ok(exit)
+}
+
+/// Checks one derivation, with a progress bar on a terminal if it takes long.
+pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account, Stop> {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+    if std::io::stderr().is_terminal()
+        && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
+    {
+        bar.set_style(style);
+        bar.set_prefix(derivation.id.clone());
+    }
+    let started = std::time::Instant::now();
+    let progress = |done: usize, of: usize| {
+        let long = started.elapsed() > Duration::from_millis(500);
+        if long && bar.is_hidden() && std::io::stderr().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        bar.set_length(of as u64);
+        bar.set_position(done as u64);
+    };
+    let account = rederive::check::check(derivation, options, &progress);
+    bar.finish_and_clear();
+    account.map_err(|e| match e {
+        CheckError::Problems(found) => Stop::Diagnostics(found),
+        CheckError::Defect(message) => Stop::Defect(message),
+    })
+}
+
+fn exit_of(summary: &Summary) -> Exit {
+    if summary.unexpected > 0 {
+        Exit::Different
+    } else if summary.open > 0 {
+        Exit::Undecided
+    } else {
+        Exit::Good
+    }
+}
+
+fn write_reports(folder: &Path, derivation: &Derivation, account: &Account) -> Result<(), Stop> {
+    let files =
+        [("report.json", report::json(derivation, account)), ("report.md", report::markdown(derivation, account))];
+    report::write_files(folder, &files).map_err(|e| Stop::Message(e.to_string()))
+}

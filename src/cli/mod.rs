@@ -1,0 +1,247 @@
+//! The command line: arguments, streams, exit codes.
+
+mod check;
+mod explain;
+mod files;
+mod list;
+
+use std::io::Write;
+use std::panic::AssertUnwindSafe;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use rederive::diag::{Diagnostic, render, sort};
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Exit {
+    /// Every verdict is as expected, and at least one claim was decided.
+    Good,
+    /// Some verdict differs from what is expected.
+    Different,
+    /// The command line or a file could not be read, or a report could not be written.
+    BadInput,
+    /// Nothing differs, but some verdict is undecided, or nothing was checked.
+    Undecided,
+    /// A defect of the program.
+    Defect,
+}
+
+impl Exit {
+    fn code(self) -> u8 {
+        match self {
+            Exit::Good => 0,
+            Exit::Different => 1,
+            Exit::BadInput => 2,
+            Exit::Undecided => 3,
+            Exit::Defect => 70,
+        }
+    }
+
+    /// The more serious of two.
+    fn and(self, other: Exit) -> Exit {
+        let rank = |e: Exit| match e {
+            Exit::Good => 0,
+            Exit::Undecided => 1,
+            Exit::Different => 2,
+            Exit::BadInput => 3,
+            Exit::Defect => 4,
+        };
+        if rank(other) > rank(self) { other } else { self }
+    }
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0   every verdict is as expected, and at least one claim was decided
+  1   some verdict differs from what is expected (without an expectation: some claim fails)
+  2   the command line or a file could not be read, or a report could not be written
+  3   nothing differs, but some verdict is undecided
+  70  a defect of rederive itself";
+
+/// Checks derivations: which claims of a paper hold along which motions, and how strongly.
+#[derive(Parser)]
+#[command(name = "rederive", version, about, after_help = EXIT_CODES, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Checks derivation files, prints a summary and writes reports
+    #[command(after_help = EXIT_CODES)]
+    Check(CheckArguments),
+    /// Shows how the verdict on one claim came about
+    Explain(ExplainArguments),
+    /// Lists claims, trajectories and measures of a derivation file
+    List(ListArguments),
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A summary for people
+    Text,
+    /// The report as JSON, one document for each derivation file
+    Json,
+}
+
+#[derive(clap::Args)]
+struct CheckArguments {
+    /// Derivation files, or folders that contain them
+    #[arg(value_name = "FILE|FOLDER", default_value = "derivations")]
+    paths: Vec<PathBuf>,
+    /// Only this claim (its id, or id/reading); may be repeated. No report is written then
+    #[arg(long, value_name = "ID")]
+    claim: Vec<String>,
+    /// Only this trajectory; may be repeated. No report is written then
+    #[arg(long, value_name = "ID")]
+    trajectory: Vec<String>,
+    /// What is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    /// Print only what differs from what is expected, and what is undecided
+    #[arg(long, short)]
+    quiet: bool,
+    /// The folder for reports: each derivation has a folder of its own in it
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    reports: PathBuf,
+    /// Write no reports
+    #[arg(long, conflicts_with = "reports")]
+    no_reports: bool,
+}
+
+#[derive(clap::Args)]
+struct ExplainArguments {
+    /// The claim: its id, or id/reading
+    claim: String,
+    /// Only on this trajectory; may be repeated
+    #[arg(long, value_name = "TRAJECTORY")]
+    on: Vec<String>,
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    path: PathBuf,
+}
+
+#[derive(clap::Args)]
+struct ListArguments {
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    path: PathBuf,
+}
+
+/// Why a command stops before its end.
+enum Stop {
+    /// Problems in files.
+    Diagnostics(Vec<Diagnostic>),
+    /// Anything else that the user can change, in a sentence.
+    Message(String),
+    /// The program contradicts itself.
+    Defect(String),
+}
+
+impl From<Vec<Diagnostic>> for Stop {
+    fn from(found: Vec<Diagnostic>) -> Stop {
+        Stop::Diagnostics(found)
+    }
+}
+
+/// Runs the command line of this process.
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { Exit::BadInput.code() } else { Exit::Good.code() });
+        }
+    };
+    let exit = guarded(|| match &arguments.command {
+        Command::Check(a) => check::check(a),
+        Command::Explain(a) => explain::explain(a),
+        Command::List(a) => list::list(a),
+    });
+    ExitCode::from(exit.code())
+}
+
+/// Runs a command; problems are printed, and a panic is a defect of the program.
+fn guarded(command: impl FnOnce() -> Result<Exit, Stop>) -> Exit {
+    match std::panic::catch_unwind(AssertUnwindSafe(command)) {
+        Ok(Ok(exit)) => exit,
+        Ok(Err(Stop::Diagnostics(mut found))) => {
+            sort(&mut found);
+            complain(&render(&found, true));
+            Exit::BadInput
+        }
+        Ok(Err(Stop::Message(message))) => {
+            complain(&format!("error: {message}\n"));
+            Exit::BadInput
+        }
+        Ok(Err(Stop::Defect(message))) => {
+            complain(&format!("error: {message}\n"));
+            defect()
+        }
+        // The panic itself has been printed.
+        Err(_) => defect(),
+    }
+}
+
+/// Asks for a report of a defect.
+fn defect() -> Exit {
+    complain(&format!(
+        "\nThis is a defect of rederive {}, not of your file. Please report it, with the file and the message above.\n",
+        env!("CARGO_PKG_VERSION")
+    ));
+    Exit::Defect
+}
+
+/// Writes to standard error; colours are removed where they are not wanted.
+fn complain(text: &str) {
+    // If standard error is closed, there is no place left to say so.
+    let _ = anstream::stderr().write_all(text.as_bytes());
+}
+
+/// Writes to standard output; colours are removed where they are not wanted.
+///
+/// A reader who has seen enough and closed the pipe is no failure, and does not keep the rest of the work from being done.
+fn print(text: &str) -> Result<(), Stop> {
+    let mut out = anstream::stdout();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Stop::Message(format!("standard output cannot be written: {e}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_a_defect() {
+        assert_eq!(guarded(|| panic!("on purpose")), Exit::Defect);
+        assert_eq!(guarded(|| Err(Stop::Message("wrong".into()))), Exit::BadInput);
+        assert_eq!(guarded(|| Ok(Exit::Different)), Exit::Different);
+    }
+
+    #[test]
+    fn the_most_serious_ending_counts() {
+        use Exit::{BadInput, Defect, Different, Good, Undecided};
+        let order = [Good, Undecided, Different, BadInput, Defect];
+        for (i, a) in order.iter().enumerate() {
+            for (j, b) in order.iter().enumerate() {
+                assert_eq!(a.and(*b), order[i.max(j)]);
+            }
+        }
+        assert_eq!(order.map(Exit::code), [0, 3, 1, 2, 70]);
+    }
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        use clap::CommandFactory;
+        Arguments::command().debug_assert();
+    }
+}

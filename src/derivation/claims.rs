@@ -1,0 +1,412 @@
+//! `[[claim]]`, its readings, and `[[measure]]`.
+
+use std::ops::Range;
+
+use toml::de::DeValue;
+
+use super::keys;
+use super::load::Loader;
+use super::model::{Claim, Form, FormKind, Formula, Measure, Written};
+use super::number::finite;
+use super::table::{Literal, Table, Value, text_of};
+use crate::expr::Tensor;
+use crate::latex::Statement;
+
+/// The precision that is asked for where a claim does not say.
+pub const DEFAULT_PRECISION: f64 = 1e-9;
+
+/// The keys of which a claim needs at least one.
+const FORMS: &[FormKind] = &[
+    FormKind::Always,
+    FormKind::Never,
+    FormKind::Eventually,
+    FormKind::FirstIntegral,
+    FormKind::Defined,
+    FormKind::Solves,
+    FormKind::SameMotion,
+    FormKind::Independent,
+];
+
+fn has_forms(table: &Table<'_, '_>) -> bool {
+    FORMS.iter().any(|f| table.get(f.key()).is_some())
+}
+
+impl Loader<'_> {
+    /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
+    pub fn claims(&mut self, root: &Table<'_, '_>) {
+        let known: Vec<&str> = keys::READING.iter().chain(keys::CLAIM).copied().collect();
+        let mut tables = Vec::new();
+        for value in root.array(&mut self.problems, "claim", "tables, [[claim]]") {
+            let Some(table) = Table::open(&mut self.problems, value, "[[claim]]", &known) else { continue };
+            let Some((id, span)) = table.id(&mut self.problems, "id") else { continue };
+            if self.take("claim", &id, span.clone()) {
+                tables.push((table, id, span));
+            }
+        }
+        let ids: Vec<String> = tables.iter().map(|(_, id, _)| id.clone()).collect();
+        for (table, id, span) in tables {
+            self.one_claim(&table, id, span, &ids);
+        }
+    }
+
+    /// One claim with its readings.
+    fn one_claim(&mut self, table: &Table<'_, '_>, id: String, span: Range<usize>, ids: &[String]) {
+        let problems = &mut self.problems;
+        let mut base = Claim {
+            reading: None,
+            says: table.needed_text(problems, "says").unwrap_or_default(),
+            parent_says: None,
+            place: table.text(problems, "place"),
+            label: table.text(problems, "label"),
+            remark: table.text(problems, "remark"),
+            symbols: Vec::new(),
+            formulas: Vec::new(),
+            assuming: Vec::new(),
+            forms: Vec::new(),
+            at: None,
+            follows_from: Vec::new(),
+            precision: DEFAULT_PRECISION,
+            branches_throughout: false,
+            trajectories: (0..self.out.trajectories.len()).collect(),
+            expect: Vec::new(),
+            scope: self.out.scope.clone(),
+            id,
+            span,
+        };
+        self.fill(&mut base, table, ids);
+
+        let readings = table.array(&mut self.problems, "reading", "tables, [[claim.reading]]");
+        let mut seen: Vec<(String, Range<usize>)> = Vec::new();
+        let mut entries = Vec::new();
+        for value in readings {
+            let reading = Table::open(&mut self.problems, value, "[[claim.reading]]", keys::READING);
+            let Some(reading) = reading else { continue };
+            let Some((name, span)) = reading.id(&mut self.problems, "id") else { continue };
+            if let Some((_, first)) = seen.iter().find(|(n, _)| *n == name) {
+                let message = format!("`{}` has two readings `{name}`", base.id);
+                self.problems.note("derivation::duplicate-id", span, message).see(first.clone(), "the first one");
+                continue;
+            }
+            seen.push((name.clone(), span.clone()));
+            let says = reading.needed_text(&mut self.problems, "says").unwrap_or_default();
+            let remark = reading.text(&mut self.problems, "remark").or_else(|| base.remark.clone());
+            let parent_says = Some(base.says.clone());
+            let mut claim =
+                Claim { reading: Some(name), says, parent_says, remark, span, forms: Vec::new(), ..base.clone() };
+            claim.formulas.clear();
+            self.fill(&mut claim, &reading, ids);
+            match (has_forms(&reading), has_forms(table)) {
+                (true, _) => self.forms(&mut claim, &reading),
+                (false, true) => self.forms(&mut claim, table),
+                (false, false) => self.note_empty(&claim.span, &format!("the reading `{}`", claim.name())),
+            }
+            if reading.get("expect").is_some() {
+                self.expect(&mut claim, &reading);
+            } else if !has_forms(table) {
+                self.expect(&mut claim, table);
+            }
+            entries.push(claim);
+        }
+        if has_forms(table) || readings.is_empty() {
+            if !has_forms(table) {
+                self.note_empty(&base.span, &format!("the claim `{}`", base.id));
+            }
+            self.forms(&mut base, table);
+            self.expect(&mut base, table);
+            self.out.claims.push(base);
+        }
+        self.out.claims.extend(entries);
+    }
+
+    fn note_empty(&mut self, span: &Range<usize>, what: &str) {
+        let keys: Vec<&str> = FORMS.iter().map(|f| f.key()).collect();
+        self.problems
+            .note("derivation::empty-claim", span.clone(), format!("{what} says nothing that could be checked"))
+            .hint(format!("give at least one of {}", keys.join(", ")));
+    }
+
+    /// What a claim and a reading of it have in common; a reading adds to what its claim says.
+    fn fill(&mut self, claim: &mut Claim, table: &Table<'_, '_>, ids: &[String]) {
+        if let Some(value) = table.get("symbols") {
+            let mut scope = claim.scope.clone();
+            let declared = self.declare_all(value, &mut scope, true);
+            claim.symbols.extend(declared);
+            claim.scope = scope;
+        }
+        for formula in table.formulas(&mut self.problems, "assuming") {
+            let statements = self.statements(&formula, &claim.scope);
+            claim.assuming.extend(statements);
+        }
+        if let Some(formula) = table.formula(&mut self.problems, "at") {
+            claim.at = self.event(&formula, &claim.scope);
+        }
+        if table.get("follows-from").is_some() {
+            claim.follows_from = self.follows_from(table, claim, ids);
+        }
+        if let Some(value) = table.get("branches")
+            && let Some(text) = text_of(&mut self.problems, value, "branches")
+        {
+            match text {
+                "pointwise" => claim.branches_throughout = false,
+                "throughout" => claim.branches_throughout = true,
+                _ => {
+                    let message = format!("`branches` is `pointwise` or `throughout`, not `{text}`");
+                    self.problems.note("derivation::wrong-type", value.span(), message);
+                }
+            }
+        }
+        if let Some(value) = table.get("precision")
+            && let Some(precision) = finite(&mut self.problems, value, "precision")
+        {
+            if precision > 0.0 && precision < 1.0 {
+                claim.precision = precision;
+            } else {
+                let message = "`precision` lies between 0 and 1";
+                self.problems
+                    .note("derivation::bad-number", value.span(), message)
+                    .hint("for instance 1e-9, which is usual");
+            }
+        }
+        if table.get("trajectories").is_some() {
+            claim.trajectories = self.some_trajectories(table);
+        }
+        claim.expect = vec![None; claim.trajectories.len()];
+    }
+
+    /// Claims, systems and symbols that are known.
+    fn follows_from(&mut self, table: &Table<'_, '_>, claim: &Claim, ids: &[String]) -> Vec<String> {
+        let mut out = Vec::new();
+        for (name, span) in table.names(&mut self.problems, "follows-from") {
+            let systems: Vec<String> = self.out.systems.iter().map(|s| s.id.clone()).collect();
+            if name == claim.id {
+                let message = format!("`{name}` cannot follow from itself");
+                self.problems.note("derivation::unknown-claim", span, message);
+            } else if ids.iter().chain(&systems).any(|i| i == name)
+                || claim.scope.symbol(name).is_some()
+                || self.refused.iter().any(|r| r == name)
+            {
+                out.push(name.to_owned());
+            } else {
+                let known = ids.iter().chain(&systems).map(String::as_str);
+                self.problems.unknown("derivation::unknown-claim", span, "claim or system", name, known);
+            }
+        }
+        out
+    }
+
+    /// The trajectories that a table names, in the order of the file.
+    fn some_trajectories(&mut self, table: &Table<'_, '_>) -> Vec<usize> {
+        let mut out: Vec<usize> = Vec::new();
+        for (name, span) in table.names(&mut self.problems, "trajectories") {
+            let Some(index) = self.trajectory(name, span.clone()) else { continue };
+            if out.contains(&index) {
+                self.problems.note("derivation::duplicate-id", span, format!("`{name}` is listed twice"));
+            } else {
+                out.push(index);
+            }
+        }
+        out.sort_unstable();
+        out
+    }
+
+    /// Everything that the claim says of a motion.
+    fn forms(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        for &kind in FORMS.iter().filter(|k| table.get(k.key()).is_some()) {
+            let before = self.problems.found.len();
+            match kind {
+                FormKind::Always | FormKind::Never | FormKind::Eventually => self.relations(claim, table, kind),
+                FormKind::FirstIntegral | FormKind::Defined => self.expressions(claim, table, kind),
+                FormKind::Solves => self.solves(claim, table),
+                FormKind::SameMotion => self.same_motion(claim, table),
+                FormKind::Independent => self.independent(claim, table),
+            }
+            let said = claim.forms.iter().any(|f| f.kind() == kind);
+            if !said && self.problems.found.len() == before {
+                let span = table.get(kind.key()).map_or(claim.span.clone(), |v| v.span());
+                self.note_empty(&span, &format!("`{}`", kind.key()));
+            }
+        }
+    }
+
+    fn relations(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
+        for formula in table.formulas(&mut self.problems, kind.key()) {
+            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            let make: fn(Written<Statement>) -> Form = match kind {
+                FormKind::Never => Form::Never,
+                FormKind::Eventually => Form::Eventually,
+                _ => Form::Always,
+            };
+            let statements = self.statements(&formula, &claim.scope);
+            claim.forms.extend(statements.into_iter().map(make));
+        }
+    }
+
+    fn expressions(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
+        for formula in table.formulas(&mut self.problems, kind.key()) {
+            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            let make: fn(Written<Tensor>) -> Form = match kind {
+                FormKind::FirstIntegral => Form::FirstIntegral,
+                _ => Form::Defined,
+            };
+            let expression = self.expression(&formula, &claim.scope);
+            claim.forms.extend(expression.map(make));
+        }
+    }
+
+    fn solves(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let Some(value) = table.get("solves") else { return };
+        let Some(name) = text_of(&mut self.problems, value, "solves") else { return };
+        let Some(system) = self.system(name, value.span()) else { return };
+        claim.formulas.push(Formula { text: name.to_owned(), kind: FormKind::Solves });
+        claim.forms.push(Form::Solves { system });
+    }
+
+    fn same_motion(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let Some(value) = table.get("same-motion") else { return };
+        let Some(table) = Table::open(&mut self.problems, value, "same-motion", keys::SAME_MOTION) else { return };
+        let scope = claim.scope.clone();
+        let of = self.states(&table, "of", &scope);
+        let Some(name) = table.needed_text(&mut self.problems, "as") else { return };
+        let span = table.get("as").map_or(value.span(), |v| v.span());
+        let Some(other) = self.trajectory(&name, span) else { return };
+        if table.get("of").is_none() {
+            table.missing(&mut self.problems, "of");
+            return;
+        }
+        if of.is_empty() {
+            return;
+        }
+        if let Some(symbol) = of.iter().find(|s| !self.out.trajectories[other].states.contains(s)) {
+            let message = format!("`{name}` has no state `{}`", self.out.graph.name(*symbol));
+            self.problems.note("derivation::unknown-symbol", value.span(), message);
+        }
+        claim.formulas.push(Formula { text: name, kind: FormKind::SameMotion });
+        claim.forms.push(Form::SameMotion { other, of });
+    }
+
+    fn independent(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let Some(value) = table.get("independent") else { return };
+        let Some(table) = Table::open(&mut self.problems, value, "independent", keys::INDEPENDENT) else { return };
+        let mut functions = Vec::new();
+        for formula in table.formulas(&mut self.problems, "functions") {
+            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Independent });
+            functions.extend(self.expression(&formula, &claim.scope));
+        }
+        let mut subject_to = Vec::new();
+        for formula in table.formulas(&mut self.problems, "subject-to") {
+            subject_to.extend(self.statements(&formula, &claim.scope));
+        }
+        if table.get("functions").is_none() {
+            table.missing(&mut self.problems, "functions");
+        }
+        if !functions.is_empty() {
+            claim.forms.push(Form::Independent { functions, subject_to });
+        }
+    }
+
+    /// The expected verdicts.
+    fn expect(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let Some(value) = table.get("expect") else { return };
+        if let DeValue::String(word) = value.get_ref() {
+            match keys::EXPECT.iter().find(|k| *k == word) {
+                Some(&word) => claim.expect = vec![Some(word); claim.trajectories.len()],
+                None => {
+                    let known = keys::EXPECT.iter().copied();
+                    self.problems.unknown("derivation::unknown-key", value.span(), "verdict", word, known);
+                }
+            }
+            return;
+        }
+        let Some(table) = Table::open(&mut self.problems, value, "expect", keys::EXPECT) else { return };
+        let mut places: Vec<Option<Range<usize>>> = vec![None; claim.trajectories.len()];
+        let mut rest: Option<(&'static str, Range<usize>, bool)> = None;
+        for (&word, value) in keys::EXPECT.iter().filter_map(|k| Some((k, table.get(k)?))) {
+            match value.get_ref() {
+                DeValue::String(text) if text == "all" || text == "others" => {
+                    if let Some((_, first, _)) = &rest {
+                        let message = "only one verdict can be that of all or of the others";
+                        self.problems
+                            .note("derivation::expected-twice", value.span(), message)
+                            .see(first.clone(), "the first one");
+                    } else {
+                        rest = Some((word, value.span(), text == "all"));
+                    }
+                }
+                DeValue::Array(_) => {
+                    for (name, span) in table.names(&mut self.problems, word) {
+                        self.expect_one(claim, name, span, word, &mut places);
+                    }
+                }
+                _ => self.problems.wrong_type(value, word, "an array of trajectories, \"others\" or \"all\""),
+            }
+        }
+        let Some((word, span, all)) = rest else { return };
+        if let Some(first) = places.iter().flatten().next().filter(|_| all) {
+            let message = "`all` leaves no trajectory for another verdict";
+            self.problems
+                .note("derivation::expected-twice", span, message)
+                .see(first.clone(), "this one")
+                .hint("write \"others\" for the trajectories that are not listed");
+        }
+        claim.expect.iter_mut().filter(|e| e.is_none()).for_each(|e| *e = Some(word));
+    }
+
+    fn expect_one(
+        &mut self,
+        claim: &mut Claim,
+        name: &str,
+        span: Range<usize>,
+        word: &'static str,
+        places: &mut [Option<Range<usize>>],
+    ) {
+        let Some(index) = self.trajectory(name, span.clone()) else { return };
+        let Some(at) = claim.trajectories.iter().position(|t| *t == index) else {
+            let message = format!("`{}` is not tried on `{name}`", claim.name());
+            self.problems.note("derivation::unknown-trajectory", span, message).hint("see its `trajectories`");
+            return;
+        };
+        if let Some(first) = &places[at] {
+            let message = format!("`{name}` is expected twice");
+            self.problems.note("derivation::expected-twice", span, message).see(first.clone(), "the first time");
+            return;
+        }
+        places[at] = Some(span);
+        claim.expect[at] = Some(word);
+    }
+
+    /// Reads every `[[measure]]`.
+    pub fn measures(&mut self, root: &Table<'_, '_>) {
+        for value in root.array(&mut self.problems, "measure", "tables, [[measure]]") {
+            if let Some(measure) = self.one_measure(value) {
+                self.out.measures.push(measure);
+            }
+        }
+    }
+
+    fn one_measure(&mut self, value: &Value<'_>) -> Option<Measure> {
+        let table = Table::open(&mut self.problems, value, "[[measure]]", keys::MEASURE)?;
+        let id = table.id(&mut self.problems, "id");
+        let says = table.needed_text(&mut self.problems, "says");
+        let scope = self.out.scope.clone();
+        if table.get("formula").is_none() {
+            table.missing(&mut self.problems, "formula");
+        }
+        let formula: Option<Literal<'_>> = table.formula(&mut self.problems, "formula");
+        let formula = formula.and_then(|f| self.expression(&f, &scope));
+        let at = table.formula(&mut self.problems, "at").and_then(|f| self.event(&f, &scope));
+        let trajectories = match table.get("trajectories") {
+            Some(_) => self.some_trajectories(&table),
+            None => (0..self.out.trajectories.len()).collect(),
+        };
+        let unit = table.text(&mut self.problems, "unit");
+        let (id, span) = id?;
+        let new = self.take("measure", &id, span.clone());
+        let formula = formula?;
+        if formula.value.as_scalar().is_none() {
+            let message = format!("a measured quantity is one number, this is a {}", formula.value.shape);
+            self.problems.note("derivation::wrong-components", formula.span, message);
+            return None;
+        }
+        new.then_some(Measure { id, says: says?, formula, at, trajectories, unit, span })
+    }
+}

@@ -1,0 +1,60 @@
+//! Every key that a derivation file may have.
+
+/// The tables of a file.
+pub const FILE: &[&str] = &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure"];
+/// Keys of `[derivation]`.
+pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
+/// Keys of a symbol.
+pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "formula", "arguments", "says"];
+/// Keys of `[system.…]`.
+pub const SYSTEM: &[&str] = &["says", "states", "equations"];
+/// Keys of `[[trajectory]]`.
+pub const TRAJECTORY: &[&str] =
+    &["id", "title", "says", "system", "initial", "formula", "from", "map", "parameters", "span", "initial-time"];
+/// Keys that `[[claim]]` and `[[claim.reading]]` share.
+pub const READING: &[&str] = &[
+    "id",
+    "says",
+    "remark",
+    "symbols",
+    "assuming",
+    "follows-from",
+    "precision",
+    "branches",
+    "trajectories",
+    "always",
+    "never",
+    "eventually",
+    "first-integral",
+    "defined",
+    "solves",
+    "same-motion",
+    "independent",
+    "at",
+    "expect",
+];
+/// Keys of `[[claim]]` beside those of a reading.
+pub const CLAIM: &[&str] = &["place", "label", "reading"];
+/// Keys of `same-motion`.
+pub const SAME_MOTION: &[&str] = &["as", "of"];
+/// Keys of `independent`.
+pub const INDEPENDENT: &[&str] = &["functions", "subject-to"];
+/// Keys of `expect`: the verdicts.
+pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
+/// Keys of `[[measure]]`.
+pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "trajectories", "unit"];
+
+/// Every table with its keys, for the documentation and its test.
+pub const ALL: &[(&str, &[&str])] = &[
+    ("file", FILE),
+    ("[derivation]", DERIVATION),
+    ("[symbols]", SYMBOL),
+    ("[system.…]", SYSTEM),
+    ("[[trajectory]]", TRAJECTORY),
+    ("[[claim]] and [[claim.reading]]", READING),
+    ("[[claim]]", CLAIM),
+    ("same-motion", SAME_MOTION),
+    ("independent", INDEPENDENT),
+    ("expect", EXPECT),
+    ("[[measure]]", MEASURE),
+];

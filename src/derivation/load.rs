@@ -1,0 +1,283 @@
+//! From the bytes of a file to a [`Derivation`].
+
+use std::collections::HashMap;
+use std::io::Read;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+use sha2::{Digest, Sha256};
+use toml::de::{DeTable, DeValue};
+
+use super::keys;
+use super::model::{Derivation, System, Trajectory, Written};
+use super::table::{Literal, Problems, Table, check_id, text_of};
+use crate::diag::{Diagnostic, Source, sort};
+use crate::expr::{Graph, Symbol, Tensor};
+use crate::latex::{self, Relation, RelationKind, Scope, Statement};
+
+/// Largest size of a derivation file, in bytes.
+pub const LARGEST_FILE: u64 = 4 << 20;
+
+/// Reads a derivation file.
+///
+/// # Errors
+/// Every problem of the file, in the order of their places.
+pub fn load(path: &Path) -> Result<Derivation, Vec<Diagnostic>> {
+    let shown = path.display().to_string();
+    let one = |d: Diagnostic| vec![d];
+    let unreadable = |e: std::io::Error| {
+        one(Diagnostic::of_file(&shown, "derivation::unreadable", format!("this file cannot be read: {e}")))
+    };
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    if file.metadata().map_err(unreadable)?.is_dir() {
+        let d = Diagnostic::of_file(&shown, "derivation::unreadable", "this is a folder, not a file");
+        return Err(one(d));
+    }
+    let mut bytes = Vec::new();
+    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        let message = format!("this file is larger than {} MiB", LARGEST_FILE >> 20);
+        return Err(one(Diagnostic::of_file(&shown, "derivation::too-large", message)));
+    }
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let at = e.utf8_error().valid_up_to();
+        let line = e.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
+        let d = Diagnostic::of_file(
+            &shown,
+            "derivation::not-utf8",
+            format!("this file is not UTF-8 text, see line {line}"),
+        );
+        one(d.hint("save it in the encoding UTF-8"))
+    })?;
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    parse(Source { path: shown, text }, &stem)
+}
+
+/// Reads the text of a derivation file; `stem` is its id unless it gives another.
+///
+/// # Errors
+/// Every problem of the file, in the order of their places.
+pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> {
+    let source = Arc::new(source);
+    let (root, errors) = DeTable::parse_recoverable(&source.text);
+    let mut problems = Problems { source: &source, found: Vec::new() };
+    if !errors.is_empty() {
+        let mut found: Vec<Diagnostic> = errors.iter().map(|e| syntax_error(&source, e)).collect();
+        sort(&mut found);
+        return Err(found);
+    }
+    let span = root.span();
+    let entries = root.into_inner();
+    let root = Table { entries: &entries, span: span.start..span.start, what: "a derivation file" };
+    root.check_keys(&mut problems, keys::FILE);
+
+    let mut loader = Loader::new(problems);
+    loader.header(&root, stem);
+    loader.symbols(&root);
+    loader.systems(&root);
+    loader.trajectories(&root);
+    loader.claims(&root);
+    loader.measures(&root);
+    loader.finish()
+}
+
+fn syntax_error(source: &Arc<Source>, error: &toml::de::Error) -> Diagnostic {
+    let message = error.message().trim_end_matches('.').replace('\n', "; ");
+    let span = error.span().unwrap_or(0..0);
+    let mut d = Diagnostic::at(source, "derivation::toml", span, message);
+    if d.message.contains("escape") {
+        d.hint = Some("formulas are written in single quotes: '\\Omega', not \"\\Omega\"".to_owned());
+    }
+    d
+}
+
+/// What is known while a file is read.
+pub(super) struct Loader<'s> {
+    pub problems: Problems<'s>,
+    pub out: Derivation,
+    /// Ids that are taken, by kind, with the place of each.
+    taken: HashMap<(&'static str, String), Range<usize>>,
+    /// Ids of things that were refused: no second complaint about a use of them.
+    pub refused: Vec<String>,
+}
+
+impl<'s> Loader<'s> {
+    fn new(problems: Problems<'s>) -> Loader<'s> {
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        let file = Arc::clone(problems.source);
+        let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
+        let out = Derivation {
+            id: String::new(),
+            title: String::new(),
+            concerns: String::new(),
+            source: None,
+            remark: None,
+            file,
+            sha256,
+            conventions: Vec::new(),
+            symbols: Vec::new(),
+            graph,
+            scope,
+            systems: Vec::new(),
+            trajectories: Vec::new(),
+            claims: Vec::new(),
+            measures: Vec::new(),
+        };
+        Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
+    }
+
+    fn finish(self) -> Result<Derivation, Vec<Diagnostic>> {
+        let mut found = self.problems.found;
+        if found.is_empty() {
+            return Ok(self.out);
+        }
+        sort(&mut found);
+        Err(found)
+    }
+
+    fn header(&mut self, root: &Table<'_, '_>, stem: &str) {
+        let problems = &mut self.problems;
+        self.out.id = stem.to_owned();
+        match root.get("derivation") {
+            None => root.missing(problems, "[derivation]"),
+            Some(value) => {
+                if let Some(table) = Table::open(problems, value, "[derivation]", keys::DERIVATION) {
+                    if table.get("id").is_some() {
+                        self.out.id = table.id(problems, "id").map(|(id, _)| id).unwrap_or_default();
+                    } else {
+                        check_id(problems, stem, table.span.clone());
+                    }
+                    self.out.title = table.needed_text(problems, "title").unwrap_or_default();
+                    self.out.concerns = table.needed_text(problems, "concerns").unwrap_or_default();
+                    self.out.source = table.text(problems, "source");
+                    self.out.remark = table.text(problems, "remark");
+                }
+            }
+        }
+        if let Some(value) = root.get("conventions") {
+            match value.get_ref() {
+                DeValue::Table(entries) => {
+                    for (key, value) in entries {
+                        if let Some(text) = text_of(problems, value, key.get_ref()) {
+                            self.out.conventions.push((key.get_ref().to_string(), text.trim().to_owned()));
+                        }
+                    }
+                }
+                _ => problems.wrong_type(value, "conventions", "a table"),
+            }
+        }
+    }
+
+    /// Whether an id of this kind is new; the second use of one is noted.
+    pub fn take(&mut self, kind: &'static str, id: &str, span: Range<usize>) -> bool {
+        if let Some(first) = self.taken.get(&(kind, id.to_owned())) {
+            let first = first.clone();
+            self.problems
+                .note("derivation::duplicate-id", span, format!("there are two of {kind} `{id}`"))
+                .see(first, "the first one");
+            return false;
+        }
+        self.taken.insert((kind, id.to_owned()), span);
+        true
+    }
+
+    /// The statements of a formula, each with the part of the text that says it.
+    pub fn statements(&mut self, formula: &Literal<'_>, scope: &Scope) -> Vec<Written<Statement>> {
+        match latex::read(formula.text, scope, &mut self.out.graph) {
+            Ok(statements) if statements.is_empty() => {
+                self.problems.note("derivation::empty-formula", formula.span.clone(), "this formula says nothing");
+                Vec::new()
+            }
+            Ok(statements) if statements.len() == 1 => {
+                let whole = 0..formula.text.len();
+                statements.into_iter().map(|s| written(formula, whole.clone(), s)).collect()
+            }
+            Ok(statements) => statements.into_iter().map(|s| written(formula, s.span.clone(), s)).collect(),
+            Err(found) => {
+                self.note_formula(formula, found);
+                Vec::new()
+            }
+        }
+    }
+
+    /// A formula without a relation.
+    pub fn expression(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Tensor>> {
+        match latex::read_expression(formula.text, scope, &mut self.out.graph) {
+            Ok(tensor) => Some(written(formula, 0..formula.text.len(), tensor)),
+            Err(found) => {
+                self.note_formula(formula, found);
+                None
+            }
+        }
+    }
+
+    /// An event: one `=` between scalars.
+    pub fn event(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Statement>> {
+        let mut statements = self.statements(formula, scope);
+        let statement = statements.pop()?;
+        let plain = |r: &Relation| is_equation(r) && r.left.shape.rank() == 0 && r.right.shape.rank() == 0;
+        let single = statements.is_empty() && statement.value.relations.len() == 1;
+        if !single || !statement.value.relations.iter().all(plain) {
+            let message = "an event is one equation between scalars";
+            self.problems
+                .note("derivation::not-an-event", formula.span.clone(), message)
+                .hint(r"for instance '\theta=0'");
+            return None;
+        }
+        Some(statement)
+    }
+
+    /// Notes the problems that were found in a formula.
+    pub fn note_formula(&mut self, formula: &Literal<'_>, found: Vec<crate::diag::Problem>) {
+        let source = self.problems.source;
+        self.problems.found.extend(found.into_iter().map(|p| Diagnostic::of_formula(source, formula.start, p)));
+    }
+
+    /// The position of a trajectory, noted if there is none.
+    pub fn trajectory(&mut self, name: &str, span: Range<usize>) -> Option<usize> {
+        let found = self.out.trajectories.iter().position(|t: &Trajectory| t.id == name);
+        if found.is_none() && !self.refused.iter().any(|r| r == name) {
+            let ids = self.out.trajectories.iter().map(|t| t.id.as_str());
+            self.problems.unknown("derivation::unknown-trajectory", span, "trajectory", name, ids);
+        }
+        found
+    }
+
+    /// The position of a system, noted if there is none.
+    pub fn system(&mut self, name: &str, span: Range<usize>) -> Option<usize> {
+        let found = self.out.systems.iter().position(|s: &System| s.id == name);
+        if found.is_none() && !self.refused.iter().any(|r| r == name) {
+            let ids = self.out.systems.iter().map(|s| s.id.as_str());
+            self.problems.unknown("derivation::unknown-system", span, "system", name, ids);
+        }
+        found
+    }
+
+    /// The symbol with this name, noted if there is none.
+    pub fn symbol(&mut self, name: &str, span: Range<usize>, scope: &Scope) -> Option<Symbol> {
+        let found = scope.symbol(name);
+        if found.is_none() && !self.refused.iter().any(|r| r == name) {
+            let names = self.out.symbols.iter().map(|s| s.name.as_str());
+            self.problems.unknown("derivation::unknown-symbol", span, "symbol", name, names);
+        }
+        found
+    }
+}
+
+/// Whether a relation is a plain equation, without a limit and without ±.
+pub(super) fn is_equation(relation: &Relation) -> bool {
+    relation.kind == RelationKind::Equal && relation.limit.is_none() && !relation.has_branches
+}
+
+/// A part of a formula with its meaning.
+fn written<T>(formula: &Literal<'_>, part: Range<usize>, value: T) -> Written<T> {
+    let (part, text) = match formula.text.get(part.clone()) {
+        Some(text) => (part, text),
+        None => (0..formula.text.len(), formula.text),
+    };
+    let trimmed = text.trim();
+    let start = formula.start + part.start + (text.len() - text.trim_start().len());
+    Written { text: trimmed.to_owned(), span: start..start + trimmed.len(), value }
+}

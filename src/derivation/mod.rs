@@ -1,0 +1,28 @@
+//! Derivation files: what a paper says, in a form that can be checked.
+//!
+//! **In:** a TOML file with the symbols of a paper, its equations in LaTeX, the motions on which they are tried, and its
+//! claims. **Out:** a [`Derivation`], in which every formula is read, every name resolved and every number exact; or all
+//! problems of the file, each with its place.
+//!
+//! **Guaranteed:** no file makes the loader panic, and no part of a file is passed over: a key that is not known is a
+//! problem. Numbers have exactly the value of their decimal digits. Formulas stand in single quotes only, since in double
+//! quotes TOML changes `\theta` to a tab and `heta` without a word.
+//!
+//! **Why this way:** the file is walked by hand, not by derived deserializers: those stop at the first problem, and a person
+//! who writes a file wants to see all of them. The format is described in `docs/derivation-file.md`.
+
+mod claims;
+pub mod keys;
+mod load;
+mod model;
+mod motions;
+mod number;
+mod symbols;
+mod table;
+mod values;
+
+pub use claims::DEFAULT_PRECISION;
+pub use load::{LARGEST_FILE, load, parse};
+pub use model::{
+    Claim, Derivation, Form, FormKind, Formula, Measure, Motion, SymbolEntry, System, Trajectory, Written,
+};

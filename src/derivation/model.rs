@@ -1,0 +1,343 @@
+//! What a derivation file says, read and understood.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::diag::Source;
+use crate::expr::{Expr, Graph, Symbol, Tensor};
+use crate::latex::{Role, Scope, Statement};
+
+/// A formula as written, where it stands, and what it means.
+#[derive(Clone, Debug)]
+pub struct Written<T> {
+    /// The formula as the file has it, without what surrounds it.
+    pub text: String,
+    /// Its place in the file: `source.text[span]` is `text`.
+    pub span: Range<usize>,
+    /// What it means.
+    pub value: T,
+}
+
+/// A derivation file.
+#[derive(Clone, Debug)]
+pub struct Derivation {
+    /// Short name: the stem of the file's name, unless the file gives another.
+    pub id: String,
+    /// Title of the paper or of the derivation.
+    pub title: String,
+    /// The citation of what is checked.
+    pub concerns: String,
+    /// Where to find it.
+    pub source: Option<String>,
+    /// What a reader should know about the file as a whole.
+    pub remark: Option<String>,
+    /// The file.
+    pub file: Arc<Source>,
+    /// SHA-256 of the file's bytes, in lower-case hexadecimal.
+    pub sha256: String,
+    /// Conventions: name and text, in the order of the file.
+    pub conventions: Vec<(String, String)>,
+    /// The symbols of the whole file, in its order.
+    pub symbols: Vec<SymbolEntry>,
+    /// The expressions of every formula of the file.
+    pub graph: Graph,
+    /// What the symbols of the whole file mean in a formula.
+    pub scope: Scope,
+    /// Systems of differential equations.
+    pub systems: Vec<System>,
+    /// Motions, in the order of the file.
+    pub trajectories: Vec<Trajectory>,
+    /// Claims, in the order of the file; one entry for each reading.
+    pub claims: Vec<Claim>,
+    /// Quantities to be measured.
+    pub measures: Vec<Measure>,
+}
+
+/// A declared symbol.
+#[derive(Clone, Debug)]
+pub struct SymbolEntry {
+    /// Its LaTeX name, as declared.
+    pub name: String,
+    /// The symbol of the graph.
+    pub symbol: Symbol,
+    /// What it is.
+    pub role: Role,
+    /// Its unit, for the reader.
+    pub unit: Option<String>,
+    /// Declared positive (in every component): a trajectory that gives it another value is refused.
+    pub positive: bool,
+    /// An angle: its values along a motion are continued without jumps of 2π.
+    pub angle: bool,
+    /// Its definition as written.
+    pub formula: Option<String>,
+    /// Names of the arguments of a function.
+    pub arguments: Vec<String>,
+    /// What it stands for, in the file's words.
+    pub says: Option<String>,
+    /// Place of its name in the file.
+    pub span: Range<usize>,
+}
+
+impl SymbolEntry {
+    /// Its role, as the file writes it.
+    pub fn role_word(&self) -> &'static str {
+        match self.role {
+            Role::Time => "time",
+            Role::State => "state",
+            Role::Parameter => "parameter",
+            Role::Observable => "observable",
+            Role::Abbreviation => "abbreviation",
+            Role::Argument => "argument",
+        }
+    }
+}
+
+/// A system of differential equations, as its equations are written.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// Its id.
+    pub id: String,
+    /// What it is, in the file's words.
+    pub says: Option<String>,
+    /// The unknowns, in the order of the file; all have the role [`Role::State`].
+    pub states: Vec<Symbol>,
+    /// Its equations; every relation is a plain `=`.
+    pub equations: Vec<Written<Statement>>,
+    /// Place of its id in the file.
+    pub span: Range<usize>,
+}
+
+/// Where a motion comes from.
+#[derive(Clone, Debug)]
+pub enum Motion {
+    /// Integrated from initial values.
+    Integrated {
+        /// Position in [`Derivation::systems`].
+        system: usize,
+        /// State, order of its rate (0 for the state itself), and one expression for each stored component, over
+        /// parameters only; in the order of the system's states.
+        initial: Vec<(Symbol, u8, Written<Vec<Expr>>)>,
+    },
+    /// Given by formulas in time and parameters: one expression for each stored component.
+    Formula {
+        /// State and its formula.
+        states: Vec<(Symbol, Written<Vec<Expr>>)>,
+    },
+    /// Computed from another motion.
+    Derived {
+        /// Position in [`Derivation::trajectories`]; it comes from no motion that comes from this one.
+        from: usize,
+        /// State and its formula in the states, parameters and time of the other motion; a state that is not listed is
+        /// that of the other motion. A state that the other motion does not have may be added.
+        map: Vec<(Symbol, Written<Vec<Expr>>)>,
+    },
+}
+
+/// A motion on which claims are tried.
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    /// Its id.
+    pub id: String,
+    /// Its title; the id where none is given.
+    pub title: String,
+    /// What a reader should know.
+    pub says: Option<String>,
+    /// Where it comes from.
+    pub motion: Motion,
+    /// The states that have values along it.
+    pub states: Vec<Symbol>,
+    /// Values of parameters: one closed expression (without leaves) for each stored component. A derived motion has those
+    /// of the motion that it comes from, then its own.
+    pub parameters: Vec<(Symbol, Written<Vec<Expr>>)>,
+    /// First and last time; finite, the first before the last.
+    pub span: (f64, f64),
+    /// The time at which initial values are given; inside the span.
+    pub initial_time: f64,
+    /// Place of its id in the file.
+    pub place: Range<usize>,
+}
+
+impl Trajectory {
+    /// The value of a parameter, if the trajectory gives one.
+    pub fn parameter(&self, symbol: Symbol) -> Option<&[Expr]> {
+        self.parameters.iter().rev().find(|(s, _)| *s == symbol).map(|(_, w)| w.value.as_slice())
+    }
+
+    /// `integrated`, `formula` or `derived`.
+    pub fn source(&self) -> &'static str {
+        match self.motion {
+            Motion::Integrated { .. } => "integrated",
+            Motion::Formula { .. } => "formula",
+            Motion::Derived { .. } => "derived",
+        }
+    }
+}
+
+/// What a formula of a claim is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FormKind {
+    /// The relation holds at every time.
+    Always,
+    /// The relation holds at no time.
+    Never,
+    /// The relation holds at some time.
+    Eventually,
+    /// The expression is constant along the motion.
+    FirstIntegral,
+    /// The expression has a real value at every time.
+    Defined,
+    /// The motion solves a system.
+    Solves,
+    /// Two motions are the same.
+    SameMotion,
+    /// Functions are independent.
+    Independent,
+}
+
+impl FormKind {
+    /// The key of the derivation file.
+    pub fn key(self) -> &'static str {
+        match self {
+            FormKind::Always => "always",
+            FormKind::Never => "never",
+            FormKind::Eventually => "eventually",
+            FormKind::FirstIntegral => "first-integral",
+            FormKind::Defined => "defined",
+            FormKind::Solves => "solves",
+            FormKind::SameMotion => "same-motion",
+            FormKind::Independent => "independent",
+        }
+    }
+}
+
+/// A formula of a claim as the file has it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// As written; for `solves` and `same-motion`, which are not formulas, the id that they name.
+    pub text: String,
+    /// What it is there for.
+    pub kind: FormKind,
+}
+
+/// One thing that a claim says of a motion.
+#[derive(Clone, Debug)]
+pub enum Form {
+    /// The statement holds at every time.
+    Always(Written<Statement>),
+    /// The statement holds at no time.
+    Never(Written<Statement>),
+    /// The statement holds at some time.
+    Eventually(Written<Statement>),
+    /// Every component is constant along the motion.
+    FirstIntegral(Written<Tensor>),
+    /// Every component has a real value at every time.
+    Defined(Written<Tensor>),
+    /// The states of the motion satisfy the equations of a system.
+    Solves {
+        /// Position in [`Derivation::systems`].
+        system: usize,
+    },
+    /// The states of the motion are, at every time, those of another.
+    SameMotion {
+        /// Position in [`Derivation::trajectories`].
+        other: usize,
+        /// The states that are compared.
+        of: Vec<Symbol>,
+    },
+    /// The functions (of the states at one time) are independent where the constraints hold.
+    Independent {
+        /// The functions.
+        functions: Vec<Written<Tensor>>,
+        /// Relations between the variables that hold anyway.
+        subject_to: Vec<Written<Statement>>,
+    },
+}
+
+impl Form {
+    /// What it is.
+    pub fn kind(&self) -> FormKind {
+        match self {
+            Form::Always(_) => FormKind::Always,
+            Form::Never(_) => FormKind::Never,
+            Form::Eventually(_) => FormKind::Eventually,
+            Form::FirstIntegral(_) => FormKind::FirstIntegral,
+            Form::Defined(_) => FormKind::Defined,
+            Form::Solves { .. } => FormKind::Solves,
+            Form::SameMotion { .. } => FormKind::SameMotion,
+            Form::Independent { .. } => FormKind::Independent,
+        }
+    }
+}
+
+/// A claim, or one reading of it.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Its id; the readings of a claim share it.
+    pub id: String,
+    /// The id of the reading.
+    pub reading: Option<String>,
+    /// What it says, in the file's words.
+    pub says: String,
+    /// For a reading, what the claim itself says.
+    pub parent_says: Option<String>,
+    /// Where it stands in the paper.
+    pub place: Option<String>,
+    /// The label of its equation in the paper's source.
+    pub label: Option<String>,
+    /// What a reader should know.
+    pub remark: Option<String>,
+    /// Symbols that are declared for this claim only.
+    pub symbols: Vec<SymbolEntry>,
+    /// Its formulas as written, one entry for each string of the file.
+    pub formulas: Vec<Formula>,
+    /// What it presupposes: all must hold for the claim to apply.
+    pub assuming: Vec<Written<Statement>>,
+    /// What it says; never empty. It holds if all of them hold.
+    pub forms: Vec<Form>,
+    /// A relation between scalars, `=`: the claim is tried only at the times at which it holds.
+    pub at: Option<Written<Statement>>,
+    /// Claims, systems and symbols that it follows from.
+    pub follows_from: Vec<String>,
+    /// The precision that is asked for, relative.
+    pub precision: f64,
+    /// Whether one sign of ± must serve the whole motion; otherwise some sign at each time.
+    pub branches_throughout: bool,
+    /// The motions on which it is tried: positions in [`Derivation::trajectories`], increasing.
+    pub trajectories: Vec<usize>,
+    /// The expected verdict on each of `trajectories`, as a word of the report.
+    pub expect: Vec<Option<&'static str>>,
+    /// What symbols mean in its formulas.
+    pub scope: Scope,
+    /// Place of its id in the file.
+    pub span: Range<usize>,
+}
+
+impl Claim {
+    /// `id`, or `id/reading`.
+    pub fn name(&self) -> String {
+        match &self.reading {
+            Some(reading) => format!("{}/{reading}", self.id),
+            None => self.id.clone(),
+        }
+    }
+}
+
+/// A quantity to be measured at the events of a motion.
+#[derive(Clone, Debug)]
+pub struct Measure {
+    /// Its id.
+    pub id: String,
+    /// What it is, in the file's words.
+    pub says: String,
+    /// A scalar.
+    pub formula: Written<Tensor>,
+    /// A relation between scalars, `=`: the quantity is taken at the times at which it holds. Without it, at the initial
+    /// time.
+    pub at: Option<Written<Statement>>,
+    /// The motions on which it is measured: positions in [`Derivation::trajectories`], increasing.
+    pub trajectories: Vec<usize>,
+    /// Its unit, for the reader.
+    pub unit: Option<String>,
+    /// Place of its id in the file.
+    pub span: Range<usize>,
+}

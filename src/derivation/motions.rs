@@ -1,0 +1,458 @@
+//! `[system.…]` and `[[trajectory]]`.
+
+use std::ops::Range;
+
+use toml::de::DeValue;
+
+use super::keys;
+use super::load::{Loader, is_equation};
+use super::model::{Motion, System, Trajectory, Written};
+use super::number::finite;
+use super::table::{Table, Value, check_id, note_double_quoted, text_of};
+use super::values::Known;
+use crate::expr::{Expr, Leaf, Rational, Symbol};
+use crate::latex::{Role, Scope};
+
+type Values = Vec<(Symbol, Written<Vec<Expr>>)>;
+
+/// A `[[trajectory]]` before what it comes from is known.
+struct Draft<'a, 's> {
+    table: Table<'a, 's>,
+    id: String,
+    place: Range<usize>,
+    from: Option<usize>,
+}
+
+impl Loader<'_> {
+    /// Reads every `[system.…]`.
+    pub fn systems(&mut self, root: &Table<'_, '_>) {
+        let Some(value) = root.get("system") else { return };
+        let DeValue::Table(entries) = value.get_ref() else {
+            self.problems.wrong_type(value, "system", "a table for each system, [system.ID]");
+            return;
+        };
+        for (key, value) in entries {
+            let id = key.get_ref().as_ref();
+            let known = check_id(&mut self.problems, id, key.span());
+            match self.one_system(id, key.span(), value) {
+                Some(system) if known => self.out.systems.push(system),
+                _ => self.refused.push(id.to_owned()),
+            }
+        }
+    }
+
+    fn one_system(&mut self, id: &str, span: Range<usize>, value: &Value<'_>) -> Option<System> {
+        let table = Table::open(&mut self.problems, value, "a system", keys::SYSTEM)?;
+        let scope = self.out.scope.clone();
+        let says = table.text(&mut self.problems, "says");
+        let states = self.states(&table, "states", &scope);
+        let formulas = table.formulas(&mut self.problems, "equations");
+        for key in ["states", "equations"].iter().filter(|k| table.get(k).is_none()) {
+            table.missing(&mut self.problems, key);
+        }
+        let mut equations = Vec::new();
+        for formula in &formulas {
+            for equation in self.statements(formula, &scope) {
+                if equation.value.relations.iter().all(is_equation) {
+                    equations.push(equation);
+                } else {
+                    let message = "a system consists of plain equations";
+                    let hint = "only `=`, without ± and without limits";
+                    self.problems.note("derivation::not-an-equation", equation.span, message).hint(hint);
+                }
+            }
+        }
+        (!states.is_empty() && !equations.is_empty()).then(|| System {
+            id: id.to_owned(),
+            says,
+            states,
+            equations,
+            span,
+        })
+    }
+
+    /// An array of states.
+    pub fn states(&mut self, table: &Table<'_, '_>, key: &str, scope: &Scope) -> Vec<Symbol> {
+        let mut out = Vec::new();
+        for (name, span) in table.names(&mut self.problems, key) {
+            let raw = self.problems.source.text.get(span.clone()).unwrap_or_default();
+            if raw.starts_with('"') && raw.contains('\\') {
+                note_double_quoted(&mut self.problems, span, raw);
+                continue;
+            }
+            let Some(symbol) = self.symbol(name.trim(), span.clone(), scope) else { continue };
+            if scope.role(symbol) != Some(Role::State) {
+                self.problems.note("derivation::bad-role", span, format!("`{name}` is not declared as a state"));
+            } else if out.contains(&symbol) {
+                self.problems.note("derivation::duplicate-id", span, format!("`{name}` is listed twice"));
+            } else {
+                out.push(symbol);
+            }
+        }
+        out
+    }
+
+    /// Reads every `[[trajectory]]`.
+    pub fn trajectories(&mut self, root: &Table<'_, '_>) {
+        let mut drafts = Vec::new();
+        for value in root.array(&mut self.problems, "trajectory", "tables, [[trajectory]]") {
+            let table = Table::open(&mut self.problems, value, "[[trajectory]]", keys::TRAJECTORY);
+            let Some(table) = table else { continue };
+            let Some((id, place)) = table.id(&mut self.problems, "id") else { continue };
+            if self.take("trajectory", &id, place.clone()) {
+                drafts.push(Draft { table, id, place, from: None });
+            }
+        }
+        self.find_sources(&mut drafts);
+
+        let mut done: Vec<Option<Option<Trajectory>>> = vec![None; drafts.len()];
+        while let Some(next) =
+            (0..drafts.len()).find(|&i| done[i].is_none() && drafts[i].from.is_none_or(|f| done[f].is_some()))
+        {
+            let source = drafts[next].from.and_then(|f| done[f].clone().flatten());
+            let built = self.one_trajectory(&drafts[next], source.as_ref());
+            if built.is_none() {
+                self.refused.push(drafts[next].id.clone());
+            }
+            done[next] = Some(built);
+        }
+        // Positions count drafts; where one is missing, the file is refused and nobody sees them.
+        self.out.trajectories = done.into_iter().flatten().flatten().collect();
+    }
+
+    /// Resolves `from`; those on a cycle, and those that come from nothing known, keep `None`.
+    fn find_sources(&mut self, drafts: &mut [Draft<'_, '_>]) {
+        let mut from = vec![None; drafts.len()];
+        for (i, draft) in drafts.iter().enumerate() {
+            let Some(value) = draft.table.get("from") else { continue };
+            let Some(name) = text_of(&mut self.problems, value, "from") else { continue };
+            from[i] = drafts.iter().position(|d| d.id == name);
+            if from[i].is_none() {
+                let ids = drafts.iter().map(|d| d.id.as_str());
+                self.problems.unknown("derivation::unknown-trajectory", value.span(), "trajectory", name, ids);
+            }
+        }
+        let step = |i: usize| from[i];
+        for (i, draft) in drafts.iter_mut().enumerate() {
+            let ends = std::iter::successors(step(i), |&j| step(j)).nth(from.len()).is_none();
+            if ends {
+                draft.from = from[i];
+            } else {
+                let span = draft.table.get("from").map_or(draft.place.clone(), |v| v.span());
+                let message = format!("`{}` comes from itself", draft.id);
+                self.problems.note("derivation::cyclic-from", span, message).hint("a motion needs a beginning");
+            }
+        }
+    }
+
+    fn one_trajectory(&mut self, draft: &Draft<'_, '_>, source: Option<&Trajectory>) -> Option<Trajectory> {
+        let table = &draft.table;
+        let scope = self.out.scope.clone();
+        let ways = ["system", "formula", "from"].map(|key| table.get(key).is_some());
+        if ways.iter().filter(|w| **w).count() != 1 {
+            let message = format!("`{}` needs exactly one of `system`, `formula` and `from`", draft.id);
+            self.problems
+                .note("derivation::missing-key", draft.place.clone(), message)
+                .hint("integrated from initial values, given by formulas, or computed from another trajectory");
+            return None;
+        }
+        if ways[2] && source.is_none() {
+            return None; // said already
+        }
+        for (key, way, index) in [("initial", "system", 0), ("map", "from", 2)] {
+            if let Some(value) = table.get(key).filter(|_| !ways[index]) {
+                let message = format!("`{key}` goes with `{way}` only");
+                self.problems.note("derivation::unknown-key", value.span(), message);
+            }
+        }
+        let before = self.problems.found.len();
+        let title = table.text(&mut self.problems, "title").unwrap_or_else(|| draft.id.clone());
+        let says = table.text(&mut self.problems, "says");
+        let times = self.times(table, source);
+        let parameters = self.parameters(table, source, &scope);
+        let motion = match (ways, source, draft.from) {
+            ([_, _, true], Some(source), Some(from)) => {
+                let map = self.map(table, source, &parameters, &scope);
+                Some(Motion::Derived { from, map })
+            }
+            ([true, ..], ..) => self.integrated(table, &parameters, &scope),
+            _ => {
+                let states = self.formula_states(table, &parameters, &scope);
+                Some(Motion::Formula { states })
+            }
+        };
+        let ((span, initial_time), motion) = times.zip(motion)?;
+        let mut states = match &motion {
+            Motion::Integrated { system, .. } => self.out.systems[*system].states.clone(),
+            Motion::Formula { states } => states.iter().map(|(s, _)| *s).collect(),
+            Motion::Derived { .. } => source.map(|s| s.states.clone()).unwrap_or_default(),
+        };
+        if let Motion::Derived { map, .. } = &motion {
+            let new: Vec<Symbol> = map.iter().map(|(s, _)| *s).filter(|s| !states.contains(s)).collect();
+            states.extend(new);
+        }
+        (self.problems.found.len() == before).then(|| Trajectory {
+            id: draft.id.clone(),
+            title,
+            says,
+            motion,
+            states,
+            parameters,
+            span,
+            initial_time,
+            place: draft.place.clone(),
+        })
+    }
+
+    /// Span and initial time.
+    fn times(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>) -> Option<((f64, f64), f64)> {
+        let problems = &mut self.problems;
+        let span = match (table.get("span"), source) {
+            (None, Some(source)) => source.span,
+            (None, None) => {
+                table.missing(problems, "span");
+                return None;
+            }
+            (Some(value), _) => {
+                let [a, b] = table.array(problems, "span", "two numbers") else {
+                    if value.get_ref().is_array() {
+                        let message = "`span` is the first and the last time";
+                        problems
+                            .note("derivation::bad-span", value.span(), message)
+                            .hint("for instance span = [0, 80]");
+                    }
+                    return None;
+                };
+                let (a, b) = (finite(problems, a, "span"), finite(problems, b, "span"));
+                let (a, b) = a.zip(b)?;
+                if a >= b {
+                    let message = "the first time of `span` must be before the last";
+                    problems.note("derivation::bad-span", value.span(), message);
+                    return None;
+                }
+                (a, b)
+            }
+        };
+        let inside = |t: f64| span.0 <= t && t <= span.1;
+        let initial = match table.get("initial-time") {
+            Some(value) => {
+                let t = finite(problems, value, "initial-time")?;
+                if !inside(t) {
+                    let message = "`initial-time` lies outside `span`";
+                    problems.note("derivation::bad-span", value.span(), message);
+                    return None;
+                }
+                t
+            }
+            None => {
+                source.map(|s| s.initial_time).filter(|t| inside(*t)).unwrap_or(if inside(0.0) { 0.0 } else { span.0 })
+            }
+        };
+        Some((span, initial))
+    }
+
+    /// The values that a table gives to symbols of a role, each with its name's place.
+    fn given<'a, 's>(
+        &mut self,
+        table: &Table<'a, 's>,
+        key: &'static str,
+        role: Role,
+        scope: &Scope,
+    ) -> Vec<Assigned<'a, 's>> {
+        let Some(value) = table.get(key) else { return Vec::new() };
+        let DeValue::Table(entries) = value.get_ref() else {
+            self.problems.wrong_type(value, key, "a table of symbols and their values");
+            return Vec::new();
+        };
+        let mut out = Vec::new();
+        for (name, value) in entries {
+            // Initial values may be those of rates: `\dot q`.
+            let (rate, bare) = match (key, name.get_ref()) {
+                ("initial", text) => undotted(text),
+                (_, text) => (0, text.as_ref()),
+            };
+            let Some(symbol) = self.symbol(bare, name.span(), scope) else { continue };
+            if scope.role(symbol) == Some(role) {
+                out.push(Assigned { symbol, rate, span: name.span(), value });
+            } else {
+                let word = if role == Role::State { "a state" } else { "a parameter" };
+                let message = format!("`{}` is not declared as {word}", name.get_ref());
+                self.problems.note("derivation::bad-role", name.span(), message);
+            }
+        }
+        out
+    }
+
+    /// The values of parameters, those of the source first.
+    fn parameters(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>, scope: &Scope) -> Values {
+        let mut out: Values = source.map(|s| s.parameters.clone()).unwrap_or_default();
+        let mut known: Known = out.iter().map(|(s, w)| (*s, w.value.clone())).collect();
+        for Assigned { symbol, value, .. } in self.given(table, "parameters", Role::Parameter, scope) {
+            let Some(mut written) = self.components(value, symbol, scope) else {
+                known.insert(symbol, vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
+                continue;
+            };
+            let hint = "a parameter may use the parameters that are given before it";
+            if !self.resolve_all(&mut written, &known, scope, &|_, _| false, hint) {
+                continue;
+            }
+            self.check_positive(symbol, &written);
+            known.insert(symbol, written.value.clone());
+            out.retain(|(s, _)| *s != symbol);
+            out.push((symbol, written));
+        }
+        out
+    }
+
+    /// Notes a value that is not positive although its symbol is declared so.
+    fn check_positive(&mut self, symbol: Symbol, written: &Written<Vec<Expr>>) {
+        let positive = self.out.symbols.iter().any(|s| s.symbol == symbol && s.positive);
+        let negative = |e: &Expr| self.out.graph.as_constant(*e).is_some_and(|r| *r <= Rational::ZERO);
+        if positive && written.value.iter().any(negative) {
+            let message = format!("`{}` is declared positive", self.out.graph.name(symbol));
+            self.problems.note("derivation::not-positive", written.span.clone(), message);
+        }
+    }
+
+    /// Resolves every component; notes the first leaf without a value.
+    fn resolve_all(
+        &mut self,
+        written: &mut Written<Vec<Expr>>,
+        known: &Known,
+        scope: &Scope,
+        free: &dyn Fn(&Scope, Leaf) -> bool,
+        hint: &str,
+    ) -> bool {
+        for i in 0..written.value.len() {
+            match self.resolve(written.value[i], known, scope, free) {
+                Ok(e) => written.value[i] = e,
+                Err(leaf) => {
+                    let message = format!("`{}` has no value here", self.leaf_name(leaf));
+                    self.problems.note("derivation::no-value", written.span.clone(), message).hint(hint);
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// States given one after the other: each formula may use the states before it.
+    fn state_values(
+        &mut self,
+        given: Vec<Assigned<'_, '_>>,
+        parameters: &Values,
+        scope: &Scope,
+        time: bool,
+        hint: &str,
+    ) -> Vec<(Symbol, u8, Written<Vec<Expr>>)> {
+        let mut out = Vec::new();
+        let mut known = Known::new();
+        let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
+        let free = move |scope: &Scope, leaf: Leaf| {
+            leaf.rate == 0
+                && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
+        };
+        for Assigned { symbol, rate, value, .. } in given {
+            let Some(mut written) = self.components(value, symbol, scope) else { continue };
+            if self.resolve_all(&mut written, &known, scope, &free, hint) {
+                if rate == 0 {
+                    known.insert(symbol, written.value.clone());
+                }
+                out.push((symbol, rate, written));
+            }
+        }
+        out
+    }
+
+    fn integrated(&mut self, table: &Table<'_, '_>, parameters: &Values, scope: &Scope) -> Option<Motion> {
+        let value = table.get("system")?;
+        let name = text_of(&mut self.problems, value, "system")?;
+        let system = self.system(name, value.span())?;
+        let states = self.out.systems[system].states.clone();
+        if table.get("initial").is_none() {
+            table.missing(&mut self.problems, "initial");
+            return None;
+        }
+        let mut given = self.given(table, "initial", Role::State, scope);
+        for g in given.iter().filter(|g| !states.contains(&g.symbol)) {
+            let message = format!("`{}` is no state of the system `{name}`", self.out.graph.name(g.symbol));
+            self.problems.note("derivation::unknown-symbol", g.span.clone(), message);
+        }
+        let missing: Vec<&str> = states
+            .iter()
+            .filter(|s| !given.iter().any(|g| g.symbol == **s && g.rate == 0))
+            .map(|s| self.out.graph.name(*s))
+            .collect();
+        if !missing.is_empty() {
+            let span = table.get("initial").map_or(table.span.clone(), |v| v.span());
+            let names: Vec<String> = missing.iter().map(|m| format!("`{m}`")).collect();
+            let message = format!("no initial value for {} of the system `{name}`", names.join(", "));
+            self.problems.note("derivation::missing-initial", span, message);
+        }
+        given.retain(|g| states.contains(&g.symbol));
+        let hint = "initial values may use the trajectory's parameters and the states that are given before";
+        let mut initial = self.state_values(given, parameters, scope, false, hint);
+        initial.sort_by_key(|(s, rate, _)| (states.iter().position(|x| x == s), *rate));
+        Some(Motion::Integrated { system, initial })
+    }
+
+    fn formula_states(&mut self, table: &Table<'_, '_>, parameters: &Values, scope: &Scope) -> Values {
+        let given = self.given(table, "formula", Role::State, scope);
+        if given.is_empty()
+            && let Some(value) = table.get("formula")
+            && value.get_ref().as_table().is_some_and(|t| t.is_empty())
+        {
+            self.problems.note("derivation::missing-key", value.span(), "`formula` gives no state");
+        }
+        let hint = "a motion's formula may use the time, the trajectory's parameters and the states before it";
+        self.state_values(given, parameters, scope, true, hint).into_iter().map(|(s, _, w)| (s, w)).collect()
+    }
+
+    /// The map of a derived motion: its formulas keep their leaves, states of the source among them.
+    fn map(&mut self, table: &Table<'_, '_>, source: &Trajectory, parameters: &Values, scope: &Scope) -> Values {
+        let given = self.given(table, "map", Role::State, scope);
+        let states = &source.states;
+        let mut out = Values::new();
+        for Assigned { symbol, value, .. } in given {
+            let Some(written) = self.components(value, symbol, scope) else { continue };
+            let leaves = self.out.graph.leaves(written.value.iter().copied());
+            let unknown = leaves.into_iter().find(|leaf| match scope.role(leaf.symbol) {
+                Some(Role::State) => !states.contains(&leaf.symbol),
+                Some(Role::Parameter) => !parameters.iter().any(|(s, _)| *s == leaf.symbol),
+                _ => false,
+            });
+            if let Some(leaf) = unknown {
+                let message = format!("`{}` has no value here", self.leaf_name(leaf));
+                let hint = format!("a map may use the states of `{}` and the parameters", source.id);
+                self.problems.note("derivation::no-value", written.span, message).hint(hint);
+            } else {
+                out.push((symbol, written));
+            }
+        }
+        out
+    }
+}
+
+/// A value given to a symbol, or to one of its rates.
+struct Assigned<'a, 's> {
+    symbol: Symbol,
+    rate: u8,
+    span: Range<usize>,
+    value: &'a Value<'s>,
+}
+
+/// Takes the dots off a name: `\dot q` is rate 1 of `q`.
+fn undotted(name: &str) -> (u8, &str) {
+    for (dots, rate) in [(r"\ddot", 2), (r"\dot", 1)] {
+        if let Some(rest) = name.trim().strip_prefix(dots)
+            && rest.starts_with([' ', '{', '\\'])
+        {
+            let rest = rest.trim();
+            // `\dot{q}`: the braces only group; `\dot{\bf r}`: they belong to the name.
+            let inner = rest.strip_prefix('{').and_then(|r| r.strip_suffix('}'));
+            let bare = inner.filter(|i| !i.trim_start().starts_with(r"\bf") && !i.trim_start().starts_with(r"\rm"));
+            return (rate, bare.unwrap_or(rest));
+        }
+    }
+    (0, name)
+}

@@ -1,0 +1,140 @@
+//! A span cut into stretches on each of which an expression is its Taylor polynomial.
+
+use super::angle::AngleBenches;
+use super::core::Core;
+use super::program::{Bench, Program};
+use crate::number::{Bounded, NoValue};
+
+/// A stretch of time.
+#[derive(Clone, Debug)]
+pub(super) enum Stretch {
+    /// The polynomial of every output around the middle.
+    Piece(Piece),
+    /// The outputs have no value, or no polynomial of the degree describes them.
+    Gap {
+        /// From where.
+        start: f64,
+        /// To where.
+        end: f64,
+        /// Why; `None` where there are values, but no convergence.
+        reason: Option<NoValue>,
+    },
+}
+
+/// Polynomials over a stretch.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub(super) start: f64,
+    pub(super) end: f64,
+    pub(super) centre: f64,
+    /// Coefficients of every output, ascending, around `centre`.
+    pub(super) outputs: Vec<Vec<f64>>,
+    /// Value of every output at the centre, with error.
+    pub(super) values: Vec<Bounded>,
+}
+
+impl Piece {
+    /// Half the length.
+    pub(super) fn radius(&self) -> f64 {
+        (self.centre - self.start).max(self.end - self.centre)
+    }
+}
+
+/// Evaluates the outputs of a program along a motion: one memory for polynomials, one for values with errors.
+pub(super) struct Explorer<'a> {
+    pub(super) core: &'a Core,
+    pub(super) program: &'a Program,
+    series: Bench<f64>,
+    values: Bench<Bounded>,
+    angles: AngleBenches,
+}
+
+impl<'a> Explorer<'a> {
+    pub(super) fn new(core: &'a Core, program: &'a Program, degree: usize) -> Explorer<'a> {
+        Explorer {
+            core,
+            program,
+            series: program.bench(core, degree),
+            values: program.bench(core, 0),
+            angles: Vec::new(),
+        }
+    }
+
+    /// The value of every output.
+    pub(super) fn values(&mut self, t: f64) -> Vec<Result<Bounded, NoValue>> {
+        let turns = self.core.turns(self.program, t, &mut self.angles);
+        self.program.run(self.core, &mut self.values, t, &turns);
+        (0..self.program.output_count())
+            .map(|i| self.program.output(&self.values, i).map(|x| x.coefficient(0)))
+            .collect()
+    }
+
+    /// The polynomials around the middle of a stretch.
+    fn piece(&mut self, start: f64, end: f64) -> Result<Piece, NoValue> {
+        let centre = start + 0.5 * (end - start);
+        let values = self.values(centre).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let turns = self.core.turns(self.program, centre, &mut self.angles);
+        self.program.run(self.core, &mut self.series, centre, &turns);
+        let outputs = (0..self.program.output_count())
+            .map(|i| self.program.output(&self.series, i).map(|x| x.coefficients().to_vec()))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Piece { start, end, centre, outputs, values })
+    }
+
+    /// Cuts the motion at `times`, and then in halves until `accept` takes every piece.
+    ///
+    /// Stretches without any value are given up at once, others when they are shorter than time can be resolved, or when
+    /// the work exceeds a limit that is proportional to the number of times.
+    pub(super) fn cover(&mut self, times: &[f64], mut accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
+        let mut out: Vec<Stretch> = Vec::new();
+        let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
+        let mut budget = 4000 + 200 * times.len();
+        for pair in times.windows(2) {
+            let mut stack = vec![(pair[0], pair[1])];
+            while let Some((start, end)) = stack.pop() {
+                let found = self.piece(start, end);
+                let reason = found.as_ref().err().copied();
+                if let Ok(piece) = found
+                    && accept(self, &piece)
+                {
+                    out.push(Stretch::Piece(piece));
+                    continue;
+                }
+                budget = budget.saturating_sub(1);
+                let smallest = 1e-15 * length + 2.0 * f64::EPSILON * start.abs().max(end.abs());
+                let middle = start + 0.5 * (end - start);
+                let hopeless = reason.is_some() && !self.somewhere(start, end);
+                if budget == 0 || hopeless || end - start <= smallest || !(start < middle && middle < end) {
+                    match out.last_mut() {
+                        Some(Stretch::Gap { end: last, .. }) if *last == start => *last = end,
+                        _ => out.push(Stretch::Gap { start, end, reason }),
+                    }
+                } else {
+                    stack.push((middle, end));
+                    stack.push((start, middle));
+                }
+            }
+        }
+        out
+    }
+
+    /// Whether the outputs have values at one of a few times of a stretch.
+    fn somewhere(&mut self, start: f64, end: f64) -> bool {
+        [0.0, 0.11, 0.27, 0.73, 0.89, 1.0]
+            .iter()
+            .any(|x| self.values(start + x * (end - start)).iter().all(Result::is_ok))
+    }
+}
+
+/// The sum of the last three terms of a polynomial of full degree, at a distance: what a truncation may leave out.
+pub(super) fn tail(coefficients: &[f64], degree: usize, radius: f64) -> f64 {
+    let mut power = 1.0;
+    let mut sum = 0.0;
+    for (k, c) in coefficients.iter().enumerate() {
+        if k + 3 > degree {
+            sum += c.abs() * power;
+        }
+        power *= radius;
+    }
+    sum
+}

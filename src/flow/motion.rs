@@ -1,0 +1,493 @@
+//! A motion: a trajectory and everything that formulas refer to along it.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use num_dual::Dual64;
+
+use super::angle::{Angle, AngleBenches};
+use super::core::{Constant, Core, Orbit, fresh};
+use super::cover::{Explorer, Stretch, tail};
+use super::error::{FlowError, Problem, leaf_name};
+use super::field::VectorField;
+use super::hoist::hoist;
+use super::program::{Bench, DualBench, Program};
+use super::taylor::Flow;
+use super::trajectory::Trajectory;
+use super::zeros::{self, Minimum, Zeros};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::{Bounded, NoValue};
+use crate::tape::Tape;
+
+/// Largest number of steps of a trajectory in each direction.
+const MAX_STEPS: usize = 40_000;
+
+/// The values of the prepared leaves at one time, in the order in which they were asked for.
+pub type Point = Vec<Result<Bounded, NoValue>>;
+
+/// Where the states of a motion come from.
+#[derive(Clone, Debug)]
+pub enum Source<'a> {
+    /// A system and an initial value, in the parameters, for every state variable.
+    Integrated {
+        /// The system.
+        field: &'a VectorField,
+        /// State leaf and value at the initial time.
+        initial: Vec<(Leaf, Expr)>,
+    },
+    /// Every state is a formula in parameters and time.
+    Formula {
+        /// State leaf and formula.
+        states: Vec<(Leaf, Expr)>,
+    },
+    /// Every state is an expression in what another motion knows, values at fixed times included.
+    Derived {
+        /// The other motion.
+        from: Arc<Motion>,
+        /// State leaf and expression in the leaves of the other motion.
+        states: Vec<(Leaf, Expr)>,
+    },
+}
+
+/// A quantity defined by an expression in states, rates, parameters, time and observables before it.
+#[derive(Clone, Copy, Debug)]
+pub struct Observable {
+    /// The leaf that formulas use.
+    pub leaf: Leaf,
+    /// What it stands for.
+    pub definition: Expr,
+    /// Whether the value is an angle modulo 2π, to be continuous along the motion.
+    pub angle: bool,
+}
+
+/// Everything a motion is made from.
+#[derive(Clone, Debug)]
+pub struct Setup<'a> {
+    /// The time.
+    pub time: Leaf,
+    /// First and last time. For a derived motion, that of the source is used.
+    pub span: (f64, f64),
+    /// Where the initial values hold, and from where angles are continuous; in the span.
+    pub initial_time: f64,
+    /// Parameters in an order in which each depends on earlier ones only.
+    pub parameters: Vec<(Leaf, Expr)>,
+    /// The states.
+    pub source: Source<'a>,
+    /// Observables in an order in which each depends on earlier ones only.
+    pub observables: Vec<Observable>,
+}
+
+/// What [`Motion::prepare`] compiles.
+#[derive(Clone, Debug)]
+struct Prepared {
+    core: Core,
+    program: Program,
+    degree: usize,
+    /// Output and order of the time derivative of every leaf.
+    places: Vec<(usize, usize)>,
+    dual: Program,
+    /// Output for the value (with whether it is in the tangent) and for the rate of every leaf.
+    dual_places: Vec<(usize, Option<usize>)>,
+}
+
+/// Memory of one evaluation.
+#[derive(Debug)]
+struct Scratch {
+    bench: Bench<Bounded>,
+    dual: Option<DualBench>,
+    angles: AngleBenches,
+}
+
+/// A motion. Evaluation takes `&self` and may run on many threads.
+///
+/// Formulas are compiled once by [`Motion::prepare`]; then [`Motion::at`] yields the values at a time.
+#[derive(Debug)]
+pub struct Motion {
+    core: Core,
+    /// Leaves with a definition that was given, not derived.
+    given: Vec<Leaf>,
+    /// The states of a motion that is not integrated.
+    formulas: Option<Program>,
+    prepared: Option<Prepared>,
+    pool: Mutex<Vec<Scratch>>,
+}
+
+impl Clone for Motion {
+    fn clone(&self) -> Motion {
+        Motion {
+            core: self.core.clone(),
+            given: self.given.clone(),
+            formulas: self.formulas.clone(),
+            prepared: self.prepared.clone(),
+            pool: Mutex::default(),
+        }
+    }
+}
+
+impl Motion {
+    /// Integrates, or sets up, a motion.
+    ///
+    /// A parameter without a value is no error; what depends on it has no value either. A trajectory that ends early is
+    /// kept, see [`Motion::problem`].
+    ///
+    /// # Errors
+    /// [`FlowError::Span`]; [`FlowError::UnknownLeaf`] and [`FlowError::NoDerivative`] for definitions that cannot be traced
+    /// back to states, parameters and time; [`FlowError::NoInitial`], [`FlowError::Undefined`] (an initial value or a
+    /// coefficient of the system without a value) and [`FlowError::Singular`] for a system that cannot start.
+    pub fn new(graph: &mut Graph, setup: Setup) -> Result<Motion, FlowError> {
+        let derived = matches!(setup.source, Source::Derived { .. });
+        let (from, to) = setup.span;
+        let inside = from <= setup.initial_time && setup.initial_time <= to;
+        if !derived && !(from.is_finite() && to.is_finite() && from < to && inside) {
+            return Err(FlowError::Span { span: setup.span, initial_time: setup.initial_time });
+        }
+        let mut core = Core {
+            time: setup.time,
+            initial_time: setup.initial_time,
+            span: setup.span,
+            orbit: None,
+            constants: Vec::new(),
+            angles: Vec::new(),
+            definitions: BTreeMap::new(),
+        };
+        // States that come from another motion are resolved with its definitions, which are then forgotten.
+        let mut states: Vec<(Leaf, Expr)> = Vec::new();
+        if let Source::Derived { from, states: map } = &setup.source {
+            core = from.core.clone();
+            for &(leaf, e) in map {
+                states.push((leaf, core.resolve(graph, e)?));
+            }
+            core.definitions.clear();
+        }
+        let time = graph.leaf(setup.time);
+        core.definitions.insert(setup.time, time);
+        for &(leaf, e) in &setup.parameters {
+            let resolved = core.resolve(graph, e)?;
+            let value = core.constant_value(graph, resolved);
+            let constant = core.constant(graph, value);
+            core.definitions.insert(leaf, constant);
+        }
+        match &setup.source {
+            Source::Derived { .. } => {}
+            Source::Formula { states: formulas } => {
+                for &(leaf, e) in formulas {
+                    states.push((leaf, core.resolve(graph, e)?));
+                }
+            }
+            Source::Integrated { field, initial } => core.integrate(graph, field, initial)?,
+        }
+        core.definitions.extend(states);
+        let given = core.definitions.keys().copied().collect();
+        let formulas = match core.orbit {
+            Some(_) => None,
+            None => {
+                let roots: Vec<Expr> = core.definitions.values().copied().collect();
+                Some(core.compile(graph, &roots)?)
+            }
+        };
+        for &Observable { leaf, definition, angle } in &setup.observables {
+            let mut resolved = core.resolve(graph, definition)?;
+            if angle {
+                let raw = core.compile(graph, &[resolved])?;
+                let turns = fresh(graph, "turns");
+                let followed = Angle::follow(&core, turns, raw);
+                core.angles.push(Arc::new(followed));
+                let turns = graph.leaf(turns);
+                resolved = graph.add(resolved, turns);
+            }
+            core.definitions.insert(leaf, resolved);
+        }
+        Ok(Motion { core, given, formulas, prepared: None, pool: Mutex::default() })
+    }
+
+    /// Compiles everything that [`Motion::at`] and [`Motion::dual_at`] shall yield: values now and at fixed times, and
+    /// rates of any order, of states, parameters, observables and the time. Replaces what was prepared before.
+    ///
+    /// # Errors
+    /// [`FlowError::UnknownLeaf`], [`FlowError::NoDerivative`].
+    pub fn prepare(&mut self, graph: &mut Graph, wanted: &[Leaf]) -> Result<(), FlowError> {
+        let mut core = self.core.clone();
+        let (mut roots, mut places) = (Vec::new(), Vec::new());
+        let (mut dual_roots, mut dual_places) = (Vec::new(), Vec::new());
+        let mut degree = 0;
+        let place = |roots: &mut Vec<Expr>, e: Expr| {
+            roots.iter().position(|&r| r == e).unwrap_or_else(|| {
+                roots.push(e);
+                roots.len() - 1
+            })
+        };
+        for &leaf in wanted {
+            // The rate of highest order that has a definition of its own; the others follow from its series.
+            let mut base = leaf;
+            if leaf.instant.is_none() {
+                while base.rate > 0 && !self.given.contains(&base) {
+                    base.rate -= 1;
+                }
+            }
+            let order = usize::from(leaf.rate - base.rate);
+            let definition = core.definition(graph, base)?;
+            degree = degree.max(order);
+            places.push((place(&mut roots, definition), order));
+            let mut value = definition;
+            if order > 1 {
+                value = core.definition(graph, Leaf { rate: leaf.rate - 1, ..leaf })?;
+            }
+            let value = place(&mut dual_roots, value);
+            // An operation without a symbolic derivative leaves the value, but no rate.
+            let rate = if order == 0 { None } else { core.definition(graph, leaf).ok() };
+            dual_places.push((value, if order == 0 { Some(value) } else { rate.map(|r| place(&mut dual_roots, r)) }));
+        }
+        let program = core.compile(graph, &roots)?;
+        let dual = core.compile(graph, &dual_roots)?;
+        self.prepared = Some(Prepared { core, program, degree, places, dual, dual_places });
+        self.pool = Mutex::default();
+        Ok(())
+    }
+
+    fn with_scratch<T>(&self, prepared: &Prepared, work: impl FnOnce(&mut Scratch) -> T) -> T {
+        let taken = self.pool.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let mut scratch = taken.unwrap_or_else(|| Scratch {
+            bench: prepared.program.bench(&prepared.core, prepared.degree),
+            dual: None,
+            angles: Vec::new(),
+        });
+        let out = work(&mut scratch);
+        self.pool.lock().unwrap_or_else(PoisonError::into_inner).push(scratch);
+        out
+    }
+
+    /// The prepared leaves at a time; empty before [`Motion::prepare`].
+    ///
+    /// Outside the times of the trajectory nothing that depends on it has a value.
+    ///
+    /// # Error bound
+    /// The error of a state is the estimate of its trajectory; from there on bounds are propagated.
+    pub fn at(&self, t: f64) -> Point {
+        let Some(prepared) = &self.prepared else { return Vec::new() };
+        self.with_scratch(prepared, |scratch| {
+            let turns = prepared.core.turns(&prepared.program, t, &mut scratch.angles);
+            prepared.program.run(&prepared.core, &mut scratch.bench, t, &turns);
+            let value = |&(output, order): &(usize, usize)| {
+                let series = prepared.program.output(&scratch.bench, output)?;
+                let factorial: i32 = (1..=order as i32).product();
+                let mut x = Bounded::exact(0.0);
+                crate::number::Number::mul(
+                    &mut x,
+                    &(),
+                    &series.coefficient(order),
+                    &Bounded::exact(f64::from(factorial)),
+                )?;
+                Ok(x)
+            };
+            prepared.places.iter().map(value).collect()
+        })
+    }
+
+    /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.
+    ///
+    /// An independent route to what [`Motion::at`] yields from series: the rate of a leaf that is wanted with order n ≥ 1
+    /// is the tangent of its (n − 1)-th rate. A rate is NaN where it cannot be written as an expression.
+    pub fn dual_at(&self, t: f64) -> Vec<Result<Dual64, NoValue>> {
+        let Some(prepared) = &self.prepared else { return Vec::new() };
+        self.with_scratch(prepared, |scratch| {
+            let turns = prepared.core.turns(&prepared.dual, t, &mut scratch.angles);
+            let bench = scratch.dual.get_or_insert_with(|| prepared.dual.dual_bench(&prepared.core));
+            let found = prepared.dual.run_dual(&prepared.core, bench, t, &turns);
+            let get = |i: usize| found.get(i).copied().unwrap_or(Err(NoValue::Unsupported));
+            let leaf = |(&(value, rate), &(_, order)): (&(usize, Option<usize>), &(usize, usize))| {
+                let x = get(value)?;
+                if order == 0 {
+                    return Ok(x);
+                }
+                let rate = rate.and_then(|r| get(r).ok()).map_or(f64::NAN, |r| r.eps);
+                Ok(Dual64::new(x.eps, rate))
+            };
+            prepared.dual_places.iter().zip(&prepared.places).map(leaf).collect()
+        })
+    }
+
+    /// Times at which to look: `density` Chebyshev points of every step, and the ends of steps; ascending.
+    ///
+    /// A motion by formulas is cut into stretches on which its states are polynomials to 12 digits.
+    pub fn sample_times(&self, density: usize) -> Vec<f64> {
+        let cuts = self.stretches();
+        let mut times = Vec::with_capacity(cuts.len() * (density + 1));
+        for pair in cuts.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            times.push(a);
+            for k in 0..density {
+                let angle = std::f64::consts::PI * (2 * k + 1) as f64 / (2 * density) as f64;
+                times.push(a + (b - a) * (0.5 - 0.5 * pxfm::f_cos(angle)));
+            }
+        }
+        times.extend(cuts.last());
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+
+    /// The ends of the steps; for formulas, of stretches on which they are polynomials to 12 digits.
+    fn stretches(&self) -> Vec<f64> {
+        let boundaries = self.core.boundaries();
+        let Some(program) = &self.formulas else { return boundaries };
+        const DEGREE: usize = 14;
+        let mut explorer = Explorer::new(&self.core, program, DEGREE);
+        let stretches = explorer.cover(&boundaries, |_, piece| {
+            let fine = |(c, x): (&Vec<f64>, &Bounded)| {
+                let size = x.value.abs().max(c.get(1).map_or(0.0, |c| c.abs() * piece.radius()));
+                tail(c, DEGREE, piece.radius()) <= 1e-12 * size + 16.0 * x.error
+            };
+            piece.outputs.iter().zip(&piece.values).all(fine)
+        });
+        let mut times: Vec<f64> = stretches
+            .iter()
+            .flat_map(|s| match s {
+                Stretch::Piece(p) => [p.start, p.end],
+                Stretch::Gap { start, end, .. } => [*start, *end],
+            })
+            .collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+
+    /// All zeros along the motion of an expression in leaves.
+    ///
+    /// # Errors
+    /// [`FlowError::UnknownLeaf`], [`FlowError::NoDerivative`]; what could not be decided is in [`Zeros::incomplete`].
+    pub fn zeros(&self, graph: &mut Graph, g: Expr) -> Result<Zeros, FlowError> {
+        let mut core = self.core.clone();
+        let resolved = core.resolve(graph, g)?;
+        let program = core.compile(graph, &[resolved])?;
+        Ok(zeros::zeros(&core, &program))
+    }
+
+    /// The smallest absolute value along the motion of an expression in leaves; `None` if it has no value anywhere.
+    ///
+    /// # Errors
+    /// [`FlowError::UnknownLeaf`], [`FlowError::NoDerivative`].
+    pub fn minimum(&self, graph: &mut Graph, g: Expr) -> Result<Option<Minimum>, FlowError> {
+        let mut core = self.core.clone();
+        let resolved = core.resolve(graph, g)?;
+        let program = core.compile(graph, &[resolved])?;
+        Ok(zeros::minimum(&core, &program))
+    }
+
+    /// The times between which the motion is known; shorter than asked for if there is a [`Motion::problem`].
+    pub fn span(&self) -> (f64, f64) {
+        self.core.reach()
+    }
+
+    /// Where the initial values hold.
+    pub fn initial_time(&self) -> f64 {
+        self.core.initial_time
+    }
+
+    /// Why the trajectory ends before its span does.
+    pub fn problem(&self) -> Option<&Problem> {
+        self.core.orbit.as_ref().and_then(|o| o.trajectory.problem())
+    }
+
+    /// Number of steps of the integration; 0 for formulas.
+    pub fn steps(&self) -> usize {
+        self.core.orbit.as_ref().map_or(0, |o| o.trajectory.boundaries().len() - 1)
+    }
+
+    /// The largest estimated error over the span of every integrated state variable, in the order of the field; empty for
+    /// formulas. A derived motion has that of its source.
+    pub fn error(&self) -> Vec<f64> {
+        self.core.orbit.as_ref().map_or_else(Vec::new, |o| o.trajectory.largest_errors())
+    }
+
+    /// The integrated states and their estimated errors at a time, in the order of the field; empty for formulas.
+    pub fn state(&self, t: f64) -> Vec<Bounded> {
+        let Some(orbit) = &self.core.orbit else { return Vec::new() };
+        let place = orbit.trajectory.place(t);
+        (0..orbit.states.len()).map(|i| orbit.trajectory.bounded(place, i)).collect()
+    }
+
+    /// Times at which an angle of this motion has no value, so that a new branch starts there; ascending.
+    pub fn breaks(&self) -> Vec<f64> {
+        let mut times: Vec<f64> = self.core.angles.iter().flat_map(|a| a.breaks.iter().copied()).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+}
+
+impl Core {
+    /// Sets up and runs an integration.
+    fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+        let mut states = Vec::new();
+        for &leaf in field.states() {
+            let basic = fresh(graph, "state");
+            let e = graph.leaf(basic);
+            self.definitions.insert(leaf, e);
+            states.push(basic);
+        }
+        // The states are basic, so their rates can be resolved before the orbit exists.
+        let mut image: BTreeMap<Leaf, Expr> = BTreeMap::new();
+        for leaf in graph.leaves(field.rates().iter().copied()) {
+            let known = self.definition(graph, leaf)?;
+            image.insert(leaf, known);
+        }
+        let rates: Vec<Expr> =
+            field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
+        let time = self.time;
+        let mut found = Vec::new();
+        let rates = hoist(
+            graph,
+            &rates,
+            |l| l == time || states.contains(&l),
+            |graph, e| {
+                let leaf = fresh(graph, "constant");
+                found.push((leaf, e));
+                leaf
+            },
+        );
+        for (leaf, e) in found {
+            let value = self.constant_value(graph, e);
+            self.constants.push(Constant { leaf, value });
+        }
+        let used: Vec<Leaf> =
+            graph.leaves(rates.iter().copied()).into_iter().filter(|l| *l != time && !states.contains(l)).collect();
+        let mut constants = Vec::new();
+        for leaf in &used {
+            let value = self.constants.iter().find(|c| c.leaf == *leaf).map_or(Err(NoValue::Unsupported), |c| c.value);
+            // A coefficient without a value shows in the rates that need it.
+            match value {
+                Ok(x) => constants.push(x),
+                Err(reason) => return Err(self.singular(graph, field, &rates, *leaf, reason)),
+            }
+        }
+        let inputs: Vec<Leaf> = [time].into_iter().chain(states.iter().copied()).chain(used).collect();
+        let tape = Tape::compile(graph, &inputs, &rates)
+            .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
+        let mut values = Vec::new();
+        for &leaf in field.states() {
+            let name = || leaf_name(graph, leaf);
+            let given = initial.iter().find(|(l, _)| *l == leaf);
+            let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
+            let resolved = self.resolve(graph, e)?;
+            let value = self.constant_value(graph, resolved);
+            let what = || format!("the initial value of {}", leaf_name(graph, leaf));
+            values.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
+        }
+        let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
+        let flow = Flow::new(tape, field.states(), names);
+        let trajectory =
+            Trajectory::integrate(&flow, &constants, self.initial_time, &values, self.span, MAX_STEPS).map_err(
+                |(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: self.initial_time, reason },
+            )?;
+        self.orbit = Some(Arc::new(Orbit { states, rates, flow, constants, trajectory }));
+        Ok(())
+    }
+
+    /// The first state whose rate needs a coefficient without a value.
+    fn singular(&self, graph: &Graph, field: &VectorField, rates: &[Expr], leaf: Leaf, reason: NoValue) -> FlowError {
+        let needs = |e: &Expr| graph.leaves([*e]).contains(&leaf);
+        let state = rates.iter().position(needs).and_then(|i| field.states().get(i));
+        let state = state.map_or_else(String::new, |&l| leaf_name(graph, l));
+        FlowError::Singular { state, time: self.initial_time, reason }
+    }
+}

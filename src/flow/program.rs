@@ -1,0 +1,251 @@
+//! Expressions of a motion, compiled, and evaluated at a time in several arithmetics.
+
+use num_dual::Dual;
+
+use super::core::Core;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::{Bounded, Jet, NoValue, Number, Orders, Scalar};
+use crate::tape::{Slots, Tape};
+
+/// Where an input of a program comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Input {
+    Time,
+    State(usize),
+    Constant(usize),
+    /// 2π times the number of turns of an angle.
+    Turns(usize),
+}
+
+/// Expressions in the basic leaves of a motion, as one tape.
+#[derive(Clone, Debug)]
+pub(super) struct Program {
+    tape: Tape,
+    inputs: Vec<Input>,
+    moving: bool,
+}
+
+/// Numbers in which states and turns are available.
+pub(super) trait Base: Scalar {
+    fn from_bounded(x: Bounded) -> Self;
+}
+
+impl Base for f64 {
+    fn from_bounded(x: Bounded) -> f64 {
+        x.value
+    }
+}
+
+impl Base for Bounded {
+    fn from_bounded(x: Bounded) -> Bounded {
+        x
+    }
+}
+
+/// The memory of one program and its field over series of one degree.
+#[derive(Clone, Debug)]
+pub(super) struct Bench<B> {
+    degree: usize,
+    field: Option<Slots<Jet<B>>>,
+    slots: Slots<Jet<B>>,
+    state: Vec<B>,
+    coefficients: Vec<B>,
+}
+
+/// The memory of one program over dual numbers.
+#[derive(Clone, Debug)]
+pub(super) struct DualBench {
+    field: Option<Slots<Jet<f64>>>,
+    slots: Slots<Dual<f64>>,
+    state: Vec<f64>,
+    coefficients: Vec<f64>,
+}
+
+/// Number of turns of every angle at one time, or why it has none.
+pub(super) type Turns = Vec<Result<i64, NoValue>>;
+
+/// 2π·n with its rounding error.
+fn turns(n: i64) -> Result<Bounded, NoValue> {
+    if n == 0 {
+        return Ok(Bounded::exact(0.0));
+    }
+    let (mut pi, mut out) = (Bounded::exact(0.0), Bounded::exact(0.0));
+    pi.pi(&())?;
+    out.mul(&(), &pi, &Bounded::exact(2.0 * n as f64))?;
+    Ok(out)
+}
+
+impl Program {
+    /// Compiles resolved expressions.
+    ///
+    /// # Errors
+    /// A leaf that is not basic.
+    pub(super) fn compile(core: &Core, graph: &Graph, roots: &[Expr]) -> Result<Program, Leaf> {
+        let leaves = graph.leaves(roots.iter().copied());
+        let input = |&leaf: &Leaf| {
+            if leaf == core.time {
+                return Ok(Input::Time);
+            }
+            let state = core.orbit.as_ref().and_then(|o| o.states.iter().position(|&l| l == leaf));
+            let constant = || core.constants.iter().position(|c| c.leaf == leaf);
+            let angle = || core.angles.iter().position(|a| a.turns == leaf);
+            state
+                .map(Input::State)
+                .or_else(|| constant().map(Input::Constant))
+                .or_else(|| angle().map(Input::Turns))
+                .ok_or(leaf)
+        };
+        let inputs: Vec<Input> = leaves.iter().map(input).collect::<Result<_, _>>()?;
+        let moving = inputs.iter().any(|i| matches!(i, Input::State(_)));
+        Ok(Program { tape: Tape::compile(graph, &leaves, roots)?, inputs, moving })
+    }
+
+    pub(super) fn output_count(&self) -> usize {
+        self.tape.output_count()
+    }
+
+    /// Whether an angle's turns are among the inputs.
+    pub(super) fn needs_turns(&self) -> bool {
+        self.inputs.iter().any(|i| matches!(i, Input::Turns(_)))
+    }
+
+    /// Memory for series up to `degree`.
+    pub(super) fn bench<B: Base>(&self, core: &Core, degree: usize) -> Bench<B> {
+        let orders = Orders::all(degree);
+        let mut slots = self.tape.slots::<Jet<B>>(&orders);
+        for (at, input) in self.inputs.iter().enumerate() {
+            if let Input::Constant(i) = input {
+                let value = core.constants[*i].value;
+                slots.set(at, value.map(|c| Jet::constant(B::from_bounded(c), &orders)));
+            }
+        }
+        let orbit = core.orbit.as_deref().filter(|_| self.moving);
+        let field = orbit.filter(|_| degree > 0).map(|o| {
+            let constants: Vec<B> = o.constants.iter().map(|&c| B::from_bounded(c)).collect();
+            o.flow.slots(degree, &constants)
+        });
+        let n = orbit.map_or(0, |o| o.states.len());
+        Bench { degree, field, slots, state: vec![B::ZERO; n], coefficients: vec![B::ZERO; n * (degree + 1)] }
+    }
+
+    /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
+    pub(super) fn run<B: Base>(&self, core: &Core, bench: &mut Bench<B>, t: f64, of: &Turns) {
+        let orders = Orders::all(bench.degree);
+        let row = bench.degree + 1;
+        let mut missing = None;
+        if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
+            let (from, to) = orbit.trajectory.reach();
+            let place = orbit.trajectory.place(t);
+            for (i, x) in bench.state.iter_mut().enumerate() {
+                *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+            }
+            let outside = !(from <= t && t <= to);
+            if outside || bench.state.iter().any(|x| x.checked().is_err()) {
+                missing = Some(NoValue::Indeterminate);
+            } else if let Some(field) = &mut bench.field {
+                let time = B::from_bounded(Bounded::exact(t));
+                let grown = orbit.flow.expand(field, bench.degree, time, &bench.state, &mut bench.coefficients);
+                missing = grown.err().map(|(_, reason)| reason);
+            } else {
+                bench.coefficients.copy_from_slice(&bench.state);
+            }
+        }
+        for (at, input) in self.inputs.iter().enumerate() {
+            match *input {
+                Input::Constant(_) => {}
+                Input::Time => {
+                    let slot = bench.slots.value_mut(at);
+                    slot.set_coefficient(0, B::from_bounded(Bounded::exact(t)));
+                    slot.set_coefficient(1, B::integer(1));
+                }
+                Input::State(i) => {
+                    if let Some(reason) = missing {
+                        bench.slots.set(at, Err(reason));
+                        continue;
+                    }
+                    if bench.slots.missing(at).is_some() {
+                        bench.slots.set(at, Ok(Jet::constant(B::ZERO, &orders)));
+                    }
+                    let slot = bench.slots.value_mut(at);
+                    for (k, &c) in bench.coefficients[i * row..(i + 1) * row].iter().enumerate() {
+                        slot.set_coefficient(k, c);
+                    }
+                }
+                Input::Turns(i) => match of.get(i).copied().unwrap_or(Err(NoValue::Indeterminate)).and_then(turns) {
+                    Ok(shift) => {
+                        if bench.slots.missing(at).is_some() {
+                            bench.slots.set(at, Ok(Jet::constant(B::ZERO, &orders)));
+                        }
+                        bench.slots.value_mut(at).set_coefficient(0, B::from_bounded(shift));
+                    }
+                    Err(reason) => bench.slots.set(at, Err(reason)),
+                },
+            }
+        }
+        self.tape.run(&orders, &mut bench.slots);
+    }
+
+    /// An output after [`Program::run`].
+    pub(super) fn output<'b, B: Base>(&self, bench: &'b Bench<B>, output: usize) -> Result<&'b Jet<B>, NoValue> {
+        self.tape.output(output, &bench.slots)
+    }
+
+    pub(super) fn dual_bench(&self, core: &Core) -> DualBench {
+        let mut slots = self.tape.slots::<Dual<f64>>(&());
+        for (at, input) in self.inputs.iter().enumerate() {
+            if let Input::Constant(i) = input {
+                slots.set(at, core.constants[*i].value.map(|c| Dual::new(c.value, 0.0)));
+            }
+        }
+        let orbit = core.orbit.as_deref().filter(|_| self.moving);
+        let field = orbit.map(|o| {
+            let constants: Vec<f64> = o.constants.iter().map(|c| c.value).collect();
+            o.flow.slots(1, &constants)
+        });
+        let n = orbit.map_or(0, |o| o.states.len());
+        DualBench { field, slots, state: vec![0.0; n], coefficients: vec![0.0; 2 * n] }
+    }
+
+    /// All outputs at the dual time t + ε: the tangent of a state is its rate.
+    pub(super) fn run_dual(
+        &self,
+        core: &Core,
+        bench: &mut DualBench,
+        t: f64,
+        of: &Turns,
+    ) -> Vec<Result<Dual<f64>, NoValue>> {
+        let mut missing = None;
+        if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
+            let place = orbit.trajectory.place(t);
+            for (i, x) in bench.state.iter_mut().enumerate() {
+                *x = orbit.trajectory.value(place, i);
+            }
+            let (from, to) = orbit.trajectory.reach();
+            if !(from <= t && t <= to) {
+                missing = Some(NoValue::Indeterminate);
+            } else if let Some(field) = &mut bench.field {
+                let grown = orbit.flow.expand(field, 1, t, &bench.state, &mut bench.coefficients);
+                missing = grown.err().map(|(_, reason)| reason);
+            }
+        }
+        for (at, input) in self.inputs.iter().enumerate() {
+            let value = match *input {
+                Input::Constant(_) => continue,
+                Input::Time => Ok(Dual::new(t, 1.0)),
+                Input::State(i) => match missing {
+                    Some(reason) => Err(reason),
+                    None => Ok(Dual::new(bench.coefficients[2 * i], bench.coefficients[2 * i + 1])),
+                },
+                Input::Turns(i) => of
+                    .get(i)
+                    .copied()
+                    .unwrap_or(Err(NoValue::Indeterminate))
+                    .and_then(turns)
+                    .map(|x| Dual::new(x.value, 0.0)),
+            };
+            bench.slots.set(at, value);
+        }
+        self.tape.run(&(), &mut bench.slots);
+        (0..self.tape.output_count()).map(|i| self.tape.output(i, &bench.slots).cloned()).collect()
+    }
+}

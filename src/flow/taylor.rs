@@ -1,0 +1,290 @@
+//! One step of a Taylor method on the system's own tape.
+//!
+//! With the coefficients x₀ … xₖ of every state in the slots, one run of the tape at order k gives the coefficient
+//! fₖ of every rate, and xₖ₊₁ = fₖ/(k + 1). The step follows Jorba & Zou (2005), "A software package for the
+//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14, §3: with the radius
+//! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
+//! e⁻²ᵖ of the first.
+
+use crate::expr::Leaf;
+use crate::number::{Jet, NoValue, Orders, Scalar};
+use crate::tape::{Slots, Tape};
+
+/// A field compiled for numbers: inputs are the time, the states, and the constants.
+#[derive(Clone, Debug)]
+pub(super) struct Flow {
+    pub(super) tape: Tape,
+    pub(super) dimension: usize,
+    pub(super) names: Vec<String>,
+    /// States of one symbol and one rate share a scale: group number of every state, and their count.
+    groups: Vec<usize>,
+    group_count: usize,
+}
+
+/// Order, caution and limits of one integration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Control {
+    /// Order of the Taylor polynomials.
+    pub(super) order: usize,
+    /// Factor on the step size, at most 1.
+    pub(super) caution: f64,
+    /// Largest number of steps.
+    pub(super) max_steps: usize,
+}
+
+/// Why a step cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Stop {
+    /// The step size is below the resolution of the time.
+    Collapsed,
+    /// A rate has no value; the number of the state.
+    NoRate(usize, NoValue),
+}
+
+/// An integration under way: state at the present time, and its expansion there.
+pub(super) struct Walker<'a> {
+    flow: &'a Flow,
+    control: Control,
+    slots: Slots<Jet<f64>>,
+    /// Present time, direction and end.
+    pub(super) time: f64,
+    end: f64,
+    length: f64,
+    /// State and the part of it that binary64 cannot hold.
+    pub(super) state: Vec<f64>,
+    low: Vec<f64>,
+    /// Coefficients around the present time, `order + 1` for every state.
+    now: Vec<f64>,
+    next: Vec<f64>,
+    next_state: Vec<f64>,
+    next_low: Vec<f64>,
+    scale: Vec<f64>,
+    top: Vec<f64>,
+    last_step: f64,
+}
+
+/// A finished step, as far as its owner wants to keep it.
+pub(super) struct Step<'w> {
+    /// Coefficients around the time before the step.
+    pub(super) coefficients: &'w [f64],
+    /// Low parts of the zeroth coefficients.
+    pub(super) low: &'w [f64],
+}
+
+impl Flow {
+    pub(super) fn new(tape: Tape, states: &[Leaf], names: Vec<String>) -> Flow {
+        let mut kinds: Vec<(usize, u8)> = Vec::new();
+        let groups = states
+            .iter()
+            .map(|l| {
+                let kind = (l.symbol.index(), l.rate);
+                kinds.iter().position(|&k| k == kind).unwrap_or_else(|| {
+                    kinds.push(kind);
+                    kinds.len() - 1
+                })
+            })
+            .collect();
+        Flow { tape, dimension: states.len(), names, groups, group_count: kinds.len() }
+    }
+
+    /// Slots for series up to `order`, with constants in place.
+    pub(super) fn slots<B: Scalar>(&self, order: usize, constants: &[B]) -> Slots<Jet<B>> {
+        let orders = Orders::all(order);
+        let mut slots = self.tape.slots::<Jet<B>>(&orders);
+        for (i, &c) in constants.iter().enumerate() {
+            slots.set(1 + self.dimension + i, Ok(Jet::constant(c, &orders)));
+        }
+        slots
+    }
+
+    /// Expands the motion through (`time`, `state`) up to `order`; `out` has `order + 1` coefficients for every state.
+    ///
+    /// # Errors
+    /// The first state whose rate has no value.
+    pub(super) fn expand<B: Scalar>(
+        &self,
+        slots: &mut Slots<Jet<B>>,
+        order: usize,
+        time: B,
+        state: &[B],
+        out: &mut [B],
+    ) -> Result<(), (usize, NoValue)> {
+        let row = order + 1;
+        slots.value_mut(0).set_coefficient(0, time);
+        slots.value_mut(0).set_coefficient(1, B::integer(1));
+        for (i, &x) in state.iter().enumerate() {
+            out[i * row] = x;
+            slots.value_mut(1 + i).set_coefficient(0, x);
+        }
+        for k in 0..order {
+            self.tape.run(&Orders::only(k, order), slots);
+            let divisor = B::integer(k as i32 + 1);
+            for i in 0..self.dimension {
+                let slot = self.tape.output_slot(i);
+                if let Some(reason) = slots.missing(slot) {
+                    return Err((i, reason));
+                }
+                let c = (slots.value(slot).coefficient(k) / divisor).checked().map_err(|reason| (i, reason))?;
+                out[i * row + k + 1] = c;
+                slots.value_mut(1 + i).set_coefficient(k + 1, c);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<'a> Walker<'a> {
+    pub(super) fn new(
+        flow: &'a Flow,
+        control: Control,
+        constants: &[f64],
+        (time, end): (f64, f64),
+        state: &[f64],
+    ) -> Result<Walker<'a>, Stop> {
+        let n = flow.dimension;
+        let row = control.order + 1;
+        let mut walker = Walker {
+            flow,
+            control,
+            slots: flow.slots(control.order, constants),
+            time,
+            end,
+            length: (end - time).abs(),
+            state: state.to_vec(),
+            low: vec![0.0; n],
+            now: vec![0.0; n * row],
+            next: vec![0.0; n * row],
+            next_state: vec![0.0; n],
+            next_low: vec![0.0; n],
+            scale: vec![0.0; flow.group_count],
+            top: vec![0.0; flow.group_count],
+            last_step: 0.0,
+        };
+        flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
+            .map_err(|(i, r)| Stop::NoRate(i, r))?;
+        Ok(walker)
+    }
+
+    pub(super) fn finished(&self) -> bool {
+        self.time == self.end
+    }
+
+    /// Makes one step, not beyond the end.
+    pub(super) fn step(&mut self) -> Result<Step<'_>, Stop> {
+        let n = self.flow.dimension;
+        let row = self.control.order + 1;
+        let direction = if self.end > self.time { 1.0 } else { -1.0 };
+        let remaining = (self.end - self.time).abs();
+        let mut size = self.step_size().min(0.125 * self.length);
+        // Never leave a last step that is a sliver.
+        if size > 0.6 * remaining {
+            size = if size >= remaining { remaining } else { 0.6 * remaining };
+        }
+        let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        let mut why = Stop::Collapsed;
+        loop {
+            if size <= smallest && size < remaining {
+                return Err(why);
+            }
+            let target = if size >= remaining { self.end } else { self.time + direction * size };
+            let h = target - self.time;
+            for i in 0..n {
+                let c = &self.now[i * row..(i + 1) * row];
+                let y = self.low[i] + h * horner(&c[1..], h);
+                let x = c[0];
+                let s = x + y;
+                let virtual_part = s - x;
+                self.next_state[i] = s;
+                self.next_low[i] = (x - (s - virtual_part)) + (y - virtual_part);
+            }
+            let grown = self.flow.expand(&mut self.slots, self.control.order, target, &self.next_state, &mut self.next);
+            match grown {
+                Err((i, reason)) => why = Stop::NoRate(i, reason),
+                Ok(()) if self.continues(h) => {
+                    std::mem::swap(&mut self.now, &mut self.next);
+                    std::mem::swap(&mut self.state, &mut self.next_state);
+                    std::mem::swap(&mut self.low, &mut self.next_low);
+                    self.time = target;
+                    self.last_step = size;
+                    return Ok(Step { coefficients: &self.next, low: &self.next_low });
+                }
+                Ok(()) => {}
+            }
+            size *= 0.5;
+        }
+    }
+
+    /// Whether the polynomial of this step arrives with the slope that the field has there: a guard against series whose
+    /// last terms are small by accident.
+    fn continues(&self, h: f64) -> bool {
+        let row = self.control.order + 1;
+        (0..self.flow.dimension).all(|i| {
+            let c = &self.now[i * row..(i + 1) * row];
+            let mut slope = 0.0;
+            for k in (1..row).rev() {
+                slope = slope * h + c[k] * k as f64;
+            }
+            let found = self.next[i * row + 1];
+            let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
+            (slope - found).abs() * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
+        })
+    }
+
+    /// The step that Jorba & Zou propose, infinite when the series ends.
+    fn step_size(&mut self) -> f64 {
+        let p = self.control.order;
+        let row = p + 1;
+        let factor = self.control.caution * pxfm::f_exp(-2.0 - 0.7 / (p as f64 - 1.0));
+        let mut guess = if self.last_step > 0.0 { self.last_step } else { self.length };
+        // The scale of a state near 0 is what it becomes within the step, so the guess is improved once or twice.
+        for _ in 0..if self.last_step > 0.0 { 1 } else { 3 } {
+            self.scale.fill(0.0);
+            for (i, &g) in self.flow.groups.iter().enumerate() {
+                let c = &self.now[i * row..i * row + 3];
+                let reach = c[0].abs().max((c[1] * guess).abs()).max((c[2] * guess * guess).abs());
+                self.scale[g] = self.scale[g].max(reach);
+            }
+            let mut radius = f64::INFINITY;
+            let mut seen = 0;
+            for k in (p / 2..=p).rev() {
+                self.top.fill(0.0);
+                for (i, &g) in self.flow.groups.iter().enumerate() {
+                    self.top[g] = self.top[g].max(self.now[i * row + k].abs());
+                }
+                let mut any = false;
+                for (&top, &scale) in self.top.iter().zip(&self.scale) {
+                    if top > 1e-280 && scale > 1e-280 {
+                        any = true;
+                        radius = radius.min((log2_rough(scale) - log2_rough(top)) / k as f64);
+                    }
+                }
+                seen += usize::from(any);
+                if seen >= 2 || (any && k + 1 < p) {
+                    break;
+                }
+            }
+            if radius.is_infinite() {
+                return f64::INFINITY;
+            }
+            guess = factor * exp2_rough(radius);
+        }
+        guess
+    }
+}
+
+/// c₀ + c₁h + … (coefficients ascending).
+#[inline]
+pub(super) fn horner(c: &[f64], h: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, &x| sum * h + x)
+}
+
+/// Base-2 logarithm of a positive normal number, to 0.09: enough for a 20th root, and the same bits everywhere.
+fn log2_rough(x: f64) -> f64 {
+    (x.to_bits() as f64) / (1_u64 << 52) as f64 - 1023.0
+}
+
+/// Inverse of [`log2_rough`].
+fn exp2_rough(x: f64) -> f64 {
+    let clamped = x.clamp(-1000.0, 1000.0);
+    f64::from_bits(((clamped + 1023.0) * (1_u64 << 52) as f64) as u64)
+}

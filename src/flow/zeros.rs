@@ -1,0 +1,380 @@
+//! Events: where an expression vanishes along a motion, and where it comes closest to it.
+//!
+//! The motion is covered by stretches on which the Taylor polynomial of the expression is exact up to its error. On each,
+//! all turning points of the polynomial are isolated (a stretch is halved until its derivative has provably no zero or is
+//! provably monotone). Between neighbouring turning points the expression is monotone, so that signs there tell all
+//! zeros: none is missed between two that lie close together.
+
+use super::core::Core;
+use super::cover::{Explorer, Piece, Stretch, tail};
+use super::program::Program;
+use super::taylor::horner;
+use crate::number::{Bounded, NoValue};
+
+/// Degree of the polynomials.
+const DEGREE: usize = 20;
+
+/// The zeros of an expression along a motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Zeros {
+    /// Times at which the sign changes; also a zero at an end of the span that is passed with a speed other than 0.
+    pub times: Vec<f64>,
+    /// Times at which the expression comes within its error of 0 and turns back: a double zero, or two close ones, or
+    /// none; the values cannot tell.
+    pub touching: Vec<f64>,
+    /// The first stretch on which nothing could be decided.
+    pub incomplete: Option<Incomplete>,
+}
+
+/// Why zeros on a stretch of time are not known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Incomplete {
+    /// The expression has no value there.
+    NoValue {
+        /// From when.
+        start: f64,
+        /// To when.
+        end: f64,
+        /// Why.
+        reason: NoValue,
+    },
+    /// The expression stays within its error of 0 there.
+    Vanishing {
+        /// From when.
+        start: f64,
+        /// To when.
+        end: f64,
+    },
+    /// The expression is not resolved by polynomials there.
+    Unresolved {
+        /// From when.
+        start: f64,
+        /// To when.
+        end: f64,
+    },
+}
+
+/// Where an expression comes closest to 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Minimum {
+    /// The time.
+    pub time: f64,
+    /// The value there, with its sign and error. It contains 0 where the sign changes.
+    pub value: Bounded,
+}
+
+/// A time at which the expression was looked at.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    time: f64,
+    value: Bounded,
+}
+
+impl Node {
+    /// −1, 0 (within the error) or 1.
+    fn sign(&self) -> i8 {
+        if self.value.contains_zero() {
+            0
+        } else if self.value.value > 0.0 {
+            1
+        } else {
+            -1
+        }
+    }
+}
+
+/// Nodes of a stretch without gaps.
+type Run = Vec<Node>;
+
+/// Covers the motion and yields, for every run without gaps, ends and turning points.
+fn nodes(explorer: &mut Explorer) -> (Vec<Run>, Option<Incomplete>) {
+    let times = explorer.core.boundaries();
+    let stretches = explorer.cover(&times, |_, piece| {
+        let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
+        let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
+        tail(c, DEGREE, piece.radius()) <= 0.25 * x.error + 4.0 * f64::EPSILON * size
+    });
+    let mut incomplete = None;
+    let mut runs: Vec<Run> = vec![Vec::new()];
+    let mut note = |what: Incomplete| incomplete = incomplete.or(Some(what));
+    let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
+    for stretch in &stretches {
+        match *stretch {
+            Stretch::Gap { start, end, reason } => {
+                // A kink at one time is no obstacle: the expression is continuous across it, or has a pole.
+                if end - start > 1e-12 * length || reason.is_some() {
+                    note(match reason {
+                        Some(reason) => Incomplete::NoValue { start, end, reason },
+                        None => Incomplete::Unresolved { start, end },
+                    });
+                    runs.push(Vec::new());
+                }
+            }
+            Stretch::Piece(ref piece) => {
+                let run = match runs.last_mut() {
+                    Some(run) => run,
+                    None => continue,
+                };
+                let mut inner = vec![piece.start];
+                let flat = turning_points(piece, &mut inner);
+                inner.push(piece.end);
+                if flat {
+                    note(Incomplete::Vanishing { start: piece.start, end: piece.end });
+                }
+                for time in inner {
+                    if run.last().is_some_and(|n: &Node| n.time >= time) {
+                        continue;
+                    }
+                    if let Some(Ok(value)) = explorer.values(time).first() {
+                        run.push(Node { time, value: *value });
+                    }
+                }
+            }
+        }
+    }
+    (runs, incomplete)
+}
+
+/// Appends the turning points of the first output in ascending order; true if it stays within its error of 0 throughout.
+fn turning_points(piece: &Piece, out: &mut Vec<f64>) -> bool {
+    let (Some(c), Some(value)) = (piece.outputs.first(), piece.values.first()) else { return false };
+    let radius = piece.radius();
+    // Scaled to [−1, 1].
+    let mut power = 1.0;
+    let scaled: Vec<f64> = c
+        .iter()
+        .map(|c| {
+            let s = c * power;
+            power *= radius;
+            s
+        })
+        .collect();
+    let variation: f64 = scaled.iter().skip(1).map(|c| c.abs()).sum();
+    if value.contains_zero() && variation <= value.error {
+        return true;
+    }
+    let noise = 0.125 * value.error + 2.0 * f64::EPSILON * value.value.abs();
+    let slopes: Vec<f64> = scaled.iter().enumerate().skip(1).map(|(k, c)| c * k as f64).collect();
+    let mut stack = vec![(-1.0_f64, 1.0_f64)];
+    while let Some((lo, hi)) = stack.pop() {
+        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let local = shifted(&scaled, middle, half);
+        let rest = |from: usize, weight: fn(f64) -> f64| -> f64 {
+            local.iter().enumerate().skip(from).map(|(k, c)| weight(k as f64) * c.abs()).sum()
+        };
+        let slope = local.get(1).map_or(0.0, |c| c.abs());
+        if slope > rest(2, |k| k) {
+            continue;
+        }
+        if rest(1, |_| 1.0) <= noise || half < 1e-9 {
+            out.push(piece.centre + radius * middle);
+            continue;
+        }
+        let bend = local.get(2).map_or(0.0, |c| 2.0 * c.abs());
+        if bend > rest(3, |k| k * (k - 1.0)) {
+            // The slope is monotone: at most one turning point.
+            let (left, right) = (horner(&slopes, lo), horner(&slopes, hi));
+            if (left <= 0.0) != (right <= 0.0) {
+                let at = bisect((lo, left), (hi, right), |x| horner(&slopes, x));
+                out.push(piece.centre + radius * at);
+            }
+            continue;
+        }
+        stack.push((middle, hi));
+        stack.push((lo, middle));
+    }
+    false
+}
+
+/// Coefficients of p(middle + half·x).
+fn shifted(p: &[f64], middle: f64, half: f64) -> Vec<f64> {
+    let mut c = p.to_vec();
+    let n = c.len();
+    for i in 0..n {
+        for k in (i..n.saturating_sub(1)).rev() {
+            c[k] += middle * c[k + 1];
+        }
+    }
+    let mut power = 1.0;
+    for x in &mut c {
+        *x *= power;
+        power *= half;
+    }
+    c
+}
+
+/// A zero of f between two points at which its signs differ: false position with the weight of the staying end halved
+/// (Illinois), and a bisection whenever that does not halve the bracket in three steps.
+fn bisect((mut a, mut fa): (f64, f64), (mut b, mut fb): (f64, f64), mut f: impl FnMut(f64) -> f64) -> f64 {
+    let mut width = (b - a).abs();
+    let (mut side, mut slow) = (0, 0);
+    for _ in 0..200 {
+        let middle = a + 0.5 * (b - a);
+        if !(a.min(b) < middle && middle < a.max(b)) {
+            break;
+        }
+        let mut x = if slow >= 3 { middle } else { (a * fb - b * fa) / (fb - fa) };
+        if !(x > a.min(b) && x < a.max(b)) {
+            x = middle;
+        }
+        let y = f(x);
+        if y == 0.0 || !y.is_finite() {
+            return x;
+        }
+        if (y > 0.0) == (fa > 0.0) {
+            (a, fa) = (x, y);
+            fb *= if side == 1 { 0.5 } else { 1.0 };
+            side = 1;
+        } else {
+            (b, fb) = (x, y);
+            fa *= if side == -1 { 0.5 } else { 1.0 };
+            side = -1;
+        }
+        slow += 1;
+        if (b - a).abs() <= 0.5 * width {
+            width = (b - a).abs();
+            slow = 0;
+        }
+    }
+    a + 0.5 * (b - a)
+}
+
+/// Adds nodes between neighbours that are both within their error of 0, so that separate zeros are told apart.
+fn separate(explorer: &mut Explorer, run: &mut Run, shortest: f64) {
+    let mut more = Vec::new();
+    for pair in run.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        if a.sign() == 0 && b.sign() == 0 && b.time - a.time > shortest {
+            for x in [0.25, 0.5, 0.75] {
+                let time = a.time + x * (b.time - a.time);
+                if let Some(Ok(value)) = explorer.values(time).first() {
+                    more.push(Node { time, value: *value });
+                }
+            }
+        }
+    }
+    run.extend(more);
+    run.sort_by(|a, b| a.time.total_cmp(&b.time));
+}
+
+/// All zeros of the only output of `program`.
+pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
+    let mut explorer = Explorer::new(core, program, DEGREE);
+    let (runs, incomplete) = nodes(&mut explorer);
+    let (from, to) = core.reach();
+    let shortest = 1e-9 * (to - from);
+    let mut out = Zeros { incomplete, ..Zeros::default() };
+    for mut run in runs {
+        separate(&mut explorer, &mut run, shortest);
+        let mut at = 0;
+        let mut before: Option<Node> = None;
+        while at < run.len() {
+            let node = run[at];
+            if node.sign() != 0 {
+                if let Some(b) = before
+                    && b.sign() != node.sign()
+                {
+                    out.cross(&mut explorer, b, node);
+                }
+                before = Some(node);
+                at += 1;
+                continue;
+            }
+            let until = run[at..].iter().position(|n| n.sign() != 0).map_or(run.len(), |n| at + n);
+            let after = run.get(until).copied();
+            let closest = run[at..until].iter().copied().min_by(|a, b| {
+                let size = |n: &Node| n.value.value.abs();
+                size(a).total_cmp(&size(b))
+            });
+            let closest = closest.unwrap_or(node);
+            match (before, after) {
+                (Some(b), Some(a)) if a.sign() != b.sign() => out.cross(&mut explorer, b, a),
+                (Some(_), Some(_)) => out.touching.push(closest.time),
+                (None, None) => {}
+                // A zero at an end of the run: passed, or only touched.
+                (b, a) => {
+                    let (Some(other), end) = (b.or(a), closest) else { break };
+                    if passes(&mut explorer, end, other) {
+                        out.times.push(end.time);
+                    } else {
+                        out.touching.push(end.time);
+                    }
+                }
+            }
+            before = after.or(before);
+            at = until + usize::from(after.is_some());
+        }
+    }
+    out
+}
+
+impl Zeros {
+    /// Records the change of sign between two nodes: a zero, unless the expression jumps there.
+    fn cross(&mut self, explorer: &mut Explorer, a: Node, b: Node) {
+        let time = refine(explorer, a, b);
+        match explorer.values(time).first() {
+            Some(Ok(x)) if x.value.abs() <= a.value.value.abs().max(b.value.value.abs()) + x.error => {
+                self.times.push(time);
+            }
+            Some(Err(reason)) => {
+                let gap = Incomplete::NoValue { start: time, end: time, reason: *reason };
+                self.incomplete = self.incomplete.or(Some(gap));
+            }
+            _ => self.incomplete = self.incomplete.or(Some(Incomplete::Unresolved { start: time, end: time })),
+        }
+    }
+}
+
+/// Whether the expression leaves a zero at the end of a run with a speed: then it is about linear close to it.
+fn passes(explorer: &mut Explorer, end: Node, inner: Node) -> bool {
+    let mut value = |x: f64| explorer.values(end.time + x * (inner.time - end.time)).first().copied();
+    let mut step = 1.0;
+    // Halve as long as the value is beyond its error: a linear one halves each time, a square quarters.
+    let mut last = inner.value;
+    let mut ratios = Vec::new();
+    for _ in 0..30 {
+        step *= 0.5;
+        match value(step) {
+            Some(Ok(x)) if x.value.abs() > 8.0 * x.error => {
+                ratios.push(x.value / last.value);
+                last = x;
+            }
+            _ => break,
+        }
+    }
+    ratios.last().is_some_and(|r| *r > 0.36)
+}
+
+/// The zero between two nodes of opposite signs.
+fn refine(explorer: &mut Explorer, a: Node, b: Node) -> f64 {
+    bisect((a.time, a.value.value), (b.time, b.value.value), |t| match explorer.values(t).first() {
+        Some(Ok(x)) => x.value,
+        _ => f64::NAN,
+    })
+}
+
+/// The smallest absolute value of the only output of `program`.
+pub(super) fn minimum(core: &Core, program: &Program) -> Option<Minimum> {
+    let mut explorer = Explorer::new(core, program, DEGREE);
+    let (runs, _) = nodes(&mut explorer);
+    let mut best: Option<Minimum> = None;
+    let mut offer = |time: f64, value: Bounded| {
+        if best.is_none_or(|b| value.value.abs() < b.value.value.abs()) {
+            best = Some(Minimum { time, value });
+        }
+    };
+    for run in runs {
+        for pair in run.windows(2) {
+            if pair[0].sign() * pair[1].sign() < 0 {
+                let time = refine(&mut explorer, pair[0], pair[1]);
+                if let Some(Ok(value)) = explorer.values(time).first() {
+                    offer(time, *value);
+                }
+            }
+        }
+        for node in run {
+            offer(node.time, node.value);
+        }
+    }
+    best
+}

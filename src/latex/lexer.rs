@@ -1,0 +1,185 @@
+//! Characters → tokens.
+//!
+//! Spacing, sizes (`\left`, `\displaystyle`), labels and comments leave no token. Everything else does: nothing is dropped
+//! that could change a meaning.
+
+use std::ops::Range;
+
+use crate::diag::Problem;
+
+/// What a token is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `\name`, without the backslash.
+    Command(String),
+    /// One letter.
+    Letter(char),
+    /// Digits, with an optional decimal part.
+    Number(String),
+    /// Any other single character with a meaning: `+ - * / = < > ( ) [ ] { } _ ^ , | & '`.
+    Sign(char),
+    /// `|` that opens or closes because of `\left`, `\right`.
+    OpenBar,
+    /// See [`Kind::OpenBar`].
+    CloseBar,
+    /// `\\` or `\cr`.
+    Row,
+    /// The end of the text.
+    End,
+}
+
+/// A token and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Token {
+    pub kind: Kind,
+    pub span: Range<usize>,
+}
+
+/// Commands without meaning for a formula.
+const IGNORED: &[&str] = &[
+    "quad",
+    "qquad",
+    "displaystyle",
+    "textstyle",
+    "nonumber",
+    "notag",
+    "limits",
+    "nolimits",
+    "big",
+    "Big",
+    "bigl",
+    "bigr",
+    "Bigl",
+    "Bigr",
+    "bigg",
+    "Bigg",
+    "hfill",
+];
+
+/// Longest formula that is read, in bytes.
+pub(super) const LONGEST: usize = 1 << 20;
+
+fn problem(code: &'static str, message: String, span: Range<usize>, hint: &str) -> Problem {
+    Problem { code, message, span, hint: (!hint.is_empty()).then(|| hint.to_owned()) }
+}
+
+/// Splits a text into tokens; the last one is [`Kind::End`].
+pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
+    if text.len() > LONGEST {
+        let message = format!("the formula has {} bytes; {LONGEST} is the limit", text.len());
+        return Err(vec![problem("latex::too-long", message, 0..0, "")]);
+    }
+    let mut out = Vec::new();
+    let mut problems = Vec::new();
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    let mut pending_bar = None;
+    while let Some(c) = text[at..].chars().next() {
+        let start = at;
+        at += c.len_utf8();
+        let mut push = |kind: Kind, end: usize| out.push(Token { kind, span: start..end });
+        match c {
+            ' ' | '\t' | '\n' | '\r' | '~' => continue,
+            '%' => {
+                at = text[at..].find('\n').map_or(text.len(), |i| at + i);
+                continue;
+            }
+            '0'..='9' => {
+                while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+                    at += 1;
+                }
+                if bytes.get(at) == Some(&b'.') && bytes.get(at + 1).is_some_and(u8::is_ascii_digit) {
+                    at += 1;
+                    while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+                        at += 1;
+                    }
+                }
+                push(Kind::Number(text[start..at].to_owned()), at);
+            }
+            'a'..='z' | 'A'..='Z' => push(Kind::Letter(c), at),
+            '|' => match pending_bar.take() {
+                Some(true) => push(Kind::OpenBar, at),
+                Some(false) => push(Kind::CloseBar, at),
+                None => push(Kind::Sign('|'), at),
+            },
+            '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.'
+            | '&' | '\'' | ';' => push(Kind::Sign(c), at),
+            '\\' => {
+                let rest = &text[at..];
+                let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+                if letters == 0 {
+                    let Some(symbol) = rest.chars().next() else {
+                        problems.push(problem(
+                            "latex::stray-backslash",
+                            "a backslash ends the formula".into(),
+                            start..at,
+                            "",
+                        ));
+                        break;
+                    };
+                    at += symbol.len_utf8();
+                    match symbol {
+                        ',' | ';' | ':' | '!' | ' ' | '/' => {}
+                        '\\' => push(Kind::Row, at),
+                        '{' | '}' => push(Kind::Command(symbol.to_string()), at),
+                        '|' => push(Kind::Command("|".into()), at),
+                        other => problems.push(problem(
+                            "latex::unknown-command",
+                            format!("`\\{other}` is not known"),
+                            start..at,
+                            "",
+                        )),
+                    }
+                    continue;
+                }
+                let name = &rest[..letters];
+                at += letters;
+                match name {
+                    "cr" | "newline" => push(Kind::Row, at),
+                    "left" | "right" | "middle" => {
+                        // What follows is an ordinary delimiter; only bars need to know their side.
+                        let next = text[at..].trim_start();
+                        if next.starts_with('|') {
+                            pending_bar = Some(name == "left");
+                        } else if next.starts_with('.') {
+                            problems.push(problem(
+                                "latex::invisible-delimiter",
+                                format!("`\\{name}.` has no delimiter"),
+                                start..at,
+                                "write both delimiters of the pair",
+                            ));
+                        }
+                    }
+                    "lvert" => push(Kind::OpenBar, at),
+                    "rvert" => push(Kind::CloseBar, at),
+                    "label" | "tag" | "hspace" | "vspace" | "kern" => {
+                        let group = text[at..].trim_start();
+                        let offset = text.len() - group.len();
+                        match (group.starts_with('{'), group.find('}')) {
+                            (true, Some(end)) => at = offset + end + 1,
+                            _ => problems.push(problem(
+                                "latex::unbalanced",
+                                format!("`\\{name}` needs an argument in braces"),
+                                start..at,
+                                "",
+                            )),
+                        }
+                    }
+                    _ if IGNORED.contains(&name) => {}
+                    _ => push(Kind::Command(name.to_owned()), at),
+                }
+            }
+            other => {
+                let hint = match other {
+                    '−' | '–' => "write `-`",
+                    '·' | '×' => r"write `\cdot` or `\times`",
+                    _ => "write Greek letters and signs as LaTeX commands",
+                };
+                let message = format!("the character `{other}` is not part of the formula language");
+                problems.push(problem("latex::unknown-character", message, start..at, hint));
+            }
+        }
+    }
+    out.push(Token { kind: Kind::End, span: text.len()..text.len() });
+    if problems.is_empty() { Ok(out) } else { Err(problems) }
+}

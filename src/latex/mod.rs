@@ -1,0 +1,113 @@
+//! Formula text → expressions.
+//!
+//! **In:** LaTeX as a paper prints it, and a [`Scope`] of declared symbols. **Out:** [`Statement`]s (relations between
+//! tensors of expressions) or a single [`Tensor`](crate::expr::Tensor).
+//!
+//! **Guaranteed:** a text is consumed whole, with one meaning, or refused with [`Problem`]s that name the place and how to
+//! write it. The reader never panics and never recurses without a limit. Nothing is guessed: an undeclared symbol, a
+//! product that could be a function value, a denominator that could be longer are refused.
+//!
+//! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
+//! reference of the language, and its examples are tests.
+
+mod elaborate;
+mod lexer;
+mod name;
+mod parse;
+mod scope;
+pub mod syntax;
+mod tensor;
+
+use std::ops::Range;
+
+pub use scope::{Declaration, DeclareError, Role, Scope};
+pub use syntax::RelationKind;
+
+use crate::diag::Problem;
+use crate::expr::{Expr, Graph, Tensor};
+use elaborate::Elaborator;
+
+/// Where a limit goes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LimitPoint {
+    /// To a time.
+    Finite(Expr),
+    /// To +∞.
+    PlusInfinity,
+    /// To −∞.
+    MinusInfinity,
+}
+
+/// A limit along the time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Where the time goes.
+    pub approaches: LimitPoint,
+}
+
+/// Two sides and what is claimed of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relation {
+    /// What is claimed.
+    pub kind: RelationKind,
+    /// The left side; what the limit is taken of, where there is one.
+    pub left: Tensor,
+    /// The right side, of the same shape.
+    pub right: Tensor,
+    /// The left side is a limit.
+    pub limit: Option<Limit>,
+    /// Names of the free indices, one for each axis; empty for index-free notation.
+    pub indices: Vec<String>,
+    /// Whether ± occurs: then the sides depend on [`Scope::branch_sign`].
+    pub has_branches: bool,
+    /// Its bytes.
+    pub span: Range<usize>,
+}
+
+/// A chain of relations, `a = b = c`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// One relation for each sign of the chain.
+    pub relations: Vec<Relation>,
+    /// Its bytes.
+    pub span: Range<usize>,
+}
+
+/// Reads relations; several may stand in one text, separated by commas, `\\` or `\cr`.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Vec<Statement>, Vec<Problem>> {
+    let chains = parse::chains(text, scope)?;
+    let mut statements = Vec::new();
+    let mut problems = Vec::new();
+    for chain in &chains {
+        match Elaborator::new(scope, graph).statement(chain) {
+            Ok(mut statement) => {
+                for relation in &mut statement.relations {
+                    for index in &mut relation.indices {
+                        *index = name::to_latex(index);
+                    }
+                }
+                statements.push(statement);
+            }
+            Err(problem) => problems.push(*problem),
+        }
+    }
+    if problems.is_empty() { Ok(statements) } else { Err(problems) }
+}
+
+/// Reads one expression.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read_expression(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
+    let chain = elaborate::single(text, scope)?;
+    let mut elaborator = Elaborator::new(scope, graph);
+    let node = &chain.sides[0];
+    elaborator.prepare(&chain);
+    if let Some(stray) = elaborator.stray(node).map_err(|p| vec![*p])? {
+        return Err(vec![stray]);
+    }
+    elaborator.components(node, &[]).map_err(|p| vec![*p])
+}

@@ -1,0 +1,132 @@
+//! Names of symbols in one canonical spelling.
+
+use super::lexer::{Kind, Token};
+
+/// Greek letters and other commands that are names.
+pub(super) const NAMES: &[&str] = &[
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "rho",
+    "varrho",
+    "sigma",
+    "varsigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "varpi",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Upsilon",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+    "hbar",
+    "imath",
+    "jmath",
+    "aleph",
+    "wp",
+];
+
+/// The style that a command gives to the name after it, in canonical spelling.
+pub(super) fn style(command: &str) -> Option<&'static str> {
+    Some(match command {
+        "bf" | "mathbf" | "boldsymbol" | "bm" | "pmb" => "bf",
+        "vec" | "overrightarrow" => "vec",
+        "hat" | "widehat" => "hat",
+        "tilde" | "widetilde" => "tilde",
+        "bar" | "overline" => "bar",
+        "rm" | "mathrm" | "text" | "mbox" | "operatorname" => "rm",
+        "cal" | "mathcal" => "cal",
+        "sf" | "mathsf" => "sf",
+        "frak" | "mathfrak" => "frak",
+        "it" | "mathit" => "it",
+        "mathbb" => "bb",
+        _ => return None,
+    })
+}
+
+/// Whether a style switches the rest of a group, as `{\bf m}` does, instead of taking an argument.
+pub(super) fn is_switch(command: &str) -> bool {
+    matches!(command, "bf" | "rm" | "cal" | "sf" | "it" | "frak")
+}
+
+/// Whether a style only marks a vector or a matrix: `\boldsymbol\Omega` may then stand for a declared `\Omega`.
+pub(super) fn marks_tensor(style: &str) -> bool {
+    matches!(style, "bf" | "vec")
+}
+
+/// The style and the rest of a canonical name.
+pub(super) fn split(name: &str) -> (Option<&str>, &str) {
+    match name.split_once(':') {
+        Some((style, rest)) => (Some(style), rest),
+        None => (None, name),
+    }
+}
+
+/// The canonical spelling as LaTeX.
+pub(super) fn to_latex(name: &str) -> String {
+    let (style, rest) = split(name);
+    let (base, primes) = rest.split_at(rest.find('\'').unwrap_or(rest.len()));
+    let styled = match style {
+        None => base.to_owned(),
+        Some("bf") if base.starts_with('\\') => format!(r"{{\boldsymbol{base}}}"),
+        Some(switch @ ("bf" | "rm" | "cal" | "sf" | "it" | "frak")) => format!(r"{{\{switch} {base}}}"),
+        Some("bb") => format!(r"\mathbb{{{base}}}"),
+        Some(accent) => format!(r"\{accent}{{{base}}}"),
+    };
+    format!("{styled}{primes}")
+}
+
+/// Tokens as one canonical text, in which spacing and the spelling of styles do not matter.
+pub(super) fn canonical(tokens: &[Token]) -> String {
+    let mut out = String::new();
+    let mut i = 0;
+    while let Some(token) = tokens.get(i) {
+        match &token.kind {
+            Kind::Letter(c) => out.push(*c),
+            Kind::Number(n) => out.push_str(n),
+            Kind::Sign('{' | '}') => {}
+            Kind::Sign(c) => out.push(*c),
+            Kind::Command(name) => match style(name) {
+                Some(style) => {
+                    out.push_str(style);
+                    out.push(':');
+                }
+                None => {
+                    out.push('\\');
+                    out.push_str(name);
+                    out.push(' ');
+                }
+            },
+            Kind::OpenBar | Kind::CloseBar => out.push('|'),
+            Kind::Row => out.push_str("\\\\"),
+            Kind::End => {}
+        }
+        i += 1;
+    }
+    out
+}

@@ -1,0 +1,472 @@
+//! Which symbols there are, and what a written symbol refers to.
+
+use super::elaborate::{self, Elaborator};
+use super::lexer::{Kind, tokens};
+use super::name::{self, NAMES, canonical};
+use super::syntax::{Name, SubItem};
+use crate::diag::Problem;
+use crate::expr::{Graph, Leaf, Shape, Symbol, Tensor};
+
+/// What a symbol is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// The independent variable of motions.
+    Time,
+    /// Moved by a system, or given by a formula of a motion.
+    State,
+    /// Given by a number for each motion.
+    Parameter,
+    /// Computed from states; has a value and rates of its own along a motion.
+    Observable,
+    /// Short for its formula.
+    Abbreviation,
+    /// Stands for what a function is applied to.
+    Argument,
+}
+
+/// How a symbol is declared.
+#[derive(Clone, Debug)]
+pub struct Declaration<'a> {
+    /// What it is.
+    pub role: Role,
+    /// Its shape; without one, that of its formula, or a scalar.
+    pub shape: Option<Shape>,
+    /// Only the diagonal of a square matrix is stored.
+    pub diagonal: bool,
+    /// Its formula.
+    pub formula: Option<&'a str>,
+    /// Names of the arguments, for a function.
+    pub arguments: &'a [&'a str],
+}
+
+/// Why a declaration is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DeclareError {
+    /// The name; the span is one in the key.
+    Key(Problem),
+    /// The formula; spans are in the formula.
+    Formula(Vec<Problem>),
+}
+
+/// One item of a subscript in a key.
+#[derive(Clone, Debug, PartialEq)]
+enum Pattern {
+    Literal(SubItem),
+    Index,
+}
+
+/// What stands in parentheses in a key.
+#[derive(Clone, Debug, PartialEq)]
+enum Arguments {
+    None,
+    /// Declared symbols: part of the name.
+    Literal(String),
+    /// Formal arguments of a function.
+    Formal(Vec<(Symbol, Shape)>),
+}
+
+#[derive(Clone, Debug)]
+struct Entry {
+    key: String,
+    name: Name,
+    sub: Vec<Pattern>,
+    arguments: Arguments,
+    symbol: Symbol,
+    role: Role,
+    definition: Option<Tensor>,
+    moving: bool,
+    rank: usize,
+}
+
+/// The declared symbols. Later declarations hide earlier ones of the same name, so a claim may have symbols of its own.
+#[derive(Clone, Debug)]
+pub struct Scope {
+    entries: Vec<Entry>,
+    sign: Leaf,
+}
+
+/// What a written symbol refers to.
+pub(super) struct Found<'s> {
+    pub symbol: Symbol,
+    pub role: Role,
+    pub definition: Option<&'s Tensor>,
+    /// Formal arguments, for a function.
+    pub formal: &'s [(Symbol, Shape)],
+    /// What is left of the subscript: indices of components.
+    pub indices: Vec<SubItem>,
+    /// Whether the parentheses behind it belong to its name.
+    pub literal_arguments: bool,
+}
+
+struct Key {
+    name: Name,
+    sub: Vec<SubItem>,
+    arguments: Option<String>,
+}
+
+fn bad_key(message: impl Into<String>, key: &str, hint: &str) -> DeclareError {
+    DeclareError::Key(Problem {
+        code: "latex::bad-name",
+        message: message.into(),
+        span: 0..key.len(),
+        hint: (!hint.is_empty()).then(|| hint.to_owned()),
+    })
+}
+
+/// Takes a key apart.
+fn read_key(key: &str) -> Result<Key, DeclareError> {
+    let tokens = tokens(key).map_err(|mut p| DeclareError::Key(p.swap_remove(0)))?;
+    let open = tokens.iter().position(|t| t.kind == Kind::Sign('('));
+    let lowered = tokens.iter().position(|t| t.kind == Kind::Sign('_'));
+    let end = tokens.len() - 1;
+    // Parentheses inside the subscript belong to it.
+    let arguments_at = match (open, lowered) {
+        (Some(o), Some(l)) if o > l => {
+            let close = subscript_end(&tokens, l);
+            tokens.iter().enumerate().skip(close).find(|(_, t)| t.kind == Kind::Sign('(')).map(|(i, _)| i)
+        }
+        (o, _) => o,
+    };
+    let head_end = lowered.filter(|&l| arguments_at.is_none_or(|a| l < a)).or(arguments_at).unwrap_or(end);
+    let name = canonical(&tokens[..head_end]).trim_end().to_owned();
+    let bare = name::split(&name).1.trim_end_matches('\'');
+    let known = bare.strip_prefix('\\').map_or_else(
+        || bare.chars().count() == 1 && bare.chars().all(char::is_alphabetic),
+        |command| NAMES.contains(&command.trim_end()),
+    );
+    let word = name.starts_with("rm:") && bare.chars().all(char::is_alphabetic);
+    if !(known || word) {
+        return Err(bad_key(
+            format!("`{key}` is not the name of a symbol"),
+            key,
+            r"a name is one letter or Greek letter, perhaps styled, primed, with a label: `R`, `\Omega`, `{\bf m}`, `\psi_0`",
+        ));
+    }
+    let sub = match lowered.filter(|&l| arguments_at.is_none_or(|a| l < a)) {
+        None => Vec::new(),
+        Some(l) => sub_items(&tokens[l + 1..arguments_at.unwrap_or(end)]),
+    };
+    let arguments = match arguments_at {
+        None => None,
+        Some(a) if tokens[end - 1].kind == Kind::Sign(')') => Some(canonical(&tokens[a + 1..end - 1])),
+        Some(_) => return Err(bad_key("the parentheses of the name are not closed", key, "")),
+    };
+    Ok(Key { name: name.replace(' ', ""), sub, arguments })
+}
+
+fn subscript_end(tokens: &[super::lexer::Token], lowered: usize) -> usize {
+    if tokens.get(lowered + 1).map(|t| &t.kind) != Some(&Kind::Sign('{')) {
+        return lowered + 2;
+    }
+    let mut depth = 0;
+    for (i, t) in tokens.iter().enumerate().skip(lowered + 1) {
+        match t.kind {
+            Kind::Sign('{') => depth += 1,
+            Kind::Sign('}') => {
+                depth -= 1;
+                if depth == 0 {
+                    return i + 1;
+                }
+            }
+            _ => {}
+        }
+    }
+    tokens.len()
+}
+
+fn sub_items(tokens: &[super::lexer::Token]) -> Vec<SubItem> {
+    let mut out = Vec::new();
+    for t in tokens {
+        match &t.kind {
+            Kind::Letter(c) => out.push(SubItem::Name(c.to_string())),
+            Kind::Command(c) => out.push(SubItem::Name(format!("\\{c}"))),
+            Kind::Number(n) => out.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0'))))),
+            Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) => out.push(SubItem::Other(*c)),
+            _ => {}
+        }
+    }
+    out
+}
+
+impl Scope {
+    /// A scope without symbols; it knows the sign that ± stands for.
+    pub fn new(graph: &mut Graph) -> Scope {
+        let symbol = graph.declare(r"\pm", Shape::scalar(), false);
+        Scope { entries: Vec::new(), sign: Leaf { symbol, component: 0, rate: 0, instant: None } }
+    }
+
+    /// Declares a symbol under its name as LaTeX writes it.
+    ///
+    /// Keys: `R`, `\Omega`, `{\bf m}`, `I'`; with a label, `\psi_0`; with index places, `I_{(n-k)}`, where the letters are
+    /// indices of the formula; with declared symbols in parentheses, `\Omega({\bf m})`; with formal arguments, `Z(\alpha)`.
+    ///
+    /// # Errors
+    /// [`DeclareError`], with the place in the key or in the formula.
+    pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
+        let Key { name, sub, arguments } = read_key(key)?;
+        if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
+            return Err(bad_key("there is a time already", key, ""));
+        }
+        // Formal arguments are symbols of an inner scope.
+        let mut inner = self.clone();
+        let mut formal = Vec::new();
+        for argument in d.arguments {
+            let declaration =
+                Declaration { role: Role::Argument, shape: None, diagonal: false, formula: None, arguments: &[] };
+            let symbol = inner.declare(graph, argument, declaration)?;
+            formal.push((symbol, Shape::scalar()));
+        }
+        let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
+        let mut definition = None;
+        if let Some(text) = d.formula {
+            let letters: Vec<Name> =
+                sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
+            let mut elaborator = Elaborator::new(&inner, graph);
+            let (tensor, placed) =
+                elaborate::definition(&mut elaborator, text, &letters).map_err(DeclareError::Formula)?;
+            if placed {
+                for p in &mut pattern {
+                    if matches!(p, Pattern::Literal(SubItem::Name(_))) {
+                        *p = Pattern::Index;
+                    }
+                }
+            } else if let Some(shape) = &d.shape
+                && *shape != tensor.shape
+            {
+                let message = format!("the formula is a {}, the symbol is declared as a {shape}", tensor.shape);
+                return Err(DeclareError::Formula(vec![Problem {
+                    code: "latex::shape",
+                    message,
+                    span: 0..text.len(),
+                    hint: None,
+                }]));
+            }
+            definition = Some(tensor);
+        }
+        let shape = definition.as_ref().map(|t| t.shape.clone()).or(d.shape).unwrap_or_default();
+        // `x_1` beside a vector `x` would have two meanings.
+        let digits = !sub.is_empty() && sub.iter().all(|i| matches!(i, SubItem::Digit(_)));
+        let clash = self.entries.iter().find(|e| {
+            e.name == name
+                && match (digits, e.sub.is_empty()) {
+                    (true, true) => graph.shape(e.symbol).rank() == sub.len(),
+                    (false, false) if sub.is_empty() => {
+                        e.sub.len() == shape.rank()
+                            && e.sub.iter().all(|p| matches!(p, Pattern::Literal(SubItem::Digit(_))))
+                    }
+                    _ => false,
+                }
+        });
+        if let Some(clash) = clash {
+            return Err(bad_key(
+                format!("`{key}` would also be a component of, or have the component, `{}`", clash.key),
+                key,
+                "rename one of the two",
+            ));
+        }
+        let arguments = match (arguments, formal.is_empty()) {
+            (None, true) => Arguments::None,
+            (Some(_), false) => Arguments::Formal(formal),
+            (Some(text), true) => Arguments::Literal(text),
+            (None, false) => {
+                return Err(bad_key("a function's name shows its arguments", key, r"for instance `Z(\alpha)`"));
+            }
+        };
+        let moving = match d.role {
+            Role::Time | Role::State | Role::Observable => true,
+            Role::Parameter | Role::Argument => false,
+            Role::Abbreviation => definition.as_ref().is_some_and(|t| self.depends_on_time(graph, t)),
+        };
+        let rank = shape.rank();
+        let symbol = graph.declare(key, shape, d.diagonal);
+        let key = key.to_owned();
+        let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
+        // The same name again hides the earlier one.
+        self.entries
+            .retain(|e| !(e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments)));
+        self.entries.push(entry);
+        Ok(symbol)
+    }
+
+    fn depends_on_time(&self, graph: &Graph, t: &Tensor) -> bool {
+        graph.leaves(t.components.iter().copied()).iter().any(|l| {
+            l.instant.is_none() && matches!(self.role(l.symbol), Some(Role::Time | Role::State | Role::Observable))
+        })
+    }
+
+    fn by_symbol(&self, symbol: Symbol) -> Option<&Entry> {
+        self.entries.iter().rev().find(|e| e.symbol == symbol)
+    }
+
+    /// The symbol declared under a key, in any spelling of it.
+    pub fn symbol(&self, key: &str) -> Option<Symbol> {
+        let wanted = read_key(key).ok()?;
+        let sub: Vec<Pattern> = wanted.sub.iter().cloned().map(Pattern::Literal).collect();
+        let entry = self.entries.iter().rev().find(|e| {
+            e.key == key
+                || (e.name == wanted.name
+                    && e.sub == sub
+                    && wanted.arguments.is_none()
+                    && e.arguments == Arguments::None)
+        });
+        entry.map(|e| e.symbol)
+    }
+
+    /// What a symbol is.
+    pub fn role(&self, symbol: Symbol) -> Option<Role> {
+        self.by_symbol(symbol).map(|e| e.role)
+    }
+
+    /// The meaning of the formula that a symbol was declared with.
+    pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
+        self.by_symbol(symbol).and_then(|e| e.definition.as_ref())
+    }
+
+    /// The time.
+    pub fn time(&self) -> Option<Leaf> {
+        let entry = self.entries.iter().find(|e| e.role == Role::Time)?;
+        Some(Leaf { symbol: entry.symbol, component: 0, rate: 0, instant: None })
+    }
+
+    pub(super) fn time_name(&self) -> Option<&str> {
+        self.entries.iter().find(|e| e.role == Role::Time).map(|e| e.name.as_str())
+    }
+
+    /// The leaf that stands for ±: its value is +1 or −1.
+    pub fn branch_sign(&self) -> Leaf {
+        self.sign
+    }
+
+    /// All keys, in order of declaration.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|e| e.key.as_str())
+    }
+
+    /// Whether a name is declared in any form.
+    pub(super) fn declares(&self, name: &str) -> bool {
+        self.entries.iter().any(|e| e.name == name)
+    }
+
+    /// Whether parentheses with this content behind this symbol are arguments.
+    pub(super) fn applies(&self, name: &str, sub: Option<&[SubItem]>, text: &str) -> bool {
+        self.find(name, sub, Some(text)).is_some_and(|f| f.literal_arguments || !f.formal.is_empty())
+    }
+
+    /// Whether a symbol depends on time.
+    pub(super) fn is_moving(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let found = self.find(name, sub, None);
+        found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.moving && e.role != Role::Time)
+    }
+
+    /// What a written symbol refers to.
+    pub(super) fn find(&self, name: &str, sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
+        let (style, bare) = name::split(name);
+        self.find_exact(name, sub, arguments).or_else(|| match style {
+            // `\boldsymbol\Omega` for a declared vector `\Omega`.
+            Some(style) if name::marks_tensor(style) => {
+                self.find_exact(bare, sub, arguments).filter(|f| self.is_tensor(f.symbol))
+            }
+            Some(_) => None,
+            // `m_3` for a component of a declared `{\bf m}`.
+            None => {
+                let sub = sub?;
+                let styled = ["bf", "vec"].map(|s| format!("{s}:{bare}"));
+                let mut found = styled.iter().filter_map(|n| self.find_exact(n, Some(sub), arguments));
+                found.next().filter(|f| !f.indices.is_empty() && self.is_tensor(f.symbol))
+            }
+        })
+    }
+
+    fn is_tensor(&self, symbol: Symbol) -> bool {
+        self.by_symbol(symbol).is_some_and(|e| e.rank > 0)
+    }
+
+    fn find_exact(&self, name: &str, sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
+        let named = || self.entries.iter().rev().filter(|e| e.name == name);
+        let sub = sub.unwrap_or(&[]);
+        let found = |e: &'_ Entry, indices: Vec<SubItem>, literal: bool| -> (Symbol, Vec<SubItem>, bool) {
+            (e.symbol, indices, literal)
+        };
+        let fits = |e: &Entry| -> Option<Vec<SubItem>> {
+            if e.sub.is_empty() {
+                return Some(sub.to_vec());
+            }
+            // A label, or a pattern with index places, fits the beginning; further indices may follow.
+            if sub.len() < e.sub.len() {
+                return None;
+            }
+            let mut indices = Vec::new();
+            for (p, item) in e.sub.iter().zip(sub) {
+                match p {
+                    Pattern::Literal(l) if l == item => {}
+                    Pattern::Literal(_) => return None,
+                    Pattern::Index if matches!(item, SubItem::Other(_)) => return None,
+                    Pattern::Index => indices.push(item.clone()),
+                }
+            }
+            indices.extend(sub[e.sub.len()..].iter().cloned());
+            Some(indices)
+        };
+        let mut best: Option<(usize, (Symbol, Vec<SubItem>, bool))> = None;
+        for e in named() {
+            let literal = match (&e.arguments, arguments) {
+                (Arguments::None, _) => false,
+                (Arguments::Literal(text), Some(given)) if text == given => true,
+                (Arguments::Formal(_), Some(_)) => true,
+                _ => continue,
+            };
+            let Some(indices) = fits(e) else { continue };
+            // The more of the written symbol belongs to the name, the better; among equals the latest.
+            let weight = 2 * e.sub.len() + usize::from(literal);
+            if best.as_ref().is_none_or(|(w, _)| weight > *w) {
+                best = Some((weight, found(e, indices, literal)));
+            }
+        }
+        let (_, (symbol, indices, literal)) = best?;
+        let entry = self.by_symbol(symbol)?;
+        let formal: &[(Symbol, Shape)] = match &entry.arguments {
+            Arguments::Formal(f) => f,
+            _ => &[],
+        };
+        Some(Found {
+            symbol,
+            role: entry.role,
+            definition: entry.definition.as_ref(),
+            formal,
+            indices,
+            literal_arguments: literal && formal.is_empty(),
+        })
+    }
+
+    /// The declared key that is most like a name, for hints.
+    pub(super) fn nearest(&self, name: &str) -> Option<&str> {
+        let spelled = name::to_latex(name);
+        let distance = |key: &str| edit_distance(&spelled, key);
+        let best = self.keys().min_by_key(|k| distance(k))?;
+        let near = distance(best) <= 2 || name::split(name).1.eq_ignore_ascii_case(name::split(best).1);
+        near.then_some(best)
+    }
+}
+
+fn same_kind(a: &Arguments, b: &Arguments) -> bool {
+    match (a, b) {
+        (Arguments::Formal(_), Arguments::Formal(_)) => true,
+        _ => a == b,
+    }
+}
+
+/// Number of single-character edits between two texts.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, ca) in a.chars().enumerate() {
+        let mut previous = row[0];
+        row[0] = i + 1;
+        for (j, &cb) in b.iter().enumerate() {
+            let substituted = previous + usize::from(ca != cb);
+            previous = row[j + 1];
+            row[j + 1] = substituted.min(previous + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

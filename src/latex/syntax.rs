@@ -1,0 +1,180 @@
+//! The syntax tree of a formula: what was written, before it means anything.
+
+use std::ops::Range;
+
+use crate::number::Rational;
+
+/// A node of the tree with its bytes in the formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Node {
+    /// What it is.
+    pub kind: NodeKind,
+    /// Where it was written.
+    pub span: Range<usize>,
+}
+
+/// A symbol's name: base, style and primes, in one canonical spelling (`bf:m` for `{\bf m}`, `I'`, `hat:\Omega`).
+pub type Name = String;
+
+/// One item of a subscript.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum SubItem {
+    /// A letter (Latin or Greek) or another name.
+    Name(Name),
+    /// A digit.
+    Digit(u16),
+    /// Anything else, such as `(`, `-`, `)`.
+    Other(char),
+}
+
+/// A symbol with what is attached to it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SymbolNode {
+    /// Its name.
+    pub name: Name,
+    /// Number of dots.
+    pub dots: u8,
+    /// Its subscript.
+    pub sub: Option<Vec<SubItem>>,
+    /// Its superscript.
+    pub sup: Option<Box<Node>>,
+    /// Whether the superscript was written first (`I^{-1}_k`).
+    pub sup_first: bool,
+    /// Arguments in parentheses: a time, or what a function is applied to.
+    pub arguments: Option<Vec<Node>>,
+    /// Canonical spelling of the arguments.
+    pub arguments_text: String,
+}
+
+/// The sign before a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// `+`, or none.
+    Plus,
+    /// `-`.
+    Minus,
+    /// `\pm`.
+    PlusMinus,
+    /// `\mp`.
+    MinusPlus,
+}
+
+/// Kinds of nodes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NodeKind {
+    /// A decimal number, exact.
+    Number(Rational),
+    /// π.
+    Pi,
+    /// The identity matrix.
+    Identity,
+    /// A symbol.
+    Symbol(SymbolNode),
+    /// Something in brackets, with scripts: subscript, superscript, and which came first.
+    Scripted {
+        /// What the scripts belong to.
+        base: Box<Node>,
+        /// Its subscript.
+        sub: Option<Vec<SubItem>>,
+        /// Its superscript.
+        sup: Option<Box<Node>>,
+        /// Whether the superscript was written first.
+        sup_first: bool,
+    },
+    /// Signed terms.
+    Sum(Vec<(Sign, Node)>),
+    /// Juxtaposed factors.
+    Product(Vec<Node>),
+    /// Factors joined by `\cdot`.
+    Dot(Vec<Node>),
+    /// Two factors joined by `\times`, or `[a,b]`.
+    Cross(Box<Node>, Box<Node>),
+    /// A quotient.
+    Quotient(Box<Node>, Box<Node>),
+    /// A root: radicand, degree.
+    Root(Box<Node>, u16),
+    /// Euler's e to a power.
+    Exponential(Box<Node>),
+    /// A named function, its power as in `\sin^2`, its arguments.
+    Function(String, Option<i32>, Vec<Node>),
+    /// An absolute value or norm.
+    Absolute(Box<Node>),
+    /// A derivative `d^n of / d by^n`.
+    Derivative {
+        /// What is derived.
+        of: Box<Node>,
+        /// By what.
+        by: Box<Node>,
+        /// How often.
+        order: u8,
+    },
+    /// A vector, by components.
+    Tuple(Vec<Node>),
+    /// A matrix, by rows.
+    Matrix(Vec<Vec<Node>>),
+    /// A limit: what, and where time goes.
+    Limit(Box<Node>, Target),
+}
+
+/// Where time goes in a limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// To a finite time.
+    Finite(Box<Node>),
+    /// To +∞.
+    PlusInfinity,
+    /// To −∞.
+    MinusInfinity,
+}
+
+/// What is claimed of two sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum RelationKind {
+    /// `=` or `\equiv`.
+    Equal,
+    /// `\ne`.
+    NotEqual,
+    /// `<`.
+    Less,
+    /// `\le`.
+    LessEqual,
+    /// `>`.
+    Greater,
+    /// `\ge`.
+    GreaterEqual,
+}
+
+/// A chain of relations: one more side than relations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// The sides.
+    pub sides: Vec<Node>,
+    /// The relations between neighbours.
+    pub relations: Vec<RelationKind>,
+    /// Its bytes.
+    pub span: Range<usize>,
+}
+
+impl Node {
+    /// The nodes below this one, arguments and exponents included.
+    pub fn children(&self) -> Vec<&Node> {
+        match &self.kind {
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
+            NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
+            NodeKind::Scripted { base, sup, .. } => [base.as_ref()].into_iter().chain(sup.as_deref()).collect(),
+            NodeKind::Sum(terms) => terms.iter().map(|(_, t)| t).collect(),
+            NodeKind::Product(parts)
+            | NodeKind::Dot(parts)
+            | NodeKind::Tuple(parts)
+            | NodeKind::Function(_, _, parts) => parts.iter().collect(),
+            NodeKind::Cross(a, b) | NodeKind::Quotient(a, b) => vec![a, b],
+            NodeKind::Root(a, _) | NodeKind::Exponential(a) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::Derivative { of, by, .. } => vec![of, by],
+            NodeKind::Matrix(rows) => rows.iter().flatten().collect(),
+            NodeKind::Limit(body, target) => match target {
+                Target::Finite(t) => vec![body, t],
+                Target::PlusInfinity | Target::MinusInfinity => vec![body],
+            },
+        }
+    }
+}

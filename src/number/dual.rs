@@ -1,0 +1,238 @@
+//! Numbers with derivatives: the types of `num_dual`, over any [`Scalar`].
+//!
+//! **In:** values with their derivative along one direction. **Out:** results with theirs: [`Dual`] has the first,
+//! [`Dual2`] the first and the second derivative.
+//!
+//! **Guaranteed:** the value part is what the base type computes, bit for bit. A result exists only if its derivatives do;
+//! the derivative of a constant (tangent exactly 0) is 0 also at a branch point.
+//!
+//! **Why not the methods of `num_dual`:** there the quotient is a·(1/b), whose value differs from the quotient in every
+//! fourth case; 0^1.5 and tanh 800 are NaN, and so are the derivatives of √ and arctan2 at constants. Sums and products
+//! are the same.
+
+use super::slope::{curvature, power, slope};
+use super::{NoValue, Number, Op, Rational, Scalar, scalar::value};
+use num_dual::{Dual, Dual2};
+
+/// The operations of one argument, by the chain rule.
+macro_rules! chain_rule {
+    ($( $op:ident $method:ident )*) => {
+        $( #[inline]
+        fn $method(&mut self, _: &(), a: &Self) -> Result<(), NoValue> {
+            chain(self, Op::$op, a, |x| x.$method(&(), &a.re))
+        } )*
+    };
+}
+
+/// The operations that both kinds of dual number write alike.
+macro_rules! common {
+    ($($zero:ident)*) => {
+        type Context = ();
+
+        fn blank(_: &()) -> Self {
+            Self::new(B::ZERO $(, B::$zero)*)
+        }
+        fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
+            *self = Self::blank(&());
+            self.re.rational(&(), r)
+        }
+        fn pi(&mut self, _: &()) -> Result<(), NoValue> {
+            *self = Self::blank(&());
+            self.re.pi(&())
+        }
+        #[inline]
+        fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
+            chain(self, Op::Powi(n), a, |x| x.powi(&(), &a.re, n))
+        }
+        chain_rule! {
+            Neg neg Sqrt sqrt Exp exp Ln ln Sin sin Cos cos Tan tan Arcsin arcsin Arccos arccos Arctan arctan
+            Sinh sinh Cosh cosh Tanh tanh Abs abs
+        }
+    };
+}
+
+/// A dual number whose parts can be checked together.
+trait Parts<B>: Sized {
+    /// Writes value and derivatives, if all of them exist.
+    fn assign(&mut self, parts: Self) -> Result<(), NoValue>;
+    /// Value v = f(a) with derivatives.
+    fn compose(op: Op, a: &Self, v: B) -> Self;
+}
+
+/// f(a) by the chain rule.
+#[inline(always)]
+fn chain<B: Scalar, D: Parts<B>>(
+    out: &mut D,
+    op: Op,
+    a: &D,
+    base: impl FnOnce(&mut B) -> Result<(), NoValue>,
+) -> Result<(), NoValue> {
+    let mut v = B::ZERO;
+    base(&mut v)?;
+    out.assign(D::compose(op, a, v))
+}
+
+/// The value part of an operation of two arguments.
+#[inline(always)]
+fn centre<B: Scalar>(base: impl FnOnce(&mut B) -> Result<(), NoValue>) -> Result<B, NoValue> {
+    let mut v = B::ZERO;
+    base(&mut v)?;
+    Ok(v)
+}
+
+/// The arguments y, x of arctan2 times a power of two, that factor, and the square of the scaled radius.
+#[inline(always)]
+fn polar<B: Scalar>(y: B, x: B) -> (B, B, B, B) {
+    let s = y.scale(x);
+    let (y, x) = (y * s, x * s);
+    (y, x, s, y * y + x * x)
+}
+
+impl<B: Scalar> Parts<B> for Dual<B> {
+    #[inline(always)]
+    fn assign(&mut self, parts: Self) -> Result<(), NoValue> {
+        let eps = parts.eps.checked()?;
+        self.re = parts.re.poisoned_by(eps);
+        self.eps = eps.poisoned_by(parts.re);
+        Ok(())
+    }
+    #[inline(always)]
+    fn compose(op: Op, a: &Self, v: B) -> Self {
+        if a.eps.is_zero() {
+            return Dual::new(v, B::ZERO);
+        }
+        Dual::new(v, slope(op, a.re, v).times(a.eps))
+    }
+}
+
+impl<B: Scalar> Number for Dual<B> {
+    common! { ZERO }
+
+    #[inline]
+    fn add(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.add(&(), &a.re, &b.re))?;
+        self.assign(Dual::new(v, a.eps + b.eps))
+    }
+    #[inline]
+    fn sub(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.sub(&(), &a.re, &b.re))?;
+        self.assign(Dual::new(v, a.eps - b.eps))
+    }
+    #[inline]
+    fn mul(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.mul(&(), &a.re, &b.re))?;
+        self.assign(Dual::new(v, a.eps * b.re + b.eps * a.re))
+    }
+    /// (a/b)′ = (a′ − (a/b)·b′)/b.
+    #[inline]
+    fn div(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.div(&(), &a.re, &b.re))?;
+        self.assign(Dual::new(v, (a.eps - v * b.eps) / b.re))
+    }
+    /// (a^b)′ = b·a^(b−1)·a′ + a^b·ln a·b′.
+    fn pow(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.pow(&(), &a.re, &b.re))?;
+        let mut tangent = B::ZERO;
+        if !a.eps.is_zero() {
+            tangent = (b.re * power(a.re, b.re - B::integer(1))).times(a.eps);
+        }
+        if !b.eps.is_zero() {
+            tangent = tangent + (v * value(B::ln, a.re)).times(b.eps);
+        }
+        self.assign(Dual::new(v, tangent))
+    }
+    /// θ′ = (x·y′ − y·x′)/(x² + y²).
+    fn arctan2(&mut self, _: &(), y: &Self, x: &Self) -> Result<(), NoValue> {
+        let v = centre(|angle: &mut B| angle.arctan2(&(), &y.re, &x.re))?;
+        let (sy, sx, s, square) = polar(y.re, x.re);
+        self.assign(Dual::new(v, (sx * y.eps - sy * x.eps) / square * s))
+    }
+    /// Without a derivative, unless both arguments are constant.
+    fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.agm(&(), &a.re, &b.re))?;
+        self.assign(Dual::new(v, B::INVALID.times(a.eps) + B::INVALID.times(b.eps)))
+    }
+}
+
+impl<B: Scalar> Parts<B> for Dual2<B> {
+    #[inline(always)]
+    fn assign(&mut self, parts: Self) -> Result<(), NoValue> {
+        let (v1, v2) = (parts.v1.checked()?, parts.v2.checked()?);
+        self.re = parts.re.poisoned_by(v1).poisoned_by(v2);
+        self.v1 = v1.poisoned_by(self.re);
+        self.v2 = v2.poisoned_by(self.re);
+        Ok(())
+    }
+    /// f(a)′ = f′(a)·a′, f(a)″ = f′(a)·a″ + f″(a)·a′².
+    #[inline(always)]
+    fn compose(op: Op, a: &Self, v: B) -> Self {
+        let s = slope(op, a.re, v);
+        let c = curvature(op, a.re, v, s);
+        Dual2::new(v, s.times(a.v1), s.times(a.v2) + c.times(a.v1).times(a.v1))
+    }
+}
+
+impl<B: Scalar> Number for Dual2<B> {
+    common! { ZERO ZERO }
+
+    #[inline]
+    fn add(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.add(&(), &a.re, &b.re))?;
+        self.assign(Dual2::new(v, a.v1 + b.v1, a.v2 + b.v2))
+    }
+    #[inline]
+    fn sub(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.sub(&(), &a.re, &b.re))?;
+        self.assign(Dual2::new(v, a.v1 - b.v1, a.v2 - b.v2))
+    }
+    #[inline]
+    fn mul(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.mul(&(), &a.re, &b.re))?;
+        let cross = a.v1 * b.v1;
+        self.assign(Dual2::new(v, a.v1 * b.re + b.v1 * a.re, a.v2 * b.re + (cross + cross) + b.v2 * a.re))
+    }
+    /// With q = a/b: q′ = (a′ − q·b′)/b, q″ = (a″ − 2q′·b′ − q·b″)/b.
+    #[inline]
+    fn div(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.div(&(), &a.re, &b.re))?;
+        let v1 = (a.v1 - v * b.v1) / b.re;
+        let cross = v1 * b.v1;
+        self.assign(Dual2::new(v, v1, (a.v2 - (cross + cross) - v * b.v2) / b.re))
+    }
+    /// The partial derivatives of a^b, with p = a^(b−1) and l = ln a: b·p and a^b·l; b(b−1)·a^(b−2), p·(1 + b·l), a^b·l².
+    fn pow(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.pow(&(), &a.re, &b.re))?;
+        let one = B::integer(1);
+        let (mut v1, mut v2) = (B::ZERO, B::ZERO);
+        let less = b.re - one;
+        if !(a.v1.is_zero() && a.v2.is_zero()) {
+            let by_a = b.re * power(a.re, less);
+            let by_aa = b.re * less * power(a.re, less - one);
+            v1 = by_a.times(a.v1);
+            v2 = by_a.times(a.v2) + by_aa.times(a.v1).times(a.v1);
+        }
+        if !(b.v1.is_zero() && b.v2.is_zero()) {
+            let log = value(B::ln, a.re);
+            let (by_b, cross) = (v * log, power(a.re, less) * (one + b.re * log));
+            v1 = v1 + by_b.times(b.v1);
+            let mixed = cross.times(a.v1).times(b.v1);
+            v2 = v2 + by_b.times(b.v2) + (by_b * log).times(b.v1).times(b.v1) + (mixed + mixed);
+        }
+        self.assign(Dual2::new(v, v1, v2))
+    }
+    /// r²θ′ = x·y′ − y·x′ and r²θ″ = x·y″ − y·x″ − 2θ′·(x·x′ + y·y′).
+    fn arctan2(&mut self, _: &(), y: &Self, x: &Self) -> Result<(), NoValue> {
+        let v = centre(|angle: &mut B| angle.arctan2(&(), &y.re, &x.re))?;
+        let (sy, sx, s, square) = polar(y.re, x.re);
+        let v1 = (sx * y.v1 - sy * x.v1) / square * s;
+        let outward = v1 * (sx * x.v1 + sy * y.v1);
+        let v2 = (sx * y.v2 - sy * x.v2 - (outward + outward)) / square * s;
+        self.assign(Dual2::new(v, v1, v2))
+    }
+    /// Without derivatives, unless both arguments are constant.
+    fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        let v = centre(|x: &mut B| x.agm(&(), &a.re, &b.re))?;
+        let [v1, v2] = [(a.v1, b.v1), (a.v2, b.v2)].map(|(a, b)| B::INVALID.times(a) + B::INVALID.times(b));
+        self.assign(Dual2::new(v, v1, v2))
+    }
+}

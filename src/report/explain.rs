@@ -1,0 +1,135 @@
+//! How one verdict came about: what `rederive explain` prints.
+
+use super::numbers::{count, size, time, value};
+use super::summary::sides;
+use super::tally::{declared, name, says};
+use super::text::{Paint, paragraph};
+use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::derivation::{Claim, Derivation, SymbolEntry};
+
+/// Everything that is known about every pair of the account, with escape codes if `colour`.
+pub fn explain(derivation: &Derivation, account: &Account, colour: bool) -> String {
+    let paint = Paint(colour);
+    let mut out = String::new();
+    for claim in &account.claims {
+        out.push_str(&about_claim(derivation, claim, paint));
+        for pair in &claim.results {
+            out.push_str(&about_pair(account, pair, paint));
+        }
+    }
+    out
+}
+
+fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
+    let mut out = paint.bold(&name(claim));
+    if let Some(place) = &claim.place {
+        out.push_str(&format!("  ({place})"));
+    }
+    out.push('\n');
+    out.push_str(&paragraph(&says(derivation, claim), 2));
+    if let Some(remark) = &claim.remark {
+        out.push_str(&paragraph(remark, 2));
+    }
+    let declared = declared(derivation, claim);
+    let list = |title: &str, lines: &[String]| match lines {
+        [] => String::new(),
+        lines => format!("\n  {title}\n{}", lines.iter().map(|l| format!("    {l}\n")).collect::<String>()),
+    };
+    let formulas: Vec<String> = match declared {
+        Some(claim) => claim.formulas.iter().map(|f| format!("{}: {}", f.kind.key(), f.text)).collect(),
+        None => claim.formulas.clone(),
+    };
+    out.push_str(&list("Checked", &formulas));
+    out.push_str(&list("Assuming", &claim.assumptions));
+    if let Some(claim) = declared {
+        out.push_str(&list("Follows from", &claim.follows_from));
+        out.push_str(&list("Where", &definitions(derivation, claim)));
+        out.push_str(&format!("\n  Precision asked for: {}\n", size(claim.precision)));
+    }
+    out.push('\n');
+    out
+}
+
+/// The definitions that the formulas of a claim use, directly or through others.
+fn definitions(derivation: &Derivation, claim: &Claim) -> Vec<String> {
+    let mentions = |text: &str, s: &SymbolEntry| text.contains(s.name.trim());
+    let all: Vec<&SymbolEntry> =
+        derivation.symbols.iter().chain(&claim.symbols).filter(|s| s.formula.is_some()).collect();
+    let mut texts: Vec<&str> = claim.formulas.iter().map(|f| f.text.as_str()).collect();
+    texts.extend(claim.assuming.iter().map(|a| a.text.as_str()));
+    let mut used = Vec::new();
+    while let Some(next) = all.iter().find(|s| !used.contains(&s.symbol) && texts.iter().any(|t| mentions(t, s))) {
+        used.push(next.symbol);
+        texts.extend(next.formula.as_deref());
+    }
+    let line = |s: &&SymbolEntry| format!("{} = {}", s.name, s.formula.as_deref().unwrap_or_default());
+    all.iter().filter(|s| used.contains(&s.symbol)).map(line).collect()
+}
+
+fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
+    let outcome = pair.verdict.outcome();
+    let evidence = pair.verdict.evidence();
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let expected = match pair.expected {
+        Some(word) if pair.is_unexpected() => paint.alarm(&format!(", expected: {word}")),
+        Some(_) => ", as expected".to_owned(),
+        None => String::new(),
+    };
+    let verdict = paint.verdict(outcome, &format!("{}{strength}", outcome.word()));
+    let mut out = format!("  {}  {verdict}{expected}\n", paint.bold(&pair.trajectory));
+    if let Some(t) = account.trajectories.iter().find(|t| t.id == pair.trajectory) {
+        let steps = if t.steps > 0 { format!(", {}", count(t.steps, "step")) } else { String::new() };
+        out.push_str(&format!(
+            "    {}; t from {} to {}; {}{steps}, error at most {}\n",
+            t.title,
+            time(t.span.0),
+            time(t.span.1),
+            t.source,
+            size(t.error)
+        ));
+        for (name, values) in &t.given {
+            let values: Vec<String> = values.iter().map(|v| value(*v)).collect();
+            out.push_str(&format!("      {name} = {}\n", values.join(", ")));
+        }
+        if let Some(problem) = &t.problem {
+            out.push_str(&paragraph(problem, 4));
+        }
+    }
+    if let Some(reason) = &evidence.reason {
+        out.push_str(&paragraph(reason, 4));
+    }
+    if evidence.samples > 0 {
+        out.push_str(&format!("    compared at {}\n", count(evidence.samples, "time")));
+    }
+    if let Some(r) = &evidence.residual {
+        out.push_str(&format!(
+            "    worst at t = {}: residual {}, error bound {}\n",
+            time(r.at),
+            size(r.max),
+            size(r.bound)
+        ));
+    }
+    if let Some(branch) = &evidence.branch {
+        out.push_str(&format!("    sign: {branch}\n"));
+    }
+    for e in &evidence.excluded {
+        out.push_str(&paragraph(&format!("left out from t = {} to {}: {}", time(e.from), time(e.to), e.reason), 4));
+    }
+    if let Some(w) = &evidence.witness {
+        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, None, 6)));
+    }
+    out.push('\n');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    #[test]
+    fn everything_is_said() {
+        insta::assert_snapshot!(explain(&derivation(), &sample::account(), false));
+    }
+}

@@ -1,0 +1,169 @@
+//! `report.json`: the data of a report.
+
+use serde_json::{Map, Value, json};
+
+use super::tally::declared;
+use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::derivation::Derivation;
+
+/// The contract, as text: stable order, one line for each pair of claim and trajectory.
+pub fn json(derivation: &Derivation, account: &Account) -> String {
+    let mut out = String::new();
+    write(&document(derivation, account), 0, &mut out);
+    out.push('\n');
+    out
+}
+
+/// A number, `null` where there is none.
+fn number(x: f64) -> Value {
+    serde_json::Number::from_f64(x).map_or(Value::Null, Value::Number)
+}
+
+fn numbers(xs: &[f64]) -> Value {
+    xs.iter().map(|x| number(*x)).collect()
+}
+
+fn document(derivation: &Derivation, account: &Account) -> Value {
+    let summary = account.summary();
+    let conventions: Map<String, Value> =
+        derivation.conventions.iter().map(|(k, v)| (k.clone(), Value::String(v.clone()))).collect();
+    json!({
+        "schema": 1,
+        "tool": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
+        "derivation": {
+            "id": derivation.id,
+            "title": derivation.title,
+            "sha256": derivation.sha256,
+            "concerns": derivation.concerns,
+            "source": derivation.source,
+            "remark": derivation.remark,
+            "conventions": conventions,
+        },
+        "trajectories": account.trajectories.iter().map(|t| json!({
+            "id": t.id,
+            "title": t.title,
+            "span": numbers(&[t.span.0, t.span.1]),
+            "source": t.source,
+            "given": t.given.iter().map(|(n, v)| (n.clone(), numbers(v))).collect::<Map<String, Value>>(),
+            "steps": t.steps,
+            "error": number(t.error),
+            "problem": t.problem,
+        })).collect::<Vec<_>>(),
+        "claims": account.claims.iter().map(|c| claim(derivation, c)).collect::<Vec<_>>(),
+        "measurements": account.measurements.iter().map(|m| json!({
+            "measure": m.measure,
+            "trajectory": m.trajectory,
+            "values": m.values.iter().map(|(t, v, b)| json!({
+                "t": number(*t), "value": number(*v), "bound": number(*b),
+            })).collect::<Vec<_>>(),
+            "reason": m.reason,
+        })).collect::<Vec<_>>(),
+        "summary": {
+            "holds": summary.holds,
+            "fails": summary.fails,
+            "not_applicable": summary.not_applicable,
+            "undecided": summary.undecided,
+            "unexpected": summary.unexpected,
+        },
+    })
+}
+
+fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
+    let declared = declared(derivation, claim);
+    json!({
+        "id": claim.id,
+        "reading": claim.reading,
+        "says": claim.says,
+        "formulas": claim.formulas,
+        "kinds": declared.map(|d| d.formulas.iter().map(|f| f.kind.key()).collect::<Vec<_>>()),
+        "place": claim.place,
+        "label": declared.and_then(|d| d.label.clone()),
+        "assumptions": claim.assumptions,
+        "follows_from": declared.map(|d| d.follows_from.clone()),
+        "precision": declared.map(|d| number(d.precision)),
+        "remark": claim.remark,
+        "identity": Value::Null,
+        "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
+    })
+}
+
+fn pair(pair: &PairAccount) -> Value {
+    let outcome = pair.verdict.outcome();
+    let evidence = pair.verdict.evidence();
+    json!({
+        "trajectory": pair.trajectory,
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "expected": pair.expected,
+        "unexpected": pair.is_unexpected(),
+        "residual": evidence.residual.as_ref().map(|r| json!({
+            "max": number(r.max), "bound": number(r.bound), "at": number(r.at),
+        })),
+        "samples": evidence.samples,
+        "reason": evidence.reason,
+        "branch": evidence.branch,
+        "excluded": evidence.excluded.iter().map(|e| json!({
+            "from": number(e.from), "to": number(e.to), "reason": e.reason,
+        })).collect::<Vec<_>>(),
+        "discrimination": Value::Null,
+        "witness": evidence.witness.as_ref().map(|w| json!({
+            "t": number(w.t),
+            "formula": w.formula,
+            "left": number(w.left),
+            "right": number(w.right),
+            "bound": number(w.bound),
+            "values": w.values.iter().map(|(n, v)| (n.clone(), number(*v))).collect::<Map<String, Value>>(),
+        })),
+    })
+}
+
+/// Below this depth a value stands on one line: pairs of claim and trajectory do.
+const INLINE_DEPTH: usize = 4;
+
+fn write(value: &Value, depth: usize, out: &mut String) {
+    let line = |out: &mut String, depth: usize| {
+        out.push('\n');
+        out.extend(std::iter::repeat_n("  ", depth));
+    };
+    let nested = |v: &Value| v.is_object() || v.is_array();
+    match value {
+        Value::Object(map) if depth < INLINE_DEPTH && !map.is_empty() => {
+            out.push('{');
+            for (i, (key, value)) in map.iter().enumerate() {
+                out.push_str(if i == 0 { "" } else { "," });
+                line(out, depth + 1);
+                out.push_str(&Value::String(key.clone()).to_string());
+                out.push_str(": ");
+                write(value, depth + 1, out);
+            }
+            line(out, depth);
+            out.push('}');
+        }
+        Value::Array(items) if depth < INLINE_DEPTH && items.iter().any(nested) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                out.push_str(if i == 0 { "" } else { "," });
+                line(out, depth + 1);
+                write(item, depth + 1, out);
+            }
+            line(out, depth);
+            out.push(']');
+        }
+        other => out.push_str(&other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    #[test]
+    fn the_contract_is_kept() {
+        let text = json(&derivation(), &sample::account());
+        let value: Value = serde_json::from_str(&text).expect("this is JSON");
+        assert_eq!(value, document(&derivation(), &sample::account()));
+        insta::assert_snapshot!(text);
+    }
+}

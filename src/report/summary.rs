@@ -1,0 +1,264 @@
+//! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
+
+use super::numbers::{count, size, time, value};
+use super::tally::{Group, glyph, groups, name, says};
+use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
+use crate::check::{Account, ClaimAccount, PairAccount, Witness};
+use crate::derivation::Derivation;
+
+/// Widest name of a claim in the matrix.
+const NAME_WIDTH: usize = 34;
+/// The most values that are shown beside a witness.
+const VALUES_SHOWN: usize = 12;
+/// The most places of a measurement that are shown.
+const TIMES_SHOWN: usize = 4;
+
+/// The summary of one derivation, with escape codes if `colour`.
+pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> String {
+    let paint = Paint(colour);
+    let mut out = String::new();
+    out.push_str(&format!("{}\n", paint.bold(&derivation.title)));
+    out.push_str(&paragraph(&derivation.concerns, 2));
+    out.push('\n');
+    out.push_str(&matrix(account, paint));
+    out.push_str(&blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected));
+    let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
+    out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
+    out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
+    out.push_str(&measurements(derivation, account, paint));
+    out.push_str(&problems(account, paint));
+    out.push_str(&counts(account, paint));
+    out
+}
+
+/// What `--quiet` prints: nothing, unless something differs or is undecided.
+pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> String {
+    let paint = Paint(colour);
+    let mut out = blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected);
+    out.push_str(&blocks(derivation, account, paint, "Undecided", |g| g.word == "undecided" && !g.unexpected));
+    out.push_str(&problems(account, paint));
+    out
+}
+
+/// The matrix of verdicts, in as many parts as its columns need, with its legend.
+fn matrix(account: &Account, paint: Paint) -> String {
+    let names: Vec<String> = account.claims.iter().map(name).collect();
+    let wide = names.iter().map(|n| n.chars().count()).max().unwrap_or(0).clamp(8, NAME_WIDTH);
+    let columns = (WIDTH - 4 - wide) / 2;
+    let numbered: Vec<(String, &str)> =
+        account.trajectories.iter().enumerate().map(|(i, t)| ((i + 1).to_string(), t.id.as_str())).collect();
+    let digits = numbered.last().map_or(1, |(n, _)| n.len());
+    let mut out = String::new();
+    for part in numbered.chunks(columns) {
+        for digit in 0..digits {
+            let at = |n: &str| fitted("", digits - n.len()) + n;
+            let row: String = part.iter().map(|(n, _)| format!("{} ", &at(n)[digit..=digit])).collect();
+            out.push_str(&paint.faint(format!("  {}  {row}", " ".repeat(wide)).trim_end()));
+            out.push('\n');
+        }
+        for (claim, name) in account.claims.iter().zip(&names) {
+            let cells: String = part.iter().map(|(_, id)| cell(claim, id, paint)).collect();
+            out.push_str(format!("  {}  {cells}", fitted(name, wide)).trim_end());
+            out.push('\n');
+        }
+        out.push('\n');
+    }
+    let legend = "H holds   F fails   - does not apply   ? undecided   ! differs from what is expected";
+    out.push_str(&format!("  {legend}\n\n"));
+    out.push_str(&wrapped(numbered.iter().map(|(n, id)| format!("{n}\u{a0}{id} ")), 2));
+    out.push('\n');
+    out.replace('\u{a0}', " ").replace(" \n", "\n")
+}
+
+fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
+    match claim.results.iter().find(|r| r.trajectory == trajectory) {
+        None => "  ".to_owned(),
+        Some(pair) => {
+            let outcome = pair.verdict.outcome();
+            let mark = if pair.is_unexpected() { paint.alarm("!") } else { " ".to_owned() };
+            paint.verdict(outcome, &glyph(outcome).to_string()) + &mark
+        }
+    }
+}
+
+/// One block for each group of pairs that is wanted.
+fn blocks(
+    derivation: &Derivation,
+    account: &Account,
+    paint: Paint,
+    title: &str,
+    wanted: impl Fn(&Group<'_>) -> bool,
+) -> String {
+    let mut body = String::new();
+    let mut number = 0;
+    for claim in &account.claims {
+        for group in groups(claim).iter().filter(|g| wanted(g)) {
+            number += group.pairs.len();
+            body.push_str(&block(derivation, claim, group, paint));
+        }
+    }
+    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold(title)) }
+}
+
+fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint: Paint) -> String {
+    let Some(telling) = group.telling() else { return String::new() };
+    let outcome = telling.verdict.outcome();
+    let tried = count(claim.results.len(), "trajectory");
+    let expected = match group.expected {
+        Some(word) if group.unexpected => format!(", expected: {word}"),
+        _ => String::new(),
+    };
+    let head =
+        format!("  {}  {} on {} of {tried}{expected}\n", paint.bold(&name(claim)), group.word, group.pairs.len());
+    let mut out = paint.verdict(outcome, &head);
+    let place = claim.place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
+    out.push_str(&paragraph(&format!("{}{place}", says(derivation, claim)), 4));
+    out.push_str(&telling_point(telling, 4));
+    let others: Vec<&str> =
+        group.pairs.iter().map(|p| p.trajectory.as_str()).filter(|t| *t != telling.trajectory).collect();
+    if !others.is_empty() {
+        let words =
+            others.iter().enumerate().map(|(i, t)| if i + 1 < others.len() { format!("{t},") } else { (*t).into() });
+        out.push_str(&wrapped(["also", "on"].map(String::from).into_iter().chain(words), 4));
+    }
+    out.push('\n');
+    out
+}
+
+/// The point, or the reason, that a verdict rests on.
+fn telling_point(pair: &PairAccount, indent: usize) -> String {
+    let evidence = pair.verdict.evidence();
+    let space = " ".repeat(indent);
+    let mut out = String::new();
+    if let Some(reason) = &evidence.reason {
+        out.push_str(&paragraph(&format!("{}: {reason}", pair.trajectory), indent));
+    }
+    match (&evidence.witness, &evidence.residual) {
+        (Some(witness), residual) => {
+            out.push_str(&format!("{space}{} at t = {}:  {}\n", pair.trajectory, time(witness.t), witness.formula));
+            let difference = residual.as_ref().filter(|r| r.at == witness.t).map(|r| size(r.max));
+            out.push_str(&sides(witness, difference, indent + 2));
+        }
+        (None, Some(r)) => out.push_str(&format!(
+            "{space}{}: largest residual {} at t = {}, error bound {}, {}\n",
+            pair.trajectory,
+            size(r.max),
+            time(r.at),
+            size(r.bound),
+            count(evidence.samples, "sample"),
+        )),
+        (None, None) => {}
+    }
+    out
+}
+
+/// Both sides of an equation at a witness, and what they depend on.
+pub(super) fn sides(witness: &Witness, difference: Option<String>, indent: usize) -> String {
+    let space = " ".repeat(indent);
+    let difference = difference.map(|d| format!("difference {d}, ")).unwrap_or_default();
+    let mut out = format!("{space}left   {}\n", value(witness.left));
+    out.push_str(&format!("{space}right  {}\n", value(witness.right)));
+    out.push_str(&format!("{space}{difference}error bound {}\n", size(witness.bound)));
+    if !witness.values.is_empty() {
+        let mut words: Vec<String> =
+            witness.values.iter().take(VALUES_SHOWN).map(|(n, v)| format!("{n} = {};", value(*v))).collect();
+        if witness.values.len() > VALUES_SHOWN {
+            words.push("…".into());
+        }
+        let line = wrapped(std::iter::once("at".to_owned()).chain(words), indent);
+        out.push_str(line.trim_end().trim_end_matches(';'));
+        out.push('\n');
+    }
+    out
+}
+
+fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> String {
+    let mut out = String::new();
+    for measure in &derivation.measures {
+        let mut lines = String::new();
+        for m in account.measurements.iter().filter(|m| m.measure == measure.id && !m.values.is_empty()) {
+            let values = m.values.iter().take(TIMES_SHOWN).map(|(t, v, b)| {
+                let unit = measure.unit.as_ref().map(|u| format!(" {u}")).unwrap_or_default();
+                format!("{}{unit} ± {} (t = {})", time(*v), size(*b), time(*t)).replace(' ', "\u{a0}")
+            });
+            let more = m.values.len().saturating_sub(TIMES_SHOWN);
+            let more = (more > 0).then(|| format!("and\u{a0}{more}\u{a0}more"));
+            lines.push_str(&wrapped(std::iter::once(format!("{}:", m.trajectory)).chain(values).chain(more), 4));
+        }
+        if !lines.is_empty() {
+            out.push_str(&format!("  {}  {}\n{lines}", paint.bold(&measure.id), measure.says));
+        }
+    }
+    let out = out.replace('\u{a0}', " ");
+    if out.is_empty() { out } else { format!("{}\n\n{out}\n", paint.bold("Measured")) }
+}
+
+fn problems(account: &Account, paint: Paint) -> String {
+    let mut out = String::new();
+    for t in &account.trajectories {
+        if let Some(problem) = &t.problem {
+            out.push_str(&paint.alarm(&paragraph(&format!("trajectory {}: {problem}", t.id), 2)));
+        }
+    }
+    if out.is_empty() { out } else { out + "\n" }
+}
+
+/// The last lines: how many pairs have which verdict.
+fn counts(account: &Account, paint: Paint) -> String {
+    let s = account.summary();
+    let claims = count(account.claims.len(), "claim");
+    let trajectories = count(account.trajectories.len(), "trajectory");
+    let verdicts =
+        format!("{} hold, {} fail, {} do not apply, {} undecided", s.holds, s.fails, s.not_applicable, s.undecided);
+    let unexpected = match s.unexpected {
+        0 => "as expected".to_owned(),
+        n => paint.alarm(&format!("{n} not as expected")),
+    };
+    format!("{claims} (readings counted) on {trajectories}: {unexpected}\n{verdicts}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    #[test]
+    fn the_summary_of_a_small_account() {
+        insta::assert_snapshot!(summary(&derivation(), &sample::account(), false));
+    }
+
+    #[test]
+    fn quiet_keeps_what_matters() {
+        insta::assert_snapshot!(exceptions(&derivation(), &sample::account(), false));
+    }
+
+    #[test]
+    fn many_trajectories_and_long_names_fit() {
+        let mut account = sample::account();
+        account.claims[0].id = "a-claim-with-an-unusually-long-name-that-goes-on".into();
+        let first = account.trajectories[0].clone();
+        let result = account.claims[1].results[0].clone();
+        account.trajectories.clear();
+        account.claims[1].results.clear();
+        for i in 0..131 {
+            let id = format!("trajectory-{i}");
+            account.trajectories.push(crate::check::TrajectoryAccount { id: id.clone(), ..first.clone() });
+            account.claims[1].results.push(PairAccount { trajectory: id, ..result.clone() });
+        }
+        let text = summary(&derivation(), &account, false);
+        for line in text.lines() {
+            assert!(line.chars().count() <= WIDTH, "{line}");
+        }
+        assert!(text.contains("fails on 131 of 131 trajectories"));
+        assert_eq!(text.matches("left   ").count(), 1, "one witness for all of them");
+    }
+
+    #[test]
+    fn colour_changes_nothing_but_colour() {
+        let plain = summary(&derivation(), &sample::account(), false);
+        let coloured = summary(&derivation(), &sample::account(), true);
+        assert_ne!(plain, coloured);
+        assert_eq!(anstream::adapter::strip_str(&coloured).to_string(), plain);
+    }
+}

@@ -1,0 +1,115 @@
+//! What a row of verdicts amounts to, in words.
+
+use crate::check::{ClaimAccount, Outcome, PairAccount};
+use crate::derivation::{Claim, Derivation};
+
+/// How a claim fares as a whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Standing {
+    /// It holds wherever it applies.
+    Holds,
+    /// It holds on some trajectories and fails on others.
+    Mixed,
+    /// It fails wherever it applies.
+    Fails,
+    /// It fails nowhere, but is undecided somewhere.
+    Open,
+    /// It applies nowhere.
+    Nowhere,
+}
+
+impl Standing {
+    pub const ALL: [Standing; 5] =
+        [Standing::Holds, Standing::Mixed, Standing::Fails, Standing::Open, Standing::Nowhere];
+
+    /// The standing of a claim.
+    pub fn of(claim: &ClaimAccount) -> Standing {
+        let any = |word: &str| claim.results.iter().any(|r| r.verdict.outcome().word() == word);
+        match (any("holds"), any("fails"), any("undecided")) {
+            (true, true, _) => Standing::Mixed,
+            (false, true, _) => Standing::Fails,
+            (_, false, true) => Standing::Open,
+            (true, false, false) => Standing::Holds,
+            (false, false, false) => Standing::Nowhere,
+        }
+    }
+
+    /// In words, for the heading of a list of so many claims.
+    pub fn words(self, n: usize) -> &'static str {
+        match (self, n) {
+            (Standing::Holds, 1) => "holds on every trajectory to which it applies",
+            (Standing::Holds, _) => "hold on every trajectory to which they apply",
+            (Standing::Mixed, 1) => "holds on some trajectories and fails on others",
+            (Standing::Mixed, _) => "hold on some trajectories and fail on others",
+            (Standing::Fails, 1) => "fails, and holds nowhere",
+            (Standing::Fails, _) => "fail, and hold nowhere",
+            (Standing::Open, 1) => "is undecided somewhere and fails nowhere",
+            (Standing::Open, _) => "are undecided somewhere and fail nowhere",
+            (Standing::Nowhere, 1) => "applies to none of the trajectories",
+            (Standing::Nowhere, _) => "apply to none of the trajectories",
+        }
+    }
+}
+
+/// Pairs of one claim with the same outcome and the same expectation.
+pub(super) struct Group<'a> {
+    pub word: &'static str,
+    pub expected: Option<&'static str>,
+    pub unexpected: bool,
+    pub pairs: Vec<&'a PairAccount>,
+}
+
+impl Group<'_> {
+    /// The pair that tells most: the largest residual, otherwise the first.
+    pub fn telling(&self) -> Option<&PairAccount> {
+        let residual = |p: &PairAccount| p.verdict.evidence().residual.as_ref().map_or(-1.0, |r| r.max);
+        self.pairs.iter().copied().reduce(|a, b| if residual(b) > residual(a) { b } else { a })
+    }
+}
+
+/// The groups of a claim, in the order of their first pair.
+pub(super) fn groups(claim: &ClaimAccount) -> Vec<Group<'_>> {
+    let mut out: Vec<Group<'_>> = Vec::new();
+    for pair in &claim.results {
+        let word = pair.verdict.outcome().word();
+        match out.iter_mut().find(|g| g.word == word && g.expected == pair.expected) {
+            Some(group) => group.pairs.push(pair),
+            None => {
+                let unexpected = pair.is_unexpected();
+                out.push(Group { word, expected: pair.expected, unexpected, pairs: vec![pair] });
+            }
+        }
+    }
+    out
+}
+
+/// One letter for a verdict, readable without colour.
+pub(super) fn glyph(outcome: Outcome) -> char {
+    match outcome {
+        Outcome::Holds(_) => 'H',
+        Outcome::Fails(_) => 'F',
+        Outcome::NotApplicable => '-',
+        Outcome::Undecided => '?',
+    }
+}
+
+/// `id`, or `id/reading`.
+pub(super) fn name(claim: &ClaimAccount) -> String {
+    match &claim.reading {
+        Some(reading) => format!("{}/{reading}", claim.id),
+        None => claim.id.clone(),
+    }
+}
+
+/// What a claim says; for a reading, first what its claim says.
+pub(super) fn says(derivation: &Derivation, claim: &ClaimAccount) -> String {
+    match declared(derivation, claim).and_then(|d| d.parent_says.as_ref()) {
+        Some(parent) => format!("{parent}: {}", claim.says),
+        None => claim.says.clone(),
+    }
+}
+
+/// The claim of the file that an account is of.
+pub(super) fn declared<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> Option<&'d Claim> {
+    derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading)
+}

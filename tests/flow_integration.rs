@@ -1,0 +1,161 @@
+//! Integration against solutions that are known by formula.
+
+mod flow_support;
+
+use flow_support::{UNIT, World, rigid_motion};
+use rederive::flow::{FlowError, Problem};
+
+/// The largest |numerical − exact| over the span, which must lie within the claimed error at every time.
+fn worst(world: &mut World, motion: &mut rederive::flow::Motion, name: &str, exact: impl Fn(f64) -> f64) -> (f64, f64) {
+    world.prepare(motion, &[name]);
+    let (mut worst, mut claimed) = (0.0_f64, 0.0_f64);
+    for t in motion.sample_times(5) {
+        let x = motion.at(t)[0].unwrap();
+        let off = (x.value - exact(t)).abs();
+        // The formula itself is rounded.
+        let slack = 4.0 * f64::EPSILON * (1.0 + exact(t).abs());
+        assert!(off <= x.error + slack, "{name} at {t}: off by {off:e}, claimed {:e}", x.error);
+        worst = worst.max(off);
+        claimed = claimed.max(x.error);
+    }
+    (worst, claimed)
+}
+
+#[test]
+fn harmonic_oscillator_as_a_system_of_second_order() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["m*x'' + k*x = 0"]).unwrap();
+    assert_eq!(field.states().len(), 2);
+    let initial = [("x", "0.3"), ("x'", "1.7")];
+    let mut m = w.integrate(&field, &initial, &[("m", "0.7"), ("k", "2.3")], &[], (0.0, 100.0), 0.0).unwrap();
+    assert_eq!(m.problem(), None);
+    let omega = (2.3_f64 / 0.7).sqrt();
+    let (off, claimed) = worst(&mut w, &mut m, "x", |t| 0.3 * (omega * t).cos() + 1.7 / omega * (omega * t).sin());
+    assert!(off < 1e-12 && claimed < 1e3 * off, "{off:e} {claimed:e}");
+    worst(&mut w, &mut m, "x'", |t| -0.3 * omega * (omega * t).sin() + 1.7 * (omega * t).cos());
+    worst(&mut w, &mut m, "x''", |t| -omega * omega * (0.3 * (omega * t).cos() + 1.7 / omega * (omega * t).sin()));
+}
+
+#[test]
+fn kepler_orbit_of_high_eccentricity() {
+    let mut w = World::default();
+    let field = w.field(&["x", "y"], &["x'' = -x/sqrt(x^2+y^2)^3", "y'' = -y/sqrt(x^2+y^2)^3"]).unwrap();
+    // At perihelion: r = 1 − e, v² = (1 + e)/(1 − e), e = 0.9.
+    let initial = [("x", "0.1"), ("y", "0"), ("x'", "0"), ("y'", "sqrt(19)")];
+    let span = (0.0, 6.0 * std::f64::consts::TAU);
+    let mut m = w.integrate(&field, &initial, &[], &[], span, 0.0).unwrap();
+    assert_eq!(m.problem(), None);
+    let anomaly = |t: f64| {
+        let e = 0.9;
+        let mean = t;
+        let mut u = mean + e * mean.sin();
+        for _ in 0..100 {
+            u -= (u - e * u.sin() - mean) / (1.0 - e * u.cos());
+        }
+        u
+    };
+    let (off, claimed) = worst(&mut w, &mut m, "x", |t| anomaly(t).cos() - 0.9);
+    assert!(off < 1e-11 && claimed < 1e4 * off, "{off:e} {claimed:e}");
+    worst(&mut w, &mut m, "y", |t| 0.19_f64.sqrt() * anomaly(t).sin());
+}
+
+#[test]
+fn fields_that_depend_on_time() {
+    let mut w = World::default();
+    let field = w.field(&["y", "z"], &["y' = 7*t^6", "z' = z + t"]).unwrap();
+    let mut m = w.integrate(&field, &[("y", "0"), ("z", "1")], &[], &[], (0.0, 3.0), 0.0).unwrap();
+    let (off, _) = worst(&mut w, &mut m, "y", |t| t.powi(7));
+    assert!(off < 1e-12 * 2187.0, "{off:e}");
+    let (off, _) = worst(&mut w, &mut m, "z", |t| 2.0 * t.exp() - t - 1.0);
+    assert!(off < 1e-13, "{off:e}");
+}
+
+#[test]
+fn a_series_that_starts_with_many_zeros_is_not_mistaken_for_a_constant() {
+    let mut w = World::default();
+    let field = w.field(&["y"], &["y' = 40*t^39"]).unwrap();
+    let mut m = w.integrate(&field, &[("y", "0.5")], &[], &[], (0.0, 1.5), 0.0).unwrap();
+    let (off, _) = worst(&mut w, &mut m, "y", |t| 0.5 + t.powi(40));
+    assert!(off < 1e-6, "{off:e}");
+}
+
+#[test]
+fn forward_and_backward_from_the_middle() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = -x*t"]).unwrap();
+    let mut m = w.integrate(&field, &[("x", "2")], &[], &[], (-3.0, 4.0), 1.0).unwrap();
+    assert_eq!(m.span(), (-3.0, 4.0));
+    let (off, _) = worst(&mut w, &mut m, "x", |t| 2.0 * (0.5 - 0.5 * t * t).exp());
+    assert!(off < 1e-13, "{off:e}");
+    let mut back = w.integrate(&field, &[("x", "2")], &[], &[], (-3.0, 1.0), 1.0).unwrap();
+    worst(&mut w, &mut back, "x", |t| 2.0 * (0.5 - 0.5 * t * t).exp());
+    assert_eq!(back.span(), (-3.0, 1.0));
+}
+
+#[test]
+fn a_motion_that_blows_up_is_kept_up_to_there() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = x^2"]).unwrap();
+    let mut m = w.integrate(&field, &[("x", "1")], &[], &[], (0.0, 3.0), 0.0).unwrap();
+    let Some(Problem::StepCollapsed { time }) = m.problem().cloned() else { panic!("{:?}", m.problem()) };
+    assert!((0.999..=1.0).contains(&time), "{time}");
+    assert_eq!(m.span().1, time);
+    w.prepare(&mut m, &["x"]);
+    let x = m.at(0.5)[0].unwrap();
+    assert!((x.value - 2.0).abs() < 1e-14);
+    assert!(m.at(2.0)[0].is_err(), "after the pole there is no value");
+    for t in m.sample_times(3) {
+        if let Ok(x) = m.at(t)[0] {
+            assert!((x.value - 1.0 / (1.0 - t)).abs() <= x.error + 1e-15 * x.value.abs(), "{t}");
+        }
+    }
+}
+
+#[test]
+fn a_singular_inertia_names_the_state() {
+    let mut w = World::default();
+    let field = flow_support::rigid_body(&mut w);
+    let initial: Vec<(&str, &str)> =
+        flow_support::rigid_states().into_iter().zip(UNIT.into_iter().chain(["1", "2", "3"])).collect();
+    let parameters = [("I1", "1.9"), ("I2", "0"), ("I3", "0.7")];
+    let error = w.integrate(&field, &initial, &parameters, &[], (0.0, 1.0), 0.0).unwrap_err();
+    assert!(matches!(&error, FlowError::Singular { state, .. } if state == "O2"), "{error}");
+    assert!(error.to_string().contains("O2"));
+}
+
+#[test]
+fn a_rate_that_loses_its_value_on_the_way() {
+    let mut w = World::default();
+    // x reaches 0 at t = 1, where the rate of y ends.
+    let field = w.field(&["x", "y"], &["x' = -1", "y' = sqrt(x)"]).unwrap();
+    let m = w.integrate(&field, &[("x", "1"), ("y", "0")], &[], &[], (0.0, 3.0), 0.0).unwrap();
+    assert!(m.problem().is_some());
+    assert!(m.span().1 > 0.9 && m.span().1 <= 1.0 + 1e-12, "{:?}", m.span());
+}
+
+#[test]
+fn spans_are_checked() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = x"]).unwrap();
+    for (span, initial) in [((1.0, 0.0), 0.5), ((0.0, 1.0), 2.0), ((0.0, f64::NAN), 0.0), ((0.0, 0.0), 0.0)] {
+        let error = w.integrate(&field, &[("x", "1")], &[], &[], span, initial).unwrap_err();
+        assert!(matches!(error, FlowError::Span { .. }));
+    }
+    let missing = w.integrate(&field, &[], &[], &[], (0.0, 1.0), 0.0).unwrap_err();
+    assert_eq!(missing.to_string(), "no initial value is given for x");
+    let undefined = w.integrate(&field, &[("x", "sqrt(-1)")], &[], &[], (0.0, 1.0), 0.0).unwrap_err();
+    assert!(matches!(undefined, FlowError::Undefined { .. }));
+}
+
+#[test]
+fn exact_zeros_stay_exact_on_an_unstable_equilibrium() {
+    let mut w = World::default();
+    let mut m = rigid_motion(&mut w, ["0.6", "1.3", "1.1"], UNIT, ["0", "0", "2.1"], &[], (0.0, 20.0));
+    w.prepare(&mut m, &["O1", "R31", "O3", "R11"]);
+    let x = m.at(17.0);
+    assert_eq!((x[0].unwrap().value, x[0].unwrap().error), (0.0, 0.0));
+    assert_eq!((x[1].unwrap().value, x[1].unwrap().error), (0.0, 0.0));
+    assert_eq!(x[2].unwrap().value, 2.1);
+    let r = x[3].unwrap();
+    assert!((r.value - (2.1_f64 * 17.0).cos()).abs() <= r.error + 1e-14);
+}

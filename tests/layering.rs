@@ -1,0 +1,202 @@
+//! The rooms of `src/` import only what they may (see the table in the crate's documentation).
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each room, and the rooms that it may import beside itself.
+const MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("diag", &[]),
+    ("number", &[]),
+    ("expr", &["number"]),
+    ("latex", &["diag", "expr"]),
+    ("derivation", &["diag", "expr", "latex"]),
+    ("tape", &["expr", "number"]),
+    ("flow", &["expr", "tape", "number"]),
+    ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
+    ("report", &["diag", "derivation", "check"]),
+];
+
+/// Files of `src/` that belong to no room.
+const OUTSIDE: &[&str] = &["lib.rs", "main.rs", "cli", "notes", "bibliography.rs"];
+
+/// The code without comments, strings and characters; line breaks are kept.
+fn code_only(text: &str) -> String {
+    let chars: Vec<char> = text.chars().collect();
+    let mut out = String::new();
+    let mut i = 0;
+    let at = |i: usize| chars.get(i).copied().unwrap_or('\0');
+    while i < chars.len() {
+        let raw = (at(i) == 'r' && !out.ends_with(|c: char| c.is_alphanumeric() || c == '_'))
+            .then(|| chars[i + 1..].iter().take_while(|c| **c == '#').count())
+            .filter(|hashes| at(i + 1 + hashes) == '"');
+        if at(i) == '/' && at(i + 1) == '/' {
+            while i < chars.len() && at(i) != '\n' {
+                i += 1;
+            }
+        } else if at(i) == '/' && at(i + 1) == '*' {
+            let mut depth = 0;
+            while i < chars.len() {
+                match (at(i), at(i + 1)) {
+                    ('/', '*') => (depth, i) = (depth + 1, i + 2),
+                    ('*', '/') => (depth, i) = (depth - 1, i + 2),
+                    _ => i += 1,
+                }
+                if depth == 0 {
+                    break;
+                }
+            }
+        } else if let Some(hashes) = raw {
+            let end: String = std::iter::once('"').chain(std::iter::repeat_n('#', hashes)).collect();
+            i += 2 + hashes;
+            while i < chars.len() && !chars[i..].iter().take(1 + hashes).copied().eq(end.chars()) {
+                i += 1;
+            }
+            i += 1 + hashes;
+        } else if at(i) == '"' {
+            i += 1;
+            while i < chars.len() && at(i) != '"' {
+                i += if at(i) == '\\' { 2 } else { 1 };
+            }
+            i += 1;
+        } else if at(i) == '\'' && (at(i + 1) == '\\' || at(i + 2) == '\'') {
+            // A character; anything else after a quote is a lifetime.
+            i += if at(i + 1) == '\\' { 3 } else { 2 };
+            while i < chars.len() && at(i) != '\'' {
+                i += 1;
+            }
+            i += 1;
+        } else {
+            out.push(at(i));
+            i += 1;
+        }
+    }
+    out
+}
+
+/// The first segment of every path that begins with `crate::` (or, with `root`, that name), also in braces.
+fn imports(code: &str, root: &str) -> Vec<String> {
+    let squeezed: String =
+        code.split_whitespace().collect::<Vec<_>>().join(" ").replace(" ::", "::").replace(":: ", "::");
+    let mut out = Vec::new();
+    for (start, _) in squeezed.match_indices(&format!("{root}::")) {
+        if squeezed[..start].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$') {
+            continue;
+        }
+        let rest = &squeezed[start + root.len() + 2..];
+        match rest.strip_prefix('{') {
+            None => out.push(first_name(rest)),
+            Some(list) => {
+                let mut depth = 0;
+                let mut item = true;
+                for (i, c) in list.char_indices() {
+                    match c {
+                        '{' => depth += 1,
+                        '}' if depth == 0 => break,
+                        '}' => depth -= 1,
+                        ',' if depth == 0 => item = true,
+                        ' ' => {}
+                        _ if item && depth == 0 => {
+                            out.push(first_name(&list[i..]));
+                            item = false;
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+    }
+    out.retain(|n| !n.is_empty());
+    out
+}
+
+fn first_name(text: &str) -> String {
+    text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// What is wrong in the code of a file in a room.
+fn violations(room: &str, allowed: &[&str], text: &str) -> Vec<String> {
+    let mut found = imports(&code_only(text), "crate");
+    found.extend(imports(&code_only(text), "rederive"));
+    found.retain(|target| target != room && !allowed.contains(&target.as_str()));
+    found
+}
+
+fn rust_files(path: &Path, out: &mut Vec<PathBuf>) {
+    if path.is_dir() {
+        for entry in fs::read_dir(path).expect("a folder can be listed") {
+            rust_files(&entry.expect("an entry can be read").path(), out);
+        }
+    } else if path.extension().is_some_and(|e| e == "rs") {
+        out.push(path.to_path_buf());
+    }
+}
+
+#[test]
+fn rooms_import_only_what_they_may() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut seen = 0;
+    for (room, allowed) in MAY_IMPORT {
+        let mut files = Vec::new();
+        rust_files(&src.join(room), &mut files);
+        let single = src.join(format!("{room}.rs"));
+        if single.exists() {
+            files.push(single);
+        }
+        seen += files.len();
+        for file in files {
+            let text = fs::read_to_string(&file).expect("a source file can be read");
+            let found = violations(room, allowed, &text);
+            assert!(found.is_empty(), "{}: `{room}` may not import {found:?}", file.display());
+        }
+    }
+    assert!(seen > 10, "only {seen} files were looked at");
+}
+
+#[test]
+fn every_file_is_in_a_room() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for entry in fs::read_dir(src).expect("src can be listed") {
+        let name = entry.expect("an entry can be read").file_name().to_string_lossy().into_owned();
+        if name.starts_with('.') {
+            continue; // left by an editor or a test run
+        }
+        let room = MAY_IMPORT.iter().any(|(room, _)| name == *room || name == format!("{room}.rs"));
+        assert!(room || OUTSIDE.contains(&name.as_str()), "src/{name} is no room: add it to MAY_IMPORT");
+    }
+}
+
+#[test]
+fn no_file_is_long() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    rust_files(&src, &mut files);
+    for file in files {
+        let lines = fs::read_to_string(&file).expect("a source file can be read").lines().count();
+        assert!(lines < 600, "{} has {lines} lines", file.display());
+    }
+}
+
+#[test]
+fn a_violation_is_found() {
+    let allowed = &["expr"];
+    let check = |text: &str| violations("latex", allowed, text);
+    assert_eq!(check("use crate::flow::Trajectory;"), ["flow"]);
+    assert_eq!(check("use crate::{expr::{Expr, Graph}, tape, check::Verdict as V};"), ["tape", "check"]);
+    assert_eq!(check("fn f(x: &crate::number::NoValue) {}"), ["number"]);
+    assert_eq!(check("use crate :: flow;"), ["flow"]);
+    assert_eq!(check("use crate::\n    flow;"), ["flow"]);
+    assert_eq!(check("let c = '\\''; let d = '\"'; use crate::flow; // \""), ["flow"]);
+    assert_eq!(check("fn f<'a>(x: &'a str) -> &'a str { crate::flow::g(x) }"), ["flow"]);
+    assert_eq!(check("pub(crate) use crate::{\n  flow, // last\n};"), ["flow"]);
+}
+
+#[test]
+fn what_is_no_import_is_not_found() {
+    let check = |text: &str| violations("latex", &["expr"], text);
+    assert!(check("use crate::expr::Expr; use crate::latex::Scope; use super::flow;").is_empty());
+    assert!(
+        check("// use crate::flow;\n/// [`crate::flow`]\n/* crate::flow /* crate::tape */ crate::flow */").is_empty()
+    );
+    assert!(check("let s = \"crate::flow \\\" crate::tape\"; let r = r#\"crate::flow \" \"#;").is_empty());
+    assert!(check("use other_crate::flow; mycrate::flow();").is_empty());
+}
