@@ -8,7 +8,7 @@ use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
-use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions, unmarked};
 use super::witness::{Found, Scene, domains, refutation};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::number::Draws;
@@ -88,6 +88,9 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let mut pivots = Pivots::of(&examination, &resolved);
     examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
+        if !is_simple(examination.graph, pivots.list[at]) {
+            continue;
+        }
         let mut with_pivot = vec![(pivots.list[at], false)];
         with_pivot.extend(&own);
         let Ok(outcomes) = examination.run(&with_pivot) else { continue };
@@ -108,6 +111,12 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     all.dedup();
     proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
     Ok(proof)
+}
+
+/// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
+fn is_simple(graph: &Graph, pivot: Expr) -> bool {
+    let nodes = graph.reachable([pivot]);
+    nodes.len() <= 48 && !nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt, _)))
 }
 
 /// What becomes of one case.
@@ -473,6 +482,31 @@ fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[F
     found
 }
 
+/// (σ√d)² written as d.
+fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
+    let mut image: HashMap<Expr, Expr> = HashMap::new();
+    for node in graph.reachable([e]) {
+        let mut new = match *graph.node(node) {
+            Node::Unary(op, a) => graph.unary(op, image[&a]),
+            Node::Binary(op, a, b) => graph.binary(op, image[&a], image[&b]),
+            _ => node,
+        };
+        if let Node::Unary(Op::Powi(2), a) = *graph.node(new)
+            && let Node::Binary(Op::Mul, p, q) = *graph.node(a)
+        {
+            for root in [p, q] {
+                if let Node::Unary(Op::Sqrt, radicand) = *graph.node(root)
+                    && let Some(plain) = unmarked(graph, generators, radicand)
+                {
+                    new = plain;
+                }
+            }
+        }
+        image.insert(node, new);
+    }
+    image[&e]
+}
+
 /// Conditions that are not among the facts, in words of the formulas as given.
 fn conditions(
     graph: &mut Graph,
@@ -485,6 +519,7 @@ fn conditions(
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
     let raise = |graph: &mut Graph, e: Expr| {
+        let e = without_signs(graph, generators, e);
         graph.substitute(e, |graph, leaf| {
             Some(match *generators.get(leaf)? {
                 Generator::Cosine(a) => graph.unary(Op::Cos, a),

@@ -62,7 +62,7 @@ pub(super) enum Strategy {
 impl Strategy {
     /// In the order of trying.
     pub(super) const ALL: [Strategy; 4] =
-        [Strategy::AsGiven, Strategy::LowDegree, Strategy::CertainPivots, Strategy::LastFirst];
+        [Strategy::LowDegree, Strategy::AsGiven, Strategy::CertainPivots, Strategy::LastFirst];
 }
 
 /// What the resolution works with.
