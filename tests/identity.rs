@@ -3,7 +3,7 @@
 mod infix;
 
 use infix::Reader;
-use rederive::check::identity::{Identity, Options, identity_test};
+use rederive::check::identity::{Condition, Identity, Options, branches_test, identity_test};
 
 /// Tests `claim` under `premises`; `moving` names what depends on t.
 fn test(claim: &str, premises: &str, moving: &str) -> Identity {
@@ -141,21 +141,47 @@ fn the_comment() {
         let start = std::time::Instant::now();
         let outcome = test(&step.claim, &step.premises, &step.moving);
         let took = start.elapsed();
-        match outcome {
-            Identity::Proved(p) => {
-                println!(
-                    "{:32} 2^{:.0} degree {:.0} height {:.0} trials {} signs {} cases {} example {} {took:?}",
-                    step.id,
-                    p.log2_error,
-                    p.degree_bound,
-                    p.height_bound,
-                    p.trials,
-                    p.signs,
-                    p.cases,
-                    p.example.is_some()
-                );
-            }
-            other => println!("{:32} {} {other:?} {took:?}", step.id, other.word()),
-        }
+        let Identity::Proved(p) = outcome else { panic!("{}: {outcome:#?}", step.id) };
+        println!(
+            "{:32} 2^{:.0}, degree {:.0}, height {:.0}, trials {}, signs {}, cases {}, conditions {}, {took:?}",
+            step.id,
+            p.log2_error,
+            p.degree_bound,
+            p.height_bound,
+            p.trials,
+            p.signs,
+            p.cases,
+            p.conditions.len()
+        );
+        assert!(p.log2_error <= -100.0 && p.example.is_some(), "{}", step.id);
     }
+}
+
+#[test]
+fn what_the_comment_leaves_open() {
+    // 2E = m²/I does not imply that R is the unit matrix.
+    let premises = format!(
+        "{}; E = (I1*w1^2 + I2*w2^2 + I3*w3^2)/2; w1 = m3*R31/I1; w2 = m3*R32/I2; w3 = m3*R33/I3; \
+         2*E = m3^2/I3; I1 > 0; I2 > 0; I3 > 0",
+        comment::orthogonal("R")
+    );
+    refuted("R33 = 1", &premises);
+    // ψ₀ is real for some orders of the moments only: that is among the conditions.
+    let given = format!("{}; I1 - I2 != 0; I1 > 0; I2 > 0; I3 > 0", comment::PSI0);
+    let Identity::Proved(p) = test("sin(ps)^2 = I1*(I2 - I3)/(I3*(I2 - I1))", &given, "") else { panic!() };
+    let radicands = p.conditions.iter().filter(|c| matches!(c, Condition::Radicand(_))).count();
+    assert_eq!(radicands, 2, "cos² ≥ 0 and 1 − cos² ≥ 0: {:?}", p.conditions);
+}
+
+#[test]
+fn plus_or_minus() {
+    let mut r = Reader::default();
+    let root = "sqrt(((1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(ps)^2)\
+                *(1/I3 - 2*E/m3^2 + (1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(ps)^2))/(1/I1 - (1/I1 - 1/I2)*cos(ps)^2)";
+    let branches = vec![r.equations(&format!("ps'/ph' = {root}")), r.equations(&format!("ps'/ph' = -{root}"))];
+    let given = format!("{}; {}; {}; m3 != 0; I1 > 0; I2 > 0; I3 > 0", comment::T9B, comment::T9C, comment::T10);
+    let given = r.premises(&given, "");
+    let verdict = branches_test(&mut r.graph, &branches, &given, &Options::default());
+    assert!(matches!(verdict.pointwise, Identity::Proved(_)), "{verdict:#?}");
+    assert!(verdict.throughout.iter().all(|i| matches!(i, Identity::Refuted(_))), "{verdict:#?}");
 }

@@ -4,7 +4,7 @@ use super::growth::{Growth, MARGIN};
 use super::lower::{Generator, Generators};
 use super::outcome::{Options, Reason};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Draws, Finite, FiniteField, NoValue};
+use crate::number::{Draws, Finite, FiniteField, NoValue, Number};
 use crate::tape::{Slots, Tape};
 
 /// What is asked of one case, all in normal form (see [`roots`](super::roots)).
@@ -94,10 +94,10 @@ pub(super) fn trials(
     };
     // One trial: the prime divides all coefficients of a norm, or one of the points drawn is a zero of it (or a filter took
     // one of the listed values there).
-    let primes = height / FiniteField::LOG2_P * (-FiniteField::LOG2_PRIMES).exp2();
-    let points = DRAWS as f64 * (1.0 + CONSTANT_COUNT) * degree * (-FiniteField::LOG2_P).exp2();
-    let each = ((primes + points) * MARGIN).log2();
-    if !(each < -8.0) {
+    let primes = height / FiniteField::LOG2_P * power_of_two(-FiniteField::LOG2_PRIMES);
+    let points = DRAWS as f64 * (1.0 + CONSTANT_COUNT) * degree * power_of_two(-FiniteField::LOG2_P);
+    let each = log2_above((primes + points) * MARGIN);
+    if each.is_nan() || each >= -8.0 {
         return Trials::Unsettled(Reason::Bound(each));
     }
     let count = (options.target_log2_error / each).ceil().max(1.0) as usize;
@@ -248,6 +248,29 @@ fn bounds(tape: &Tape, leaves: &[Leaf], generators: &Generators, tested: usize, 
         degree += g.top_degree;
         height += g.top_bits;
     }
-    let norm = (signs as f64).exp2();
+    let norm = power_of_two(signs as f64);
     (f64::is_finite(degree) && f64::is_finite(height)).then_some((degree * norm, height * norm))
+}
+
+/// 2ⁿ for a whole n of moderate size.
+fn power_of_two(n: f64) -> f64 {
+    let whole = n.abs() as u32;
+    let magnitude = (0..whole).fold(1.0, |power, _| 2.0 * power);
+    if n < 0.0 { 1.0 / magnitude } else { magnitude }
+}
+
+/// An upper bound of log₂ x for x > 0; not a number or infinite where x is.
+fn log2_above(x: f64) -> f64 {
+    let mut ln = 0.0;
+    match Number::ln(&mut ln, &(), &x) {
+        Ok(()) => ln / std::f64::consts::LN_2 + 1e-6,
+        Err(_) => f64::INFINITY,
+    }
+}
+
+/// An upper bound of log₂(2ᵃ + 2ᵇ).
+pub(super) fn sum_log2(a: f64, b: f64) -> f64 {
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    let whole = (high - low).floor().min(60.0) as i32;
+    high + (1.45 / (1u64 << whole) as f64).min(1.0)
 }

@@ -1,15 +1,16 @@
 //! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
 
-use super::field::{Question, Trials, trials};
+use super::conditions::conditions;
+use super::field::{Question, Trials, sum_log2, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
+use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
 use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
-use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions, unmarked};
-use super::witness::{Found, Scene, domains, refutation};
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
+use super::witness::{Found, Scene, refutation};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::number::Draws;
 use std::collections::{HashMap, HashSet};
@@ -17,25 +18,69 @@ use std::collections::{HashMap, HashSet};
 type Pairs = Vec<(Expr, Expr)>;
 
 /// The problem after lowering.
-struct Lowered {
-    generators: Generators,
+pub(super) struct Lowered {
+    pub(super) generators: Generators,
     /// Residuals of the premises that are not definitions, and whether they are derivatives of others.
-    premises: Vec<(Expr, bool)>,
-    claim: Pairs,
-    facts: Facts,
-    denominators: Vec<Expr>,
+    pub(super) premises: Vec<(Expr, bool)>,
+    pub(super) claim: Pairs,
+    pub(super) facts: Facts,
+    pub(super) denominators: Vec<Expr>,
     /// Given as ≠ 0.
-    assumed: Vec<Expr>,
+    pub(super) assumed: Vec<Expr>,
     frozen: HashSet<Leaf>,
 }
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
+///
+/// See the [module](self::super) for the procedure, the theorem behind the bound, and what is not decided.
+///
+/// `given` may name derivatives by time; definitions among it are inserted. The graph gets new nodes and, once, one hidden
+/// symbol.
 pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Identity {
     match decide(graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
         Err(Stop::Undecided(reason)) => Identity::Undecided(reason),
     }
+}
+
+/// The answer for a family of branches: a formula with ±, one list of equations for each choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branches {
+    /// For each branch: whether it holds by itself, at every point.
+    pub throughout: Vec<Identity>,
+    /// Whether at every point some branch holds (which one may change from point to point).
+    pub pointwise: Identity,
+}
+
+/// Tests a family of branches, as a whole and each by itself.
+///
+/// "Some branch at each point" is one identity: of the residuals f of the branches, ∏ f = 0; for systems, every product that
+/// takes one residual of each branch.
+pub fn branches_test(
+    graph: &mut Graph,
+    branches: &[Vec<(Expr, Expr)>],
+    given: &Premises,
+    options: &Options,
+) -> Branches {
+    let throughout = branches.iter().map(|b| identity_test(graph, b, given, options)).collect();
+    let zero = graph.integer(0);
+    let mut products = vec![graph.integer(1)];
+    for branch in branches {
+        let mut next = Vec::new();
+        for &p in &products {
+            for &(l, r) in branch {
+                let residual = graph.sub(l, r);
+                next.push(graph.mul(p, residual));
+            }
+        }
+        if next.len() > 256 {
+            return Branches { throughout, pointwise: Identity::Undecided(Reason::TooLarge) };
+        }
+        products = next;
+    }
+    let equations: Pairs = products.into_iter().map(|p| (p, zero)).collect();
+    Branches { throughout, pointwise: identity_test(graph, &equations, given, options) }
 }
 
 impl From<TooLarge> for Reason {
@@ -105,6 +150,9 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
             Err(Stop::Undecided(_)) => {}
         }
     }
+    if proof.log2_error > options.target_log2_error {
+        return Err(Reason::Bound(proof.log2_error).into());
+    }
     let needed = pivots.needed();
     let Examination { graph, lowered, .. } = examination;
     let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
@@ -168,7 +216,7 @@ fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), S
 impl Proof {
     /// Both proofs together.
     fn absorb(&mut self, other: Proof) {
-        self.log2_error = self.log2_error.max(other.log2_error) + 1.0;
+        self.log2_error = sum_log2(self.log2_error, other.log2_error);
         self.degree_bound = self.degree_bound.max(other.degree_bound);
         self.height_bound = self.height_bound.max(other.height_bound);
         self.trials = self.trials.max(other.trials);
@@ -352,7 +400,8 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     }
 }
 
-fn lower(
+/// Premises and claim, definitions inserted, without transcendental functions.
+pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
     claim: &[(Expr, Expr)],
@@ -480,94 +529,4 @@ fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[F
         }
     }
     found
-}
-
-/// (σ√d)² written as d.
-fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
-    let mut image: HashMap<Expr, Expr> = HashMap::new();
-    for node in graph.reachable([e]) {
-        let mut new = match *graph.node(node) {
-            Node::Unary(op, a) => graph.unary(op, image[&a]),
-            Node::Binary(op, a, b) => graph.binary(op, image[&a], image[&b]),
-            _ => node,
-        };
-        if let Node::Unary(Op::Powi(2), a) = *graph.node(new)
-            && let Node::Binary(Op::Mul, p, q) = *graph.node(a)
-        {
-            for root in [p, q] {
-                if let Node::Unary(Op::Sqrt, radicand) = *graph.node(root)
-                    && let Some(plain) = unmarked(graph, generators, radicand)
-                {
-                    new = plain;
-                }
-            }
-        }
-        image.insert(node, new);
-    }
-    image[&e]
-}
-
-/// Conditions that are not among the facts, in words of the formulas as given.
-fn conditions(
-    graph: &mut Graph,
-    lowered: &Lowered,
-    given: &Premises,
-    cases: &[Resolved],
-    formulas: &[Expr],
-    explicit: &[Expr],
-    pivots: &[Expr],
-) -> Vec<Condition> {
-    let generators = &lowered.generators;
-    let raise = |graph: &mut Graph, e: Expr| {
-        let e = without_signs(graph, generators, e);
-        graph.substitute(e, |graph, leaf| {
-            Some(match *generators.get(leaf)? {
-                Generator::Cosine(a) => graph.unary(Op::Cos, a),
-                Generator::Sine(a) => graph.unary(Op::Sin, a),
-                Generator::Exponential(a) => graph.unary(Op::Exp, a),
-                Generator::Opaque(e) => e,
-                Generator::Sign | Generator::Half => return None,
-            })
-        })
-    };
-    let mut out = domains(graph, formulas);
-    let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
-    for case in cases {
-        from_cases.extend(case.radicands.iter().map(|&e| Condition::Radicand(e)));
-    }
-    let unknown = |graph: &Graph, c: &Condition| match *c {
-        Condition::Pivot(e) => !lowered.facts.sign(graph, generators, e).nonzero,
-        Condition::Radicand(e) => !lowered.facts.sign(graph, generators, e).not_negative,
-        _ => true,
-    };
-    from_cases.retain(|c| unknown(graph, c));
-    for c in from_cases {
-        out.push(match c {
-            Condition::Pivot(e) => Condition::Pivot(raise(graph, e)),
-            Condition::Radicand(e) => Condition::Radicand(raise(graph, e)),
-            other => other,
-        });
-    }
-    out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
-    // Declared facts need no mention.
-    let mut facts = Facts::default();
-    facts.positive.extend(given.positive.iter().copied());
-    for &e in &given.nonzero {
-        facts.nonzero.insert(e);
-        facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
-    }
-    let mut seen = HashSet::new();
-    out.retain(|c| {
-        let known = match *c {
-            Condition::Denominator(e) | Condition::Pivot(e) => facts.sign(graph, generators, e).nonzero,
-            Condition::Radicand(e) => facts.sign(graph, generators, e).not_negative,
-            Condition::Positive(e) => {
-                let k = facts.sign(graph, generators, e);
-                k.nonzero && k.not_negative
-            }
-            Condition::Unit(_) => false,
-        };
-        !known && seen.insert(*c)
-    });
-    out
 }

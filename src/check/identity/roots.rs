@@ -263,10 +263,11 @@ impl<'a> Roots<'a> {
         }
         let (mut q, parts) = factors(self.graph, e);
         // Products are taken apart first; only what stays together is looked up.
-        if parts.iter().filter(|&&(base, k)| k % 2 != 0 && !self.not_negative(base)).count() > 1 || parts.len() == 1 {
-            if let Some(square) = self.as_square(e) {
-                return square;
-            }
+        let together = parts.iter().filter(|&&(base, k)| k % 2 != 0 && !self.not_negative(base)).count();
+        if (together > 1 || parts.len() == 1)
+            && let Some(square) = self.as_square(e)
+        {
+            return square;
         }
         let mut out = self.graph.integer(1);
         let mut rest = self.graph.integer(1);

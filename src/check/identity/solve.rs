@@ -209,7 +209,7 @@ impl Solver<'_> {
             match parts.as_slice() {
                 [] => return Ok(Some(Next::Contradiction)),
                 &[base] => {
-                    let reduced = self.on_circle(base);
+                    let reduced = self.on_circle(case, base);
                     let (_, again) = factors(self.graph, reduced);
                     if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
@@ -227,7 +227,7 @@ impl Solver<'_> {
     }
 
     /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
-    fn on_circle(&mut self, e: Expr) -> Expr {
+    fn on_circle(&mut self, case: &mut Case, e: Expr) -> Expr {
         let pairs: BTreeSet<(Leaf, Leaf)> =
             self.graph.leaves([e]).into_iter().filter_map(|l| self.generators.circle(l)).collect();
         let mut e = e;
@@ -245,6 +245,7 @@ impl Solver<'_> {
                 let (even, odd) = self.halves(&all, keep);
                 let flat = |this: &mut Self, e| this.probe.sight(this.graph, this.generators, e) == Sight::Zero;
                 if flat(self, odd) {
+                    case.out.taken_as_zero.push(odd);
                     e = even;
                     kept = None;
                     break;
@@ -252,6 +253,7 @@ impl Solver<'_> {
                 let root = self.graph.leaf(reduce);
                 let term = self.graph.mul(root, odd);
                 if flat(self, even) {
+                    case.out.taken_as_zero.push(even);
                     e = term;
                     kept = None;
                     break;

@@ -335,7 +335,7 @@ impl Scene<'_> {
             };
             let sine = self.generators.leaf(at + 1);
             let solved = |l: Option<Leaf>| l.is_some_and(|l| self.defined.contains_key(&l));
-            if !solved(Some(leaf)) && !(circle && solved(sine)) {
+            if !(solved(Some(leaf)) || circle && solved(sine)) {
                 continue;
             }
             let (q, target) = self.multiple_of_leaf(argument)?;
@@ -430,25 +430,4 @@ pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
         .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
     let (left, right) = best.sides[equation].clone();
     Some(Refutation { equation, point: best.point.clone(), left, right, second })
-}
-
-/// Radicands, denominators … of the operations of some formulas, see [`super::outcome::Condition`].
-pub(super) fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<super::outcome::Condition> {
-    use super::outcome::Condition;
-    let mut out = Vec::new();
-    for e in graph.reachable(exprs.iter().copied()) {
-        match *graph.node(e) {
-            Node::Binary(Op::Div, _, b) => out.push(Condition::Denominator(b)),
-            Node::Binary(Op::Pow, a, _) | Node::Unary(Op::Ln, a) => out.push(Condition::Positive(a)),
-            Node::Unary(Op::Powi(n), a) if n < 0 => out.push(Condition::Denominator(a)),
-            Node::Unary(Op::Sqrt, a) => out.push(Condition::Radicand(a)),
-            Node::Unary(Op::Arccos | Op::Arcsin, a) => out.push(Condition::Unit(a)),
-            Node::Unary(Op::Tan, a) => {
-                let cosine = graph.unary(Op::Cos, a);
-                out.push(Condition::Denominator(cosine));
-            }
-            _ => {}
-        }
-    }
-    out
 }
