@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::account::Measurement;
 use super::program::at_event;
 use super::stage::Stage;
-use super::trial::{Course, incomplete};
+use super::trial::{Course, incomplete, slack};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::Zeros;
@@ -44,9 +44,12 @@ impl Compiled {
     }
 
     /// Finds the events on every motion on which it is taken.
-    pub fn find_events(&mut self, derivation: &mut Derivation, stage: &Stage) {
+    pub fn find_events(&mut self, derivation: &mut Derivation, stage: &Stage, tried: &[usize]) {
         let Some(at) = self.at else { return };
         for t in derivation.measures[self.index].trajectories.clone() {
+            if !tried.contains(&t) {
+                continue;
+            }
             if let Some(zeros) = stage.zeros(&mut derivation.graph, t, at) {
                 self.events.insert(t, zeros);
             }
@@ -55,7 +58,8 @@ impl Compiled {
 
     /// Makes the tape.
     pub fn tape(mut self, graph: &mut Graph, known: &[Leaf]) -> Compiled {
-        self.tape = Tape::compile(graph, known, &[self.formula]).ok();
+        let roots: Vec<Expr> = [self.formula].into_iter().chain(self.at).collect();
+        self.tape = Tape::compile(graph, known, &roots).ok();
         self
     }
 
@@ -99,7 +103,11 @@ impl Compiled {
         };
         let mut slots = tape.slots(&());
         for &t in times.iter().take(MOST) {
-            let values = tape.evaluate(&(), &course.values(t), &mut slots);
+            let point = match self.at {
+                Some(_) => course.values_at_event(t, slack(tape, 1, course, t, &mut slots)),
+                None => course.values(t),
+            };
+            let values = tape.evaluate(&(), &point, &mut slots);
             match values.first() {
                 Some(Ok(v)) => out.values.push((t, v.value, v.error)),
                 Some(Err(reason)) => out.reason = Some(format!("no value at t = {t:.6}: {reason}")),

@@ -16,6 +16,8 @@ mod independence;
 mod measure;
 mod program;
 mod same_motion;
+#[cfg(test)]
+pub(crate) mod sample;
 mod stage;
 mod trial;
 mod verdict;
@@ -119,12 +121,14 @@ pub fn check(
             return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
         }
     }
+    let tried: Vec<usize> = (0..derivation.trajectories.len())
+        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
+        .collect();
     let mut measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
     for m in &mut measures {
-        m.find_events(derivation, &stage);
+        m.find_events(derivation, &stage, &tried);
     }
-
-    let events = stage.events(derivation, &claimed, &programs, &start_of);
+    let events = stage.events(derivation, &claimed, &tried, &programs, &start_of);
     let derivation: &Derivation = derivation;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
@@ -132,9 +136,6 @@ pub fn check(
         let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
         prepared.push(per_start.into_iter().map(one).collect());
     }
-    let tried: Vec<usize> = (0..derivation.trajectories.len())
-        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
-        .collect();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
         .par_iter()

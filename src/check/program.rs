@@ -3,11 +3,12 @@
 //! **In:** the forms and assumptions of a claim. **Out:** a [`Program`] that measures every comparison at a point of any
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
-use super::comparison::{Comparison, Group};
+use super::comparison::{Comparison, Group, at_instant};
+use super::trial::{Course, slack};
 use super::weigh::Measured;
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Shape, Tensor};
-use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
+use crate::latex::{LimitPoint, Relation, RelationKind, Scope, Statement};
 use crate::number::{Bounded, NoValue, Rational};
 use crate::tape::{Slots, Tape};
 
@@ -47,6 +48,7 @@ pub(super) struct Program {
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
     tape: Option<Tape>,
+    event: Option<Tape>,
     sign: Leaf,
 }
 
@@ -68,7 +70,7 @@ fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> Str
 }
 
 /// The comparisons of a relation, one for each component; the same component twice (as in a symmetric equation) once.
-pub(super) fn relation_group(graph: &mut Graph, text: &str, relation: &Relation) -> Group {
+fn relation_group(graph: &mut Graph, scope: &Scope, text: &str, relation: &Relation) -> Group {
     let sides = relation.left.components.iter().zip(&relation.right.components).map(|(&l, &r)| (l, r));
     let sides: Vec<(Expr, Expr)> = sides.collect();
     let mut comparisons = Vec::new();
@@ -77,7 +79,7 @@ pub(super) fn relation_group(graph: &mut Graph, text: &str, relation: &Relation)
             continue;
         }
         let label = label(text, &relation.indices, &relation.left.shape, component);
-        comparisons.push(Comparison::new(graph, label, relation.kind, left, right));
+        comparisons.push(Comparison::new(graph, scope, label, relation.kind, left, right));
     }
     Group { comparisons, branching: relation.has_branches }
 }
@@ -105,18 +107,6 @@ pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr>
     statement.relations.first().and_then(|r| vanishing(graph, r))
 }
 
-/// `e` at a fixed time: every leaf that can move is replaced by its value then.
-fn at_instant(graph: &mut Graph, scope: &Scope, e: Expr, instant: Expr) -> Expr {
-    let time = scope.time();
-    graph.substitute(e, |graph, leaf| {
-        if Some(leaf) == time {
-            return Some(instant);
-        }
-        let moves = matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        (moves && leaf.instant.is_none()).then(|| graph.leaf(Leaf { instant: Some(instant), ..leaf }))
-    })
-}
-
 impl Program {
     /// Compiles the claim at position `claim`; `initial_time` is that of the motion at hand.
     pub fn new(derivation: &mut Derivation, claim: usize, initial_time: &Rational) -> Program {
@@ -126,7 +116,7 @@ impl Program {
         let mut assumptions = Vec::new();
         for written in &claim.assuming {
             for relation in &written.value.relations {
-                let group = relation_group(graph, &written.text, relation);
+                let group = relation_group(graph, &claim.scope, &written.text, relation);
                 let throughout = relation.kind == RelationKind::Equal;
                 assumptions.push(Assumption { text: written.text.clone(), group, throughout });
             }
@@ -135,7 +125,7 @@ impl Program {
         let mut each = |graph: &mut Graph, w: &Written<Statement>, how: fn(Option<Expr>) -> Use| {
             for relation in &w.value.relations {
                 let vanishing = vanishing(graph, relation);
-                groups.push((how(vanishing), relation_group(graph, &w.text, relation)));
+                groups.push((how(vanishing), relation_group(graph, &claim.scope, &w.text, relation)));
                 if let (Some(limit), Some(last)) = (&relation.limit, groups.last_mut()) {
                     last.0 = Use::Limit(limit.approaches.clone());
                 }
@@ -167,12 +157,12 @@ impl Program {
                     _ => (at_instant(graph, &claim.scope, e, start), format!("{} is constant", w.text)),
                 };
                 let label = label(&text, &[], &w.value.shape, component);
-                comparisons.push(Comparison::new(graph, label, RelationKind::Equal, e, right));
+                comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
             }
             groups.push((how, Group { comparisons, branching: false }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program { assumptions, groups, at, tape: None, sign: claim.scope.branch_sign() }
+        Program { assumptions, groups, at, tape: None, event: None, sign: claim.scope.branch_sign() }
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -207,7 +197,16 @@ impl Program {
         let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
         let inputs: Vec<Leaf> = known.iter().copied().chain([self.sign]).collect();
         self.tape = Some(Tape::compile(graph, &inputs, &roots)?);
+        self.event = self.at.map(|e| Tape::compile(graph, known, &[e])).transpose()?;
         Ok(())
+    }
+
+    /// How well the time of an event of this claim is known.
+    pub fn event_slack(&self, course: &Course, t: f64) -> f64 {
+        match &self.event {
+            Some(tape) => slack(tape, 0, course, t, &mut tape.slots(&())),
+            None => 0.0,
+        }
     }
 
     /// The tape, once compiled.

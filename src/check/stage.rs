@@ -277,12 +277,16 @@ impl Stage {
         &self,
         derivation: &mut Derivation,
         claimed: &[usize],
+        tried: &[usize],
         programs: &[Vec<Program>],
         start_of: &[usize],
     ) -> HashMap<(usize, usize), Events> {
         let mut out = HashMap::new();
         for (k, &c) in claimed.iter().enumerate() {
             for t in derivation.claims[c].trajectories.clone() {
+                if !tried.contains(&t) {
+                    continue;
+                }
                 let program = &programs[k][start_of[t]];
                 let mut events = Events::default();
                 events.at = program.at.and_then(|e| self.zeros(&mut derivation.graph, t, e));

@@ -9,13 +9,13 @@ use super::comparison::{Comparison, Group, Standing};
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Left, MeasuredGroup, Series, Setting, deciding, group_standings, weigh, witness};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, weigh, witness};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots};
+use crate::tape::{Fault, Slots, Tape};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -40,6 +40,40 @@ impl Course<'_> {
     /// The values of all leaves at another time.
     pub fn values(&self, t: f64) -> Values {
         self.stage.values(self.trajectory, t)
+    }
+
+    /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
+    /// their error.
+    pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
+        let (before, after) = (self.values(t - slack), self.values(t + slack));
+        let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
+            let here = here?;
+            let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
+            // Over so short a time everything moves linearly; twice the change covers what is not.
+            Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
+        };
+        self.values(t).into_iter().zip(before).zip(after).map(widened).collect()
+    }
+}
+
+/// How well the time of an event is known: the error of the expression that vanishes there, over its speed.
+pub(super) fn slack(tape: &Tape, output: usize, course: &Course, t: f64, slots: &mut Slots<Bounded>) -> f64 {
+    let (from, to) = course.motion.span();
+    let step = 1e-6 * (to - from);
+    let floor = 4.0 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
+    let mut value = |t: f64| -> Option<Bounded> {
+        for (i, v) in course.values(t).into_iter().enumerate() {
+            slots.set(i, v);
+        }
+        tape.run(&(), slots);
+        tape.output(output, slots).ok().copied()
+    };
+    match (value(t), value((t - step).max(from)), value((t + step).min(to))) {
+        (Some(here), Some(before), Some(after)) => {
+            let speed = (after.value - before.value).abs() / ((t + step).min(to) - (t - step).max(from));
+            if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor }
+        }
+        _ => floor,
     }
 }
 
@@ -145,8 +179,8 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
     let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, &events.at) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let points = zeros.times.iter().map(|&t| course.values(t)).collect();
-            Some((zeros.times.clone(), points))
+            let at = |&t: &f64| course.values_at_event(t, program.event_slack(course, t));
+            Some((zeros.times.clone(), zeros.times.iter().map(at).collect()))
         }
         (Some(_), zeros) => return no_event(claim, course, zeros.as_ref()),
     };
@@ -296,11 +330,14 @@ fn apply_assumptions(
     };
     for (assumption, signs) in program.assumptions.iter().zip(&measured.assumptions) {
         let group = MeasuredGroup { group: &assumption.group, signs: signs.clone(), definedness: false };
-        let by_sign = group_standings(&group, claim.precision);
+        let judged = Judged::new(&group, claim.precision);
         let mut unclear = None;
         for i in 0..count {
-            let Some(standing) = by_sign.iter().map(|s| s[i]).reduce(Standing::or) else { continue };
-            let c = deciding(&group, 0, i, claim.precision);
+            let Some(standing) = judged.best(i) else { continue };
+            if standing == Standing::Satisfied {
+                continue;
+            }
+            let c = judged.deciding(0, i);
             let comparison = &assumption.group.comparisons[c];
             let sides = |what: &str| match &group.signs[0][c][i] {
                 Ok(m) => format!(
@@ -348,8 +385,8 @@ fn apply_assumptions(
 }
 
 /// The times that count at which a group holds, with the sign that makes it hold.
-fn holding(setting: &Setting, group: &MeasuredGroup) -> Option<(usize, usize)> {
-    let standing = group_standings(group, setting.precision);
+fn holding(setting: &Setting, judged: &Judged) -> Option<(usize, usize)> {
+    let standing = &judged.whole;
     (0..setting.times.len())
         .filter(|&i| setting.left[i] == Left::In)
         .find_map(|i| (0..standing.len()).find(|&s| standing[s][i] == Standing::Satisfied).map(|s| (i, s)))
@@ -366,8 +403,9 @@ fn never(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.witness = Some(witness(setting, &group.group.comparisons[c], i, m));
             return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
@@ -425,8 +463,9 @@ fn eventually(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.reason = Some(format!("first seen at the sample t = {}", short(setting.times[i])));
             evidence.residual =

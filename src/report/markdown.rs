@@ -234,7 +234,7 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
             out.push_str(&format!("> {}\n\n", prose(remark)));
         }
         for group in groups(claim) {
-            out.push_str(&group_section(claim, &group));
+            out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
     }
     out
@@ -273,7 +273,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
 }
 
 /// The pairs of a claim with the same verdict: in one line, with the numbers folded away, and a witness.
-fn group_section(claim: &ClaimAccount, group: &Group<'_>) -> String {
+fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     let names: Vec<String> = group.pairs.iter().map(|p| format!("`{}`", p.trajectory)).collect();
     let verdict = match group.word {
         "holds" => "Holds",
@@ -281,8 +281,9 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>) -> String {
         "undecided" => "Undecided",
         _ => "Does not apply",
     };
-    let on = if group.pairs.len() == claim.results.len() && names.len() > 1 {
-        format!("on all {}", count(names.len(), "trajectory"))
+    let on = if group.pairs.len() == claim.results.len() && names.len() > 3 {
+        let all = count(names.len(), "trajectory");
+        if names.len() < of { format!("on all {all} on which it is tried") } else { format!("on all {all}") }
     } else {
         format!("on {}", names.join(", "))
     };
