@@ -71,7 +71,7 @@ pub struct Effort {
 
 impl Effort {
     /// Milliseconds.
-    pub const QUICK: Effort = Effort { relations: 5, terms: 64, degree: 6 };
+    pub const QUICK: Effort = Effort { relations: 6, terms: 64, degree: 12 };
     /// Seconds, sometimes many.
     pub const THOROUGH: Effort = Effort { relations: 12, terms: 120, degree: 12 };
 }
