@@ -1,8 +1,7 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-use std::collections::HashMap;
 
-use super::{Op, Rational, Shape};
+use super::{FastMap, Op, Rational, Shape};
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -79,7 +78,7 @@ struct SymbolEntry {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
+    index: FastMap<Node, Expr>,
     symbols: Vec<SymbolEntry>,
 }
 

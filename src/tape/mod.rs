@@ -8,9 +8,9 @@
 //!
 //! **Why no reuse of slots:** series are computed order by order, with every intermediate series still there.
 
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::number::{NoValue, Number, Op, Rational};
-use std::collections::HashMap;
 
 /// What fills a slot before the instructions run.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,9 +65,9 @@ impl Tape {
     /// # Errors
     /// The first leaf that the roots need and `inputs` does not have.
     pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
-        let place: HashMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
+        let place: FastMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
         let order = graph.reachable(roots.iter().copied());
-        let mut slot: HashMap<Expr, u32> = HashMap::new();
+        let mut slot: FastMap<Expr, u32> = FastMap::default();
         let mut presets = Vec::new();
         for &e in &order {
             match graph.node(e) {

@@ -19,11 +19,11 @@ use super::polynomial::{factors, fraction};
 use super::prepare::{explicit, with_rates};
 use super::prove::{Lowered, lower};
 use super::solve::insert_definitions;
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use ::groebner::{LiftBasis, Monomial, MonomialOrder, Polynomial, PolynomialExt, PolynomialRing, verify_lift};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use std::collections::HashMap;
 
 type Poly = Polynomial<BigRational>;
 
@@ -128,7 +128,7 @@ pub fn certify(
 /// A ring and the relations in it.
 struct System {
     variables: Vec<Expr>,
-    place: HashMap<Expr, usize>,
+    place: FastMap<Expr, usize>,
     relations: Vec<Poly>,
     basis: Option<LiftBasis<BigRational>>,
     effort: Effort,
@@ -286,7 +286,7 @@ impl System {
 
     /// A polynomial, from an expression without division.
     fn expand(&self, graph: &Graph, e: Expr) -> Result<Poly, NoCertificate> {
-        let mut known: HashMap<Expr, Poly> = HashMap::new();
+        let mut known: FastMap<Expr, Poly> = FastMap::default();
         let n = self.variables.len();
         let mut stack = vec![e];
         while let Some(&node) = stack.last() {

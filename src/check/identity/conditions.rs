@@ -7,7 +7,7 @@ use super::prove::Lowered;
 use super::sign::Facts;
 use super::solve::{Resolved, unmarked};
 use crate::expr::{Expr, Graph, Node, Op};
-use std::collections::{HashMap, HashSet};
+use crate::expr::{FastMap, FastSet};
 
 /// Radicands, denominators … of the operations of some formulas, see [`Condition`].
 fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
@@ -31,7 +31,7 @@ fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
 
 /// (σ√d)² written as d.
 fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
-    let mut image: HashMap<Expr, Expr> = HashMap::new();
+    let mut image: FastMap<Expr, Expr> = FastMap::default();
     for node in graph.reachable([e]) {
         let mut new = match *graph.node(node) {
             Node::Unary(op, a) => graph.unary(op, image[&a]),
@@ -103,7 +103,7 @@ pub(super) fn conditions(
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
     }
-    let mut seen = HashSet::new();
+    let mut seen = FastSet::default();
     out.retain(|c| {
         let known = match *c {
             Condition::Denominator(e) | Condition::Pivot(e) => facts.sign(graph, generators, e).nonzero,

@@ -5,8 +5,9 @@
 //! Σ qᵢ·mᵢ with rational qᵢ and monomials mᵢ in nodes that are neither sums nor products. What is not recognised as equal
 //! is taken as independent, which can only make an identity harder to prove, never easier.
 
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Node, Op, Rational};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// A product of integer powers of nodes, sorted by node; empty for 1.
 pub(super) type Monomial = Vec<(Expr, i32)>;
@@ -20,7 +21,7 @@ const LONGEST: usize = 48;
 /// Memory of the expansions of one graph.
 #[derive(Default)]
 pub(super) struct Combinations {
-    known: HashMap<Expr, Combination>,
+    known: FastMap<Expr, Combination>,
 }
 
 fn single(base: Expr, power: i32) -> Combination {

@@ -15,8 +15,8 @@
 //! the same for the same argument.
 
 use super::linear::{Combination, Combinations, Monomial, expression};
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
-use std::collections::HashMap;
 
 /// What a generator stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,12 +89,12 @@ pub(super) struct Lowering<'g> {
     pub(super) generators: Generators,
     combinations: Combinations,
     /// Common denominators of the coefficients of a monomial: under sin, cos, tan and under exp, sinh, cosh, tanh.
-    circle_denominators: HashMap<Monomial, Rational>,
-    exp_denominators: HashMap<Monomial, Rational>,
-    circles: HashMap<Monomial, (Expr, Expr)>,
-    exponentials: HashMap<Monomial, Expr>,
-    opaque: HashMap<(Op, Vec<Expr>), Expr>,
-    image: HashMap<Expr, Expr>,
+    circle_denominators: FastMap<Monomial, Rational>,
+    exp_denominators: FastMap<Monomial, Rational>,
+    circles: FastMap<Monomial, (Expr, Expr)>,
+    exponentials: FastMap<Monomial, Expr>,
+    opaque: FastMap<(Op, Vec<Expr>), Expr>,
+    image: FastMap<Expr, Expr>,
 }
 
 /// Too many generators, or a coefficient out of range: the problem is outside the class.
@@ -117,7 +117,7 @@ impl<'g> Lowering<'g> {
     pub(super) fn new(graph: &'g mut Graph, roots: &[Expr]) -> Lowering<'g> {
         let generators = Generators::new(graph);
         let mut combinations = Combinations::default();
-        let (mut circle, mut exp) = (HashMap::new(), HashMap::new());
+        let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
         for e in graph.reachable(roots.iter().copied()) {
             let (table, argument) = match *graph.node(e) {
                 Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => (&mut circle, combinations.of(graph, a)),
@@ -140,10 +140,10 @@ impl<'g> Lowering<'g> {
             combinations,
             circle_denominators: circle,
             exp_denominators: exp,
-            circles: HashMap::new(),
-            exponentials: HashMap::new(),
-            opaque: HashMap::new(),
-            image: HashMap::new(),
+            circles: FastMap::default(),
+            exponentials: FastMap::default(),
+            opaque: FastMap::default(),
+            image: FastMap::default(),
         }
     }
 

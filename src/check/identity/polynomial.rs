@@ -1,12 +1,12 @@
 //! Lowered expressions as fractions, products and polynomials in one leaf, without expanding the rest.
 
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
-use std::collections::HashMap;
 
 /// (N, D) with e = N/D and no division in either, except below a root or |·|.
 pub(super) fn fraction(graph: &mut Graph, e: Expr) -> (Expr, Expr) {
     let one = graph.integer(1);
-    let mut known: HashMap<Expr, (Expr, Expr)> = HashMap::new();
+    let mut known: FastMap<Expr, (Expr, Expr)> = FastMap::default();
     for node in graph.reachable([e]) {
         let value = match graph.node(node).clone() {
             Node::Constant(r) => {
@@ -77,7 +77,7 @@ pub(super) fn factors(graph: &Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
 pub(super) fn coefficients(graph: &mut Graph, e: Expr, x: Leaf, highest: usize) -> Option<Vec<Expr>> {
     let zero = graph.integer(0);
     let one = graph.integer(1);
-    let mut known: HashMap<Expr, Vec<Expr>> = HashMap::new();
+    let mut known: FastMap<Expr, Vec<Expr>> = FastMap::default();
     for node in graph.reachable([e]) {
         let value = match *graph.node(node) {
             Node::Leaf(leaf) if leaf == x => vec![zero, one],

@@ -2,7 +2,7 @@
 
 use super::outcome::{Premises, Reason};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
-use std::collections::{HashMap, HashSet};
+use crate::expr::{FastMap, FastSet};
 
 /// An equation among the premises.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub(super) fn with_rates(
 }
 
 /// Leaves that stand in arguments of transcendental functions.
-pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> HashSet<Leaf> {
+pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> FastSet<Leaf> {
     let mut arguments = Vec::new();
     for e in graph.reachable(roots) {
         match *graph.node(e) {
@@ -59,7 +59,7 @@ pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Exp
 /// Equations solved as they are written.
 pub(super) struct Explicit {
     /// Leaf := expression without any of the defined leaves.
-    pub(super) definitions: HashMap<Leaf, Expr>,
+    pub(super) definitions: FastMap<Leaf, Expr>,
     /// What is left, with the definitions inserted.
     pub(super) rest: Vec<Premise>,
     /// Divided by.
@@ -73,7 +73,7 @@ pub(super) fn explicit(
     conclusions: &[(Expr, Expr)],
     premises: &Premises,
 ) -> Explicit {
-    let mut out = Explicit { definitions: HashMap::new(), rest: equations.to_vec(), pivots: Vec::new() };
+    let mut out = Explicit { definitions: FastMap::default(), rest: equations.to_vec(), pivots: Vec::new() };
     loop {
         let mut found = None;
         for (at, p) in out.rest.iter().enumerate() {
@@ -120,7 +120,7 @@ fn as_definition(graph: &Graph, left: Expr, right: Expr, premises: &Premises) ->
 fn linear_argument(
     graph: &mut Graph,
     out: &mut Explicit,
-    arguments: &HashSet<Leaf>,
+    arguments: &FastSet<Leaf>,
     premises: &Premises,
 ) -> Option<(usize, (Leaf, Expr))> {
     for (at, Premise { left, right, derived }) in out.rest.clone().into_iter().enumerate() {

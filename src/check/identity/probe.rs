@@ -1,10 +1,10 @@
 //! Random evaluation of lowered expressions over GF(p²).
 
 use super::lower::{Generator, Generators};
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::number::{Draws, Finite, FiniteField, NoValue};
 use crate::tape::{Slots, Tape};
-use std::collections::HashMap;
 
 /// What random evaluation says of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub(super) struct Probe {
     pub(super) field: FiniteField,
     draws: Draws,
     /// One map for each point.
-    points: Vec<HashMap<Leaf, Finite>>,
+    points: Vec<FastMap<Leaf, Finite>>,
 }
 
 /// Number of points at which [`Probe::sight`] must see 0.
@@ -36,7 +36,7 @@ impl Probe {
     pub(super) fn new(draws: &mut Draws) -> Probe {
         let field = FiniteField::draw(draws);
         let draws = Draws::new(draws.bits());
-        Probe { field, draws, points: vec![HashMap::new(); TRIES] }
+        Probe { field, draws, points: vec![FastMap::default(); TRIES] }
     }
 
     /// The value of a leaf at a point: on the circle for cosine and sine, ±1 for a sign, random otherwise.

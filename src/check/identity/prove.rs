@@ -12,8 +12,8 @@ use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::expr::{FastMap, FastSet};
 use crate::number::Draws;
-use std::collections::{HashMap, HashSet};
 
 type Pairs = Vec<(Expr, Expr)>;
 
@@ -27,7 +27,7 @@ pub(super) struct Lowered {
     pub(super) denominators: Vec<Expr>,
     /// Given as ≠ 0.
     pub(super) assumed: Vec<Expr>,
-    frozen: HashSet<Leaf>,
+    frozen: FastSet<Leaf>,
 }
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
@@ -110,7 +110,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let mut lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &definitions)?;
     let probe = Probe::new(&mut draws);
-    let parameters: HashSet<Leaf> =
+    let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
     lowered.frozen.extend(given.time);
     let mut examination = Examination {
@@ -131,9 +131,10 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let (mut proof, resolved) = examination.generic(&own)?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
     let mut pivots = Pivots::of(&examination, &resolved);
+    let limit = examination.graph.len() + MOST_SPECIAL_NODES;
     examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
-        if !is_simple(examination.graph, pivots.list[at]) {
+        if !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
             continue;
         }
         let mut with_pivot = vec![(pivots.list[at], false)];
@@ -160,6 +161,9 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
     Ok(proof)
 }
+
+/// Special cases are given up when they have made this many nodes: their pivots stay conditions.
+const MOST_SPECIAL_NODES: usize = 6000;
 
 /// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
 fn is_simple(graph: &Graph, pivot: Expr) -> bool {
@@ -271,11 +275,11 @@ struct Examination<'a> {
     probe: Probe,
     draws: Draws,
     lowered: Lowered,
-    parameters: HashSet<Leaf>,
+    parameters: FastSet<Leaf>,
     claim: &'a [(Expr, Expr)],
     premises: &'a [(Expr, Expr)],
     given: &'a Premises,
-    explicit: &'a HashMap<Leaf, Expr>,
+    explicit: &'a FastMap<Leaf, Expr>,
     options: &'a Options,
     /// Real points tried for an example of something proved.
     examples: u32,
@@ -381,7 +385,7 @@ impl Examination<'_> {
     }
 
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
-    fn clashes(&mut self, map: &HashMap<Leaf, Expr>) -> bool {
+    fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
         let positive = self.lowered.facts.positive.clone();
         positive.iter().any(|&e| {
             let image = insert_definitions(self.graph, map, e);
@@ -460,7 +464,7 @@ fn question(
     lowered: &mut Lowered,
     probe: &mut Probe,
     case: &Resolved,
-    map: &HashMap<Leaf, Expr>,
+    map: &FastMap<Leaf, Expr>,
 ) -> Question {
     let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
         list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
@@ -498,7 +502,7 @@ fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Qu
     let Question { residuals, filters, zeros, assumed, nonzeros } = question;
     let lists = [residuals, filters, zeros, assumed, nonzeros];
     let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
-    let mut map: HashMap<Leaf, Expr> = HashMap::new();
+    let mut map: FastMap<Leaf, Expr> = FastMap::default();
     for leaf in leaves {
         let Some((c, s)) = generators.circle(leaf) else { continue };
         if map.contains_key(&leaf) {

@@ -21,9 +21,9 @@ use super::polynomial::factors;
 use super::probe::{Probe, Sight};
 use super::sign::Facts;
 use super::solve::unmarked;
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::number::Finite;
-use std::collections::HashMap;
 
 /// The state of the normal form of one case.
 pub(super) struct Roots<'a> {
@@ -35,11 +35,11 @@ pub(super) struct Roots<'a> {
     pub(super) taken_as_zero: Vec<Expr>,
     /// Sign generator → the expression whose sign it is, or the radicand of whose root.
     pub(super) signs: Vec<(Leaf, Expr)>,
-    image: HashMap<Expr, Expr>,
+    image: FastMap<Expr, Expr>,
     /// Bases seen: expression and its values at the two points.
     bases: Vec<(Expr, [Finite; 2])>,
-    base_sign: HashMap<Expr, Expr>,
-    unit_roots: HashMap<Expr, Expr>,
+    base_sign: FastMap<Expr, Expr>,
+    unit_roots: FastMap<Expr, Expr>,
     /// Candidates for square roots: expression, squares of values.
     candidates: Vec<(Expr, [Finite; 2])>,
 }
@@ -64,10 +64,10 @@ impl<'a> Roots<'a> {
             facts,
             taken_as_zero: Vec::new(),
             signs: Vec::new(),
-            image: HashMap::new(),
+            image: FastMap::default(),
             bases: Vec::new(),
-            base_sign: HashMap::new(),
-            unit_roots: HashMap::new(),
+            base_sign: FastMap::default(),
+            unit_roots: FastMap::default(),
             candidates: Vec::new(),
         }
     }
@@ -75,7 +75,7 @@ impl<'a> Roots<'a> {
     /// Looks through the expressions: their radicands become facts, their root-free parts candidates for square roots.
     pub(super) fn prepare(&mut self, exprs: &[Expr]) {
         let all = self.graph.reachable(exprs.iter().copied());
-        let mut with_root: HashMap<Expr, bool> = HashMap::new();
+        let mut with_root: FastMap<Expr, bool> = FastMap::default();
         let mut free = Vec::new();
         let mut any = false;
         for &node in &all {
@@ -394,7 +394,7 @@ impl<'a> Roots<'a> {
         }
         let (x, y) = (self.value(0, e)?, self.value(1, e)?);
         let f = self.probe.field.clone();
-        let index: HashMap<Finite, usize> =
+        let index: FastMap<Finite, usize> =
             self.candidates.iter().enumerate().rev().map(|(i, (_, v))| (v[0], i)).collect();
         let (inverse_x, inverse_y) = (f.inverse(x)?, f.inverse(y)?);
         let mut inverse_squares: Vec<Finite> = self.candidates.iter().map(|(_, v)| v[0]).collect();

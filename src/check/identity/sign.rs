@@ -1,15 +1,15 @@
 //! What is known of the signs of lowered expressions.
 
 use super::lower::{Generator, Generators};
+use crate::expr::FastSet;
 use crate::expr::{Expr, Graph, Node, Op, Rational};
-use std::collections::HashSet;
 
 /// Facts about lowered expressions, and what follows from them by structure.
 #[derive(Clone, Default)]
 pub(super) struct Facts {
-    pub(super) positive: HashSet<Expr>,
-    pub(super) not_negative: HashSet<Expr>,
-    pub(super) nonzero: HashSet<Expr>,
+    pub(super) positive: FastSet<Expr>,
+    pub(super) not_negative: FastSet<Expr>,
+    pub(super) nonzero: FastSet<Expr>,
 }
 
 /// Knowledge of a sign, by two independent statements each way.
@@ -26,7 +26,7 @@ pub(super) struct Known {
 impl Facts {
     /// Signs of a node and everything below it, wherever it has a value.
     pub(super) fn sign(&self, graph: &Graph, generators: &Generators, e: Expr) -> Known {
-        let mut known = std::collections::HashMap::new();
+        let mut known = crate::expr::FastMap::default();
         for node in graph.reachable([e]) {
             let mut k = self.step(graph, generators, node, &known);
             k.not_negative |= self.positive.contains(&node) || self.not_negative.contains(&node);
@@ -41,7 +41,7 @@ impl Facts {
         graph: &Graph,
         generators: &Generators,
         node: Expr,
-        known: &std::collections::HashMap<Expr, Known>,
+        known: &crate::expr::FastMap<Expr, Known>,
     ) -> Known {
         let at = |e: Expr| known.get(&e).copied().unwrap_or_default();
         match *graph.node(node) {

@@ -17,7 +17,8 @@ use super::polynomial::{coefficients, factors, fraction, product};
 use super::probe::{Probe, Sight};
 use super::sign::Facts;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use crate::expr::{FastMap, FastSet};
+use std::collections::BTreeSet;
 
 /// One case of the resolution.
 #[derive(Clone, Default)]
@@ -72,11 +73,11 @@ pub(super) struct Solver<'a> {
     pub(super) probe: &'a mut Probe,
     pub(super) facts: &'a Facts,
     /// Leaves that must stay free: they stand in arguments of transcendental functions.
-    pub(super) frozen: &'a HashSet<Leaf>,
+    pub(super) frozen: &'a FastSet<Leaf>,
     /// In which order.
     pub(super) strategy: Strategy,
     /// Leaves that are solved for only when nothing else can be.
-    pub(super) parameters: &'a HashSet<Leaf>,
+    pub(super) parameters: &'a FastSet<Leaf>,
 }
 
 const MOST_CASES: usize = 16;
@@ -110,13 +111,13 @@ struct Candidate {
 }
 
 /// The expression with all definitions inserted.
-pub(super) fn insert_definitions(graph: &mut Graph, map: &HashMap<Leaf, Expr>, e: Expr) -> Expr {
+pub(super) fn insert_definitions(graph: &mut Graph, map: &FastMap<Leaf, Expr>, e: Expr) -> Expr {
     graph.substitute(e, |_, leaf| map.get(&leaf).copied())
 }
 
 /// Definitions with later ones inserted into earlier ones.
-pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> HashMap<Leaf, Expr> {
-    let mut map = HashMap::new();
+pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap<Leaf, Expr> {
+    let mut map = FastMap::default();
     for &(leaf, e) in definitions.iter().rev() {
         let e = insert_definitions(graph, &map, e);
         map.insert(leaf, e);
@@ -180,7 +181,7 @@ impl Solver<'_> {
         let mut kept: Vec<Pending> = Vec::new();
         let pending = std::mem::take(&mut case.pending);
         let mut split = None;
-        let mut seen = HashSet::new();
+        let mut seen = FastSet::default();
         for one in pending {
             let (top, _) = fraction(self.graph, one.e);
             if !seen.insert(top) {

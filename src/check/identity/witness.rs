@@ -9,9 +9,9 @@ use super::exact::Exact;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use crate::expr::{FastMap, FastSet};
 use crate::number::{Bounded, Draws, NoValue, Number};
 use crate::tape::{Slots, Tape};
-use std::collections::{HashMap, HashSet};
 
 /// Everything a point is built from and tested with.
 pub(super) struct Scene<'a> {
@@ -26,9 +26,9 @@ pub(super) struct Scene<'a> {
     pub(super) nonzero: &'a [Expr],
     pub(super) positive: &'a [Expr],
     /// Definitions before lowering.
-    pub(super) explicit: &'a HashMap<Leaf, Expr>,
+    pub(super) explicit: &'a FastMap<Leaf, Expr>,
     /// Definitions of the case, closed.
-    pub(super) defined: &'a HashMap<Leaf, Expr>,
+    pub(super) defined: &'a FastMap<Leaf, Expr>,
 }
 
 /// A point that satisfies all premises, and what the claim's sides are there.
@@ -82,7 +82,7 @@ fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounde
     (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
 }
 
-fn exactly(graph: &Graph, exprs: &[Expr], exact: &HashMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+fn exactly(graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
     let (tape, slots) = evaluate::<Exact>(graph, exprs, |l| exact.get(&l).cloned().map(Exact));
     (0..exprs.len()).map(|i| tape.output(i, &slots).ok().map(|e| e.0.clone())).collect()
 }
@@ -94,19 +94,19 @@ fn rounded(r: &Rational) -> Option<Bounded> {
     Some(out)
 }
 
-type Values = HashMap<Leaf, Bounded>;
+type Values = FastMap<Leaf, Bounded>;
 
 impl Scene<'_> {
     /// Tries one point.
     pub(super) fn attempt(&self, number: u32, draws: &mut Draws) -> Option<Found> {
-        let mut exact: HashMap<Leaf, Rational> = HashMap::new();
-        let mut values = Values::new();
-        let mut circles: HashMap<Leaf, (Rational, Rational)> = HashMap::new();
+        let mut exact: FastMap<Leaf, Rational> = FastMap::default();
+        let mut values = Values::default();
+        let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
         let all: Vec<Expr> = self.everything();
         let given = self.graph.leaves(all.iter().copied());
         let wanted: Vec<Leaf> = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
         self.angles(number, draws, &mut values, &mut circles);
-        let declared: HashSet<Leaf> = self
+        let declared: FastSet<Leaf> = self
             .positive
             .iter()
             .filter_map(|&e| match self.graph.node(e) {
@@ -220,7 +220,7 @@ impl Scene<'_> {
         number: u32,
         draws: &mut Draws,
         values: &mut Values,
-        circles: &mut HashMap<Leaf, (Rational, Rational)>,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
     ) {
         for at in 0..self.generators.list.len() {
             let Generator::Cosine(argument) = self.generators.list[at] else { continue };
@@ -250,7 +250,7 @@ impl Scene<'_> {
         }
     }
 
-    fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut HashMap<Leaf, Rational>) {
+    fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut FastMap<Leaf, Rational>) {
         for at in 0..self.generators.list.len() {
             if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
                 let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
@@ -263,9 +263,9 @@ impl Scene<'_> {
     /// Definitions whose leaves have values; `None` when one of them has no real value.
     fn define(
         &self,
-        definitions: &HashMap<Leaf, Expr>,
+        definitions: &FastMap<Leaf, Expr>,
         values: &mut Values,
-        exact: &mut HashMap<Leaf, Rational>,
+        exact: &mut FastMap<Leaf, Rational>,
     ) -> Option<()> {
         let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
         open.retain(|&(l, e)| {
@@ -286,8 +286,8 @@ impl Scene<'_> {
     fn generate(
         &self,
         values: &mut Values,
-        exact: &mut HashMap<Leaf, Rational>,
-        circles: &HashMap<Leaf, (Rational, Rational)>,
+        exact: &mut FastMap<Leaf, Rational>,
+        circles: &FastMap<Leaf, (Rational, Rational)>,
     ) -> Option<()> {
         for at in 0..self.generators.list.len() {
             let Some(leaf) = self.generator_leaf(at) else { continue };
@@ -323,8 +323,8 @@ impl Scene<'_> {
     fn invert_solved(
         &self,
         values: &mut Values,
-        exact: &HashMap<Leaf, Rational>,
-        circles: &mut HashMap<Leaf, (Rational, Rational)>,
+        exact: &FastMap<Leaf, Rational>,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
     ) -> Option<()> {
         for at in 0..self.generators.list.len() {
             let Some(leaf) = self.generator_leaf(at) else { continue };
@@ -376,7 +376,7 @@ impl Scene<'_> {
             && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
     }
 
-    fn sides(&self, values: &Values, exact: &HashMap<Leaf, Rational>) -> Option<Found> {
+    fn sides(&self, values: &Values, exact: &FastMap<Leaf, Rational>) -> Option<Found> {
         let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
         let given = decimals(self.graph, &exprs, values);
         let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
