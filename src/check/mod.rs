@@ -11,6 +11,7 @@
 
 mod account;
 mod comparison;
+pub mod identity;
 mod independence;
 mod measure;
 mod program;

@@ -1,8 +1,7 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-use std::collections::HashMap;
 
-use super::{Op, Rational, Shape};
+use super::{FastMap, Op, Rational, Shape};
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -79,7 +78,7 @@ struct SymbolEntry {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
+    index: FastMap<Node, Expr>,
     symbols: Vec<SymbolEntry>,
 }
 
@@ -107,6 +106,11 @@ impl Graph {
     /// The LaTeX name a symbol was declared with.
     pub fn name(&self, symbol: Symbol) -> &str {
         &self.symbols[symbol.index()].name
+    }
+
+    /// The symbol that was last declared with this name.
+    pub fn find_symbol(&self, name: &str) -> Option<Symbol> {
+        self.symbols.iter().rposition(|entry| entry.name == name).map(|at| Symbol(at as u32))
     }
 
     /// The shape a symbol was declared with.
