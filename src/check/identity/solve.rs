@@ -183,7 +183,14 @@ impl Solver<'_> {
         let mut split = None;
         let mut seen = FastSet::default();
         for one in pending {
-            let (top, _) = fraction(self.graph, one.e);
+            let top = match self.probe.tops.get(&one.e) {
+                Some(&top) => top,
+                None => {
+                    let (top, _) = fraction(self.graph, one.e);
+                    self.probe.tops.insert(one.e, top);
+                    top
+                }
+            };
             if !seen.insert(top) {
                 continue;
             }
@@ -332,18 +339,7 @@ impl Solver<'_> {
             if out.iter().any(|c: &Candidate| c.class < class) {
                 break;
             }
-            let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) else { continue };
-            let mut vanishing = Vec::new();
-            while let Some(&last) = all.last()
-                && all.len() > 1
-                && self.probe.sight(self.graph, self.generators, last) != Sight::Nonzero
-            {
-                vanishing.push(last);
-                all.pop();
-            }
-            if all.len() != 2 && all.len() != 3 {
-                continue;
-            }
+            let Some((all, vanishing)) = self.in_powers(e, unknown) else { continue };
             let Some(&pivot) = all.last() else { continue };
             let quality = if self.graph.as_constant(pivot).is_some() {
                 0
@@ -370,6 +366,29 @@ impl Solver<'_> {
             });
         }
         out
+    }
+
+    /// Coefficients of an equation of degree 1 or 2 in an unknown, and those above that vanish at the random points.
+    fn in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<(Vec<Expr>, Vec<Expr>)> {
+        if let Some(known) = self.probe.solvable.get(&(e, unknown)) {
+            return known.clone();
+        }
+        let mut found = None;
+        if let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) {
+            let mut vanishing = Vec::new();
+            while let Some(&last) = all.last()
+                && all.len() > 1
+                && self.probe.sight(self.graph, self.generators, last) != Sight::Nonzero
+            {
+                vanishing.push(last);
+                all.pop();
+            }
+            if all.len() == 2 || all.len() == 3 {
+                found = Some((all, vanishing));
+            }
+        }
+        self.probe.solvable.insert((e, unknown), found.clone());
+        found
     }
 
     /// Solves one equation for one unknown and inserts the result everywhere.
