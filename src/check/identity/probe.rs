@@ -17,6 +17,9 @@ pub(super) enum Sight {
     Nowhere,
 }
 
+/// Coefficients of a polynomial in one leaf, and those above that vanish at the random points.
+pub(super) type InPowers = (Vec<Expr>, Vec<Expr>);
+
 /// A random point of the space of leaves, kept so that all expressions are seen at the same points.
 pub(super) struct Probe {
     pub(super) field: FiniteField,
@@ -28,7 +31,9 @@ pub(super) struct Probe {
     /// Expression → numerator.
     pub(super) tops: FastMap<Expr, Expr>,
     /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
-    pub(super) solvable: FastMap<(Expr, Leaf), Option<(Vec<Expr>, Vec<Expr>)>>,
+    pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
+    /// Whether an expression is known to be ≠ 0 from the facts of the problem.
+    pub(super) nonzero: FastMap<Expr, bool>,
 }
 
 /// Number of points at which [`Probe::sight`] must see 0.
@@ -48,6 +53,7 @@ impl Probe {
             points: vec![FastMap::default(); TRIES],
             sights: FastMap::default(),
             tops: FastMap::default(),
+            nonzero: FastMap::default(),
             solvable: FastMap::default(),
         }
     }
