@@ -14,7 +14,7 @@ use super::account::IdentityAccount;
 use super::comparison::at_instant;
 use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
 use crate::derivation::{Claim, Derivation, Form};
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
 
 /// A claim whose equations are decided for all values.
@@ -26,6 +26,11 @@ pub(super) struct Step<'a> {
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
+
+/// The present value of a component.
+fn now(symbol: Symbol, component: usize) -> Leaf {
+    Leaf { symbol, component: component as u16, rate: 0, instant: None }
+}
 
 fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {
     relation.left.components.iter().copied().zip(relation.right.components.iter().copied())
@@ -103,35 +108,65 @@ impl<'a> Step<'a> {
         complete
     }
 
-    /// Definitions of the observables, and which symbols move.
-    fn definitions(&mut self, premises: &mut Premises) {
+    /// Which symbols move, and which are positive.
+    fn roles(&mut self, premises: &mut Premises) {
         let Derivation { symbols, claims, scope, .. } = self.derivation;
         premises.time = scope.time();
         for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {
             let count = self.graph.component_count(entry.symbol);
-            let leaf = |c: usize| Leaf { symbol: entry.symbol, component: c as u16, rate: 0, instant: None };
             match entry.role {
-                Role::State => premises.moving.push(entry.symbol),
-                Role::Observable => {
-                    premises.moving.push(entry.symbol);
-                    let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
-                    let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
-                    for (c, &e) in definition.components.iter().enumerate() {
-                        let node = self.graph.leaf(leaf(c));
-                        premises.equations.push((node, e));
-                    }
-                }
-                Role::Parameter => {
-                    premises.parameters.extend((0..count).map(leaf));
-                    if entry.positive {
-                        for c in 0..count {
-                            let node = self.graph.leaf(leaf(c));
-                            premises.positive.push(node);
-                        }
-                    }
-                }
+                Role::State | Role::Observable => premises.moving.push(entry.symbol),
+                Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
                 Role::Time | Role::Abbreviation | Role::Argument => {}
             }
+        }
+    }
+
+    /// What is positive among the parameters that occur.
+    fn positive_parameters(&mut self, equations: &[(Expr, Expr)], premises: &mut Premises) {
+        let Derivation { symbols, .. } = self.derivation;
+        let roots: Vec<Expr> = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]).collect();
+        for leaf in self.graph.leaves(roots) {
+            if symbols.iter().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter) {
+                let node = self.graph.leaf(leaf);
+                premises.positive.push(node);
+            }
+        }
+    }
+
+    /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
+    /// are given join in. What does not occur is left out: a premise less can only lose a proof.
+    fn definitions(&mut self, equations: &[(Expr, Expr)], systems: &[(Expr, Expr)], premises: &mut Premises) {
+        let Derivation { claims, scope, .. } = self.derivation;
+        let mut seen: Vec<Leaf> = Vec::new();
+        let mut moving = false;
+        let mut open: Vec<Leaf> = {
+            let given = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]);
+            let roots: Vec<Expr> = given.chain(premises.nonzero.clone()).chain(premises.positive.clone()).collect();
+            self.graph.leaves(roots)
+        };
+        loop {
+            while let Some(leaf) = open.pop() {
+                moving |= leaf.rate > 0;
+                let value = Leaf { rate: 0, ..leaf };
+                if value.instant.is_some() || seen.contains(&value) {
+                    continue;
+                }
+                seen.push(value);
+                let in_claim = || claims.iter().find_map(|c| c.scope.definition(value.symbol));
+                let Some(definition) = scope.definition(value.symbol).or_else(in_claim) else { continue };
+                if let Some(&e) = definition.components.get(usize::from(value.component)) {
+                    let node = self.graph.leaf(value);
+                    premises.equations.push((node, e));
+                    open.extend(self.graph.leaves([e]));
+                }
+            }
+            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
+                return;
+            }
+            premises.equations.extend(systems);
+            let roots: Vec<Expr> = systems.iter().flat_map(|&(l, r)| [l, r]).collect();
+            open.extend(self.graph.leaves(roots));
         }
     }
 
@@ -164,7 +199,8 @@ impl<'a> Step<'a> {
     pub fn decide(mut self) -> Option<IdentityAccount> {
         let (derivation, claim) = (self.derivation, self.claim);
         let mut premises = Premises::default();
-        self.definitions(&mut premises);
+        self.roles(&mut premises);
+        let mut systems: Vec<(Expr, Expr)> = Vec::new();
         let mut complete = self.assume(claim, &mut premises);
         let mut from = Vec::new();
         let named: Vec<&str> = if claim.follows_from.is_empty() {
@@ -175,7 +211,7 @@ impl<'a> Step<'a> {
         for name in named {
             from.push(name.to_owned());
             if let Some(system) = derivation.systems.iter().find(|s| s.id == name) {
-                premises.equations.extend(system.equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                systems.extend(system.equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
                 continue;
             }
             // Of a claim with readings the first is meant.
@@ -191,7 +227,9 @@ impl<'a> Step<'a> {
         if equations.is_empty() {
             return None;
         }
+        self.definitions(&equations, &systems, &mut premises);
         self.definitions_at_instants(&equations, &mut premises);
+        self.positive_parameters(&equations, &mut premises);
         let sign = claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let branching = self.graph.leaves(roots).contains(&sign);
