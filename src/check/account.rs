@@ -76,6 +76,27 @@ pub struct IdentityAccount {
     pub witness: Option<String>,
 }
 
+impl IdentityAccount {
+    /// The verdict in one sentence.
+    pub fn sentence(&self) -> String {
+        let given = if self.from.is_empty() {
+            "the definitions and assumptions".to_owned()
+        } else {
+            format!("the definitions, the assumptions and {}", self.from.join(", "))
+        };
+        let reason = self.reason.as_deref().unwrap_or("no reason is known");
+        match (self.verdict, self.log2_error) {
+            ("proved", Some(bound)) => format!(
+                "Follows for all values from {given}: proved by random evaluation, with an error probability of at most \
+                 2^{}.",
+                bound.ceil()
+            ),
+            ("refuted", _) => format!("Does not follow from {given} alone: refuted by a point."),
+            _ => format!("Whether it follows from {given} is undecided: {reason}."),
+        }
+    }
+}
+
 /// One claim, or one reading of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimAccount {

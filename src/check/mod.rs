@@ -30,6 +30,7 @@ pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Wit
 use crate::derivation::{Claim, Derivation, Form};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
+use crate::latex::RelationKind;
 use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
@@ -164,7 +165,9 @@ pub fn check(
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
     let identities: Vec<Option<IdentityAccount>> =
         claimed.par_iter().map(|&c| Step::of(derivation, &derivation.claims[c]).and_then(Step::decide)).collect();
-    Ok(assemble(derivation, &stage, &claimed, &tried, columns, identities))
+    let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    Ok(account)
 }
 
 /// The verdict of one claim on one motion.
@@ -206,6 +209,67 @@ fn one_pair(
 
 fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
+}
+
+/// Gives verdicts the strength of the proofs behind them, and compares the two.
+///
+/// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
+/// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
+/// `sampled`, and so do proofs that leave out special cases.
+///
+/// # Errors
+/// A description of a claim that is proved and fails.
+fn strengthen(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    claimed: &[usize],
+    tried: &[usize],
+) -> Result<(), String> {
+    // Each round may prove claims that follow from those of the round before.
+    loop {
+        let mut ready: Vec<(usize, usize)> = Vec::new();
+        for (k, &c) in claimed.iter().enumerate() {
+            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+                continue;
+            };
+            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
+            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
+                continue;
+            }
+            for (at, pair) in claims[k].results.iter().enumerate() {
+                let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
+                    continue;
+                };
+                let given = |name: &String| {
+                    let system = derivation.systems.iter().position(|s| s.id == *name);
+                    if let Some(system) = system {
+                        let motion = &derivation.trajectories[t].motion;
+                        return matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system);
+                    }
+                    claims.iter().filter(|c| c.id == *name).any(|c| {
+                        let pair = c.results.iter().find(|p| p.trajectory == pair.trajectory);
+                        pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
+                    })
+                };
+                if !identity.from.iter().all(given) {
+                    continue;
+                }
+                match pair.verdict.outcome() {
+                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
+                    Outcome::Fails(_) => {
+                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if ready.is_empty() {
+            return Ok(());
+        }
+        for (k, at) in ready {
+            claims[k].results[at].verdict.proved();
+        }
+    }
 }
 
 /// Puts the columns together into the account.
