@@ -19,11 +19,12 @@ mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
 mod stage;
+mod step;
 mod trial;
 mod verdict;
 mod weigh;
 
-pub use account::{Account, ClaimAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};
@@ -33,6 +34,7 @@ use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
+use step::Step;
 use trial::{Course, Events};
 
 /// What to check.
@@ -160,7 +162,9 @@ pub fn check(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    Ok(assemble(derivation, &stage, &claimed, &tried, columns))
+    let identities: Vec<Option<IdentityAccount>> =
+        claimed.par_iter().map(|&c| Step::of(derivation, &derivation.claims[c]).and_then(Step::decide)).collect();
+    Ok(assemble(derivation, &stage, &claimed, &tried, columns, identities))
 }
 
 /// The verdict of one claim on one motion.
@@ -211,9 +215,10 @@ fn assemble(
     claimed: &[usize],
     tried: &[usize],
     columns: Vec<(Vec<Option<Verdict>>, Vec<Measurement>)>,
+    identities: Vec<Option<IdentityAccount>>,
 ) -> Account {
     let mut claims = Vec::new();
-    for (k, &c) in claimed.iter().enumerate() {
+    for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
         let claim = &derivation.claims[c];
         let pair = |(column, &t): (&(Vec<Option<Verdict>>, Vec<Measurement>), &usize)| {
             let verdict = column.0[k].clone()?;
@@ -228,6 +233,7 @@ fn assemble(
             formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
+            identity,
             results: columns.iter().zip(tried).filter_map(pair).collect(),
         });
     }
