@@ -85,9 +85,7 @@ I\dot{\boldsymbol\Omega}=[I{\boldsymbol\Omega},{\boldsymbol\Omega}].
         let poisson = relation(&mut s, 0);
         assert_eq!(poisson.indices, ["i", "j"]);
         // (RΩ̂)ᵢⱼ = Rᵢₚ Ω̂ₚⱼ with Ω̂ₚⱼ = ε_{pkj}Ω_k = −ε_{jkp}Ω_k, which is (Ω ×)ₚⱼ.
-        means(&w, &poisson, |p| {
-            (rows(&p.matrix("R", 1, "")), rows(&(p.m("R") * cross(&p.v(r"\Omega")))))
-        });
+        means(&w, &poisson, |p| (rows(&p.matrix("R", 1, "")), rows(&(p.m("R") * cross(&p.v(r"\Omega"))))));
         let euler = relation(&mut s, 1);
         means(&w, &euler, |p| {
             let (inertia, omega) = (p.d("I"), p.v(r"\Omega"));
@@ -142,9 +140,7 @@ E=\frac12 I_i\Omega_i^2({\bf m}).
 fn initial_values() {
     let mut w = World::rigid_body();
     let r = one(&mut w, r"{\bf x}_N(t)=R(t){\bf x}_N(0)");
-    means(&w, &r, |p| {
-        (list(&p.v(r"{\bf x}_N")), list(&(p.m("R") * p.vector(r"{\bf x}_N", 0, "0"))))
-    });
+    means(&w, &r, |p| (list(&p.v(r"{\bf x}_N")), list(&(p.m("R") * p.vector(r"{\bf x}_N", 0, "0")))));
     let r = one(&mut w, r"R_{ij}(0)=\delta_{ij}");
     means(&w, &r, |p| (rows(&p.matrix("R", 0, "0")), rows(&Matrix3::identity())));
     let statements = w.read(r"m_i=I_{ij}\omega_j(0)=I_{ij}\Omega_j(0)");
