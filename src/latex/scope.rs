@@ -305,6 +305,12 @@ impl Scope {
         named.is_some_and(|e| matches!(e.role, Role::Time | Role::State | Role::Observable))
     }
 
+    /// Whether a symbol is the time, a state or an observable, not merely a name for a formula.
+    pub(super) fn is_variable(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let role = self.find(name, sub, None).map(|f| f.role);
+        matches!(role, Some(Role::Time | Role::State | Role::Observable))
+    }
+
     /// Whether a symbol depends on time.
     pub(super) fn is_moving(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         let found = self.find(name, sub, None);

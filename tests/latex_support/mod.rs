@@ -217,3 +217,51 @@ pub fn rows(m: &Matrix3<f64>) -> Vec<f64> {
 pub fn close(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 1e-12 * (1.0 + x.abs().max(y.abs())))
 }
+
+/// The formulas of the Comment that are read in [`World::rigid_body`], as its source prints them.
+pub const COMMENT: &[&str] = &[
+    r"\dot R_{ij}=-\epsilon_{jkp}\Omega_k R_{ip}, \quad 
+I\dot{\boldsymbol\Omega}=[I{\boldsymbol\Omega},{\boldsymbol\Omega}]. ",
+    "I=diagonal (I_1, I_2, I_3)",
+    r"E=\frac12 I_i\Omega_i^2",
+    r"{\bf m}=RI{\boldsymbol\Omega}",
+    r"\Omega_k({\bf m})=(I^{-1}R^T{\bf m})_k",
+    r"\dot R_{ij}=-I_k^{-1}\epsilon_{jkp}(m_1R_{1k}+m_2R_{2k}+m_3R_{3k}) R_{ip},  \quad 
+E=\frac12 I_i\Omega_i^2({\bf m}).  ",
+    r"{\bf x}_N(t)=R(t){\bf x}_N(0)",
+    r"R_{ij}(0)=\delta_{ij}",
+    r"m_i=I_{ij}\omega_j(0)=I_{ij}\Omega_j(0)",
+    "2E= I^{-1}_i m_i^2",
+    r"{\bf m}=(0, 0, m_3)",
+    r"\dot R_{ij}=-\frac{m_3}{I_k}\epsilon_{jkp}R_{3k}R_{ip}. ",
+    r"R= \left(
+\begin{array}{ccc}
+\cos t &  -\sin t & 0  \\
+\sin t & \cos t &  0 \\
+0 & 0 & 1
+\end{array}\right). ",
+    r"\Omega_k({\bf m})=m_3R_{3k}/I_k",
+    r"\Omega_k({\bf m})=m_3R_{3i}I'^{-1}_{ik}",
+    r"\dot\theta=m_3 I_{(1-2)}\sin\theta\sin\psi\cos\psi, \cr
+\dot\varphi=\frac{m_3}{I_1}\sin^2\psi+\frac{m_3}{I_2}\cos^2\psi,  \cr
+\dot\psi=-(\frac{m_3}{I_1}\sin^2\psi+\frac{m_3}{I_2}\cos^2\psi)\cos\theta+\frac{m_3}{I_3}\cos\theta. \\
+2E=\frac{m^2_3}{I_3}+m^2_3[I_{(1-3)}-I_{(1-2)}\cos^2\psi]\sin^2\theta, \label{t10}",
+    r"I_{(n-k)}=\frac{1}{I_n}-\frac{1}{I_k}",
+    r"\frac{d\psi}{d\varphi}=\pm
+\frac{\sqrt{(I_{(1-3)}-I_{(1-2)}\cos^2\psi)(1/I_3-2E/m_3^2+I_{(1-3)}-I_{(1-2)}\cos^2\psi)}}{1/I_1-I_{(1-2)}\cos^2\psi}.",
+    r"[I_{(1-3)}-I_{(1-2)}\cos^2\psi]\sin^2\theta=0",
+    r"\theta\ne 0",
+    r"\psi=\psi_0",
+    r"\cos^2\psi_0=[I_2(I_3-I_1)]/[I_3(I_2-I_1)]",
+    r"\psi(t)=\psi_0",
+    r"\dot\theta=\frac12 m_3I_{(1-2)}\sin2\psi_0 \sin\theta",
+    r"\dot\varphi=\frac{m_3}{I_3}",
+    r"\cos\theta(t)=\frac{1-ce^{2kt}}{1+ce^{2kt}}, \quad 
+\varphi=\frac{m_3}{I_3}t+\varphi_0,   \quad 
+\psi=\psi_0. ",
+    "c> 0",
+    r"k\equiv\frac12 m_3I_{(1-2)}\sin2\psi_0\ne 0",
+    r"\lim_{t\rightarrow t_0}\theta(t)=0",
+    r"R^TR=\mathbb{1}",
+    r"I_1\dot\Omega_1=(I_2-I_3)\Omega_2\Omega_3",
+];

@@ -109,7 +109,13 @@ impl Elaborator<'_> {
                 Ok(Value::Tensor(t))
             }
             _ => {
-                let hint = if base.shape.rank() == 1 { r"powers of its length are written `|{\bf x}|^3`" } else { "" };
+                let hint = if matches!(&sup.kind, NodeKind::Symbol(s) if s.name == "T") {
+                    r"`T` is declared, so the transpose is written `^\top`"
+                } else if base.shape.rank() == 1 {
+                    r"powers of its length are written `|{\bf x}|^3`"
+                } else {
+                    ""
+                };
                 refuse("latex::shape", format!("this power of a {} is not defined", base.shape), span, hint)
             }
         }

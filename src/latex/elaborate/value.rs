@@ -239,7 +239,13 @@ impl Elaborator<'_> {
                     components.extend(self.scalars(row)?);
                 }
                 let columns = rows.first().map_or(0, Vec::len);
-                Ok(Value::Tensor(Tensor { shape: Shape::matrix(rows.len() as u16, columns as u16), components }))
+                // One column is a vector.
+                let shape = match (rows.len() as u16, columns as u16) {
+                    (1, 1) => Shape::scalar(),
+                    (n, 1) => Shape::vector(n),
+                    (n, m) => Shape::matrix(n, m),
+                };
+                Ok(Value::Tensor(Tensor { shape, components }))
             }
             NodeKind::Limit(..) => refuse("latex::limit", "a limit stands alone on the left side", &node.span, ""),
         }

@@ -169,7 +169,7 @@ impl Parser<'_> {
     fn is_steady(&self, node: &Node) -> bool {
         match &node.kind {
             NodeKind::Number(_) | NodeKind::Pi => true,
-            NodeKind::Symbol(s) => s.dots == 0 && !self.scope.is_moving(&s.name, s.sub.as_deref()),
+            NodeKind::Symbol(s) => s.dots == 0 && !self.scope.is_variable(&s.name, s.sub.as_deref()),
             NodeKind::Group(inner, _) => self.is_steady(inner),
             NodeKind::Sum(terms) => terms.iter().all(|(_, n)| self.is_steady(n)),
             NodeKind::Product(parts) => parts.iter().all(|n| self.is_steady(n)),

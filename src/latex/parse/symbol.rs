@@ -21,8 +21,10 @@ struct Content {
     time: bool,
     /// A vector or a matrix.
     tensor: bool,
-    /// Nothing but one number.
+    /// Nothing but numbers.
     number: bool,
+    /// Several factors with indices: `(w_jv_j)`.
+    indexed: bool,
 }
 
 impl Parser<'_> {
@@ -130,7 +132,7 @@ impl Parser<'_> {
                     ambiguous(format!("is this `{shown}` at a time, or a product?"), r"write `\cdot` for a product")
                 };
             }
-            if content.joined && content.tensor {
+            if content.joined && content.tensor || content.indexed && content.moving {
                 return Ok(false);
             }
             if content.moving {
@@ -160,10 +162,19 @@ impl Parser<'_> {
             moving: false,
             time: false,
             tensor: false,
-            number: matches!(body, [Token { kind: Kind::Number(_), .. }]),
+            number: true,
+            indexed: false,
         };
+        let mut names = 0;
+        let mut lowered_names = 0;
         let mut depth = 0usize;
+        // A subscript, as the 0 in `t_0`, is not looked at.
+        let mut lowered_depth = None;
         for (i, token) in body.iter().enumerate() {
+            let after_lower = i > 0 && body[i - 1].kind == Kind::Sign('_');
+            if after_lower && token.kind == Kind::Sign('{') {
+                lowered_depth = Some(depth);
+            }
             let base = match &token.kind {
                 Kind::Sign('(' | '[' | '{') => {
                     depth += 1;
@@ -171,8 +182,12 @@ impl Parser<'_> {
                 }
                 Kind::Sign(')' | ']' | '}') => {
                     depth = depth.saturating_sub(1);
+                    if lowered_depth == Some(depth) {
+                        lowered_depth = None;
+                    }
                     continue;
                 }
+                _ if lowered_depth.is_some() || after_lower => continue,
                 Kind::Sign('-' | '+') => {
                     content.sum |= depth == 0;
                     continue;
@@ -193,17 +208,16 @@ impl Parser<'_> {
                 Kind::Command(c) if NAMES.contains(&c.as_str()) => format!("\\{c}"),
                 _ => continue,
             };
-            // A label, as the 0 in `t_0`, is not looked at: that a name of this kind moves is enough to ask.
             let lowered = matches!(body.get(i + 1), Some(Token { kind: Kind::Sign('_'), .. }));
-            let label = i > 0 && matches!(body.get(i - 1), Some(Token { kind: Kind::Sign('_'), .. }));
-            if label {
-                continue;
-            }
+            names += 1;
+            content.number = false;
+            lowered_names += usize::from(lowered);
             let (moves, tensor) = self.scope.kinds_of(&base, lowered);
             content.moving |= moves;
             content.tensor |= tensor;
             content.time |= self.scope.time_name() == Some(base.as_str());
         }
+        content.indexed = names > 1 && lowered_names == names;
         content
     }
 }
