@@ -202,7 +202,6 @@ fn a_file_without_claims_is_no_success() {
 }
 
 #[test]
-#[ignore = "needs the checks: the stand-in leaves everything undecided"]
 fn exit_codes_of_verdicts() {
     let good = project(DECAY);
     rederive(good.path(), &["check"]).code(0);

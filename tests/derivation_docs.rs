@@ -58,3 +58,18 @@ fn the_example_is_a_derivation_file() {
     assert_eq!(derivation.trajectories.len(), 3);
     assert_eq!(derivation.claims.len(), 8);
 }
+
+#[test]
+fn the_example_has_the_verdicts_that_it_expects() {
+    let source = Source { path: "docs/derivation-file.md".into(), text: example() };
+    let mut derivation = parse(source, "pendulum").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = rederive::check::check(&mut derivation, &rederive::check::Options::default(), &|_, _| {});
+    let account = account.unwrap_or_else(|e| panic!("{e:?}"));
+    for claim in &account.claims {
+        for pair in &claim.results {
+            let word = pair.verdict.outcome().word();
+            assert!(!pair.is_unexpected(), "{} {:?} on {}: {word}", claim.id, claim.reading, pair.trajectory);
+        }
+    }
+    assert!(account.summary().fails > 0 && account.summary().holds > 0);
+}

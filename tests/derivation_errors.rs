@@ -245,3 +245,16 @@ fn hostile_files_are_refused_without_a_crash() {
         assert!(problems(&text).contains("error["), "{}", &text[..60.min(text.len())]);
     }
 }
+
+#[test]
+fn a_map_has_the_values_of_its_own_parameters() {
+    let derived = "[[trajectory]]\nid = 'two'\nfrom = 'one'\nparameters = { 'a' = 3 }\nmap = { 'x' = 'a x' }\n";
+    let d = load(&with(&[HEAD, MOTION, derived])).unwrap_or_else(|e| panic!("{e}"));
+    let rederive::derivation::Motion::Derived { from: 0, map } = &d.trajectories[1].motion else {
+        panic!("{:?}", d.trajectories[1].motion)
+    };
+    let names: Vec<&str> =
+        d.graph.leaves(map[0].1.value.iter().copied()).iter().map(|l| d.graph.name(l.symbol)).collect();
+    assert_eq!(names, ["x"]);
+    assert_eq!(d.trajectories[1].span, d.trajectories[0].span);
+}

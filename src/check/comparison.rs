@@ -9,8 +9,8 @@
 //! otherwise: a loose bound can excuse a wrong formula, so it never makes a claim hold. κ = [`GUARD`] leaves room between
 //! the two, because the error of a trajectory is an estimate.
 
-use crate::expr::{Expr, Graph, Node, Op};
-use crate::latex::RelationKind;
+use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::latex::{RelationKind, Role, Scope};
 use crate::number::{Bounded, NoValue};
 
 /// A residual refutes an equation only beyond this many error bounds.
@@ -32,9 +32,17 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// A comparison with its magnitude.
-    pub fn new(graph: &mut Graph, label: String, kind: RelationKind, left: Expr, right: Expr) -> Comparison {
-        let (a, b) = (magnitude(graph, left), magnitude(graph, right));
+    /// A comparison with its magnitude, for which observables are traced back to what they are computed from.
+    pub fn new(
+        graph: &mut Graph,
+        scope: &Scope,
+        label: String,
+        kind: RelationKind,
+        left: Expr,
+        right: Expr,
+    ) -> Comparison {
+        let (l, r) = (traced(graph, scope, left), traced(graph, scope, right));
+        let (a, b) = (magnitude(graph, l), magnitude(graph, r));
         let magnitude = graph.add(a, b);
         Comparison { label, kind, left, right, magnitude }
     }
@@ -49,6 +57,39 @@ pub(super) struct Group {
     pub branching: bool,
 }
 
+/// `e` with observables replaced by their definitions, at fixed times too; rates stay.
+pub(super) fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    let mut e = e;
+    // Definitions are acyclic: each is written in terms of earlier symbols.
+    loop {
+        let mut changed = false;
+        e = graph.substitute(e, |graph, leaf| {
+            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0)?;
+            let component = definition.components.get(usize::from(leaf.component)).copied()?;
+            changed = true;
+            Some(match leaf.instant {
+                Some(instant) => at_instant(graph, scope, component, instant),
+                None => component,
+            })
+        });
+        if !changed {
+            return e;
+        }
+    }
+}
+
+/// `e` at a fixed time: every leaf that can move is replaced by its value then.
+pub(super) fn at_instant(graph: &mut Graph, scope: &Scope, e: Expr, instant: Expr) -> Expr {
+    let time = scope.time();
+    graph.substitute(e, |graph, leaf| {
+        if Some(leaf) == time {
+            return Some(instant);
+        }
+        let moves = matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        (moves && leaf.instant.is_none()).then(|| graph.leaf(Leaf { instant: Some(instant), ..leaf }))
+    })
+}
+
 /// The size of the terms that an expression is made of: sums do not cancel, everything else as it is.
 ///
 /// For a residual like `[A − B cos²ψ] sin²θ` it is (|A| + |B| cos²ψ) sin²θ, which stays of the size of what was computed
@@ -60,6 +101,7 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
             Node::Pi => node,
             Node::Constant(_) | Node::Leaf(_) => graph.unary(Op::Abs, node),
             Node::Unary(Op::Neg, a) => image[&a],
+            Node::Unary(Op::Sqrt, a) => graph.unary(Op::Sqrt, image[&a]),
             Node::Unary(Op::Powi(n), a) if n >= 0 => graph.powi(image[&a], n),
             Node::Binary(Op::Add | Op::Sub, a, b) => graph.add(image[&a], image[&b]),
             Node::Binary(Op::Mul, a, b) => graph.mul(image[&a], image[&b]),
@@ -67,6 +109,9 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
                 let under = graph.unary(Op::Abs, b);
                 graph.div(image[&a], under)
             }
+            // Bounded functions and angles are of the size 1, also where they happen to vanish.
+            Node::Unary(Op::Sin | Op::Cos | Op::Tanh | Op::Arcsin | Op::Arccos | Op::Arctan, _)
+            | Node::Binary(Op::Arctan2, ..) => graph.integer(1),
             Node::Unary(..) | Node::Binary(..) => graph.unary(Op::Abs, node),
         };
         image.insert(node, m);

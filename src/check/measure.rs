@@ -1,14 +1,10 @@
 //! Quantities that are measured, not judged.
 
-use std::collections::BTreeMap;
-
 use super::account::Measurement;
 use super::program::at_event;
-use super::stage::Stage;
-use super::trial::{Course, incomplete};
+use super::trial::{Course, incomplete, slack};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::Zeros;
 use crate::tape::Tape;
 
 /// Most values that are kept of one measure on one motion.
@@ -18,9 +14,9 @@ const MOST: usize = 200;
 pub(super) struct Compiled {
     index: usize,
     formula: Expr,
-    at: Option<Expr>,
+    /// What vanishes at the events at which it is taken.
+    pub at: Option<Expr>,
     tape: Option<Tape>,
-    events: BTreeMap<usize, Zeros>,
 }
 
 /// Compiles all measures; none when only some claims are asked for.
@@ -32,7 +28,7 @@ pub(super) fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled
     let one = |(index, m): (usize, &crate::derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
         let at = m.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Some(Compiled { index, formula, at, tape: None, events: BTreeMap::new() })
+        Some(Compiled { index, formula, at, tape: None })
     };
     measures.iter().enumerate().filter_map(one).collect()
 }
@@ -43,19 +39,15 @@ impl Compiled {
         graph.leaves([self.formula].into_iter().chain(self.at))
     }
 
-    /// Finds the events on every motion on which it is taken.
-    pub fn find_events(&mut self, derivation: &mut Derivation, stage: &Stage) {
-        let Some(at) = self.at else { return };
-        for t in derivation.measures[self.index].trajectories.clone() {
-            if let Some(zeros) = stage.zeros(&mut derivation.graph, t, at) {
-                self.events.insert(t, zeros);
-            }
-        }
+    /// Whether it is asked for on a motion.
+    pub fn is_taken_on(&self, derivation: &Derivation, trajectory: usize) -> bool {
+        derivation.measures.get(self.index).is_some_and(|m| m.trajectories.contains(&trajectory))
     }
 
     /// Makes the tape.
     pub fn tape(mut self, graph: &mut Graph, known: &[Leaf]) -> Compiled {
-        self.tape = Tape::compile(graph, known, &[self.formula]).ok();
+        let roots: Vec<Expr> = [self.formula].into_iter().chain(self.at).collect();
+        self.tape = Tape::compile(graph, known, &roots).ok();
         self
     }
 
@@ -76,7 +68,7 @@ impl Compiled {
             None => vec![derivation.trajectories[trajectory].initial_time],
             Some(_) => {
                 let text = measure.at.as_ref().map_or("", |w| w.text.as_str());
-                match self.events.get(&trajectory) {
+                match course.stage.measured(self.index, trajectory) {
                     Some(zeros) => {
                         let partial = zeros.incomplete.as_ref();
                         out.reason =
@@ -99,7 +91,11 @@ impl Compiled {
         };
         let mut slots = tape.slots(&());
         for &t in times.iter().take(MOST) {
-            let values = tape.evaluate(&(), &course.values(t), &mut slots);
+            let point = match self.at {
+                Some(_) => course.values_at_event(t, slack(tape, 1, course, t, &mut slots)),
+                None => course.values(t),
+            };
+            let values = tape.evaluate(&(), &point, &mut slots);
             match values.first() {
                 Some(Ok(v)) => out.values.push((t, v.value, v.error)),
                 Some(Err(reason)) => out.reason = Some(format!("no value at t = {t:.6}: {reason}")),

@@ -11,25 +11,31 @@
 
 mod account;
 mod comparison;
+pub mod identity;
 mod independence;
 mod measure;
 mod program;
 mod same_motion;
+#[cfg(test)]
+pub(crate) mod sample;
 mod stage;
+mod step;
 mod trial;
 mod verdict;
 mod weigh;
 
-pub use account::{Account, ClaimAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
+use crate::latex::RelationKind;
 use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
-use stage::Stage;
+use stage::{Fields, Requests, Stage};
+use step::Step;
 use trial::{Course, Events};
 
 /// What to check.
@@ -70,7 +76,7 @@ pub fn check(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
-    let mut stage = Stage::build(derivation).map_err(CheckError::Problems)?;
+    let fields = Fields::solve(derivation).map_err(CheckError::Problems)?;
 
     // One program per claim and initial time: the value "at the start" is part of what a first integral says.
     let mut starts: Vec<Rational> = Vec::new();
@@ -91,7 +97,7 @@ pub fn check(
     let mut gradients = Vec::new();
     for &c in &claimed {
         programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
-        let variables = stage.state_leaves();
+        let variables = fields.state_leaves.clone();
         let claim = derivation.claims[c].clone();
         gradients.push(claim.forms.iter().find_map(|form| {
             match form {
@@ -111,29 +117,32 @@ pub fn check(
     wanted.extend(same_motion::leaves(derivation));
     wanted.sort_unstable();
     wanted.dedup();
-    stage.prepare(&mut derivation.graph, &wanted).map_err(CheckError::Defect)?;
     for program in programs.iter_mut().flatten() {
         if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
             let name = derivation.graph.leaf_latex(leaf);
             return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
         }
     }
-    let mut measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
-    for m in &mut measures {
-        m.find_events(derivation, &stage);
-    }
-
-    let events = stage.events(derivation, &claimed, &programs, &start_of);
+    let tried: Vec<usize> = (0..derivation.trajectories.len())
+        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
+        .collect();
+    let measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
     let derivation: &Derivation = derivation;
+    let requests = Requests {
+        wanted: &wanted,
+        tried: &tried,
+        claimed: &claimed,
+        programs: &programs,
+        start_of: &start_of,
+        measures: &measures,
+    };
+    let stage = Stage::build(derivation, &fields, &requests)?;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
         let claim = &derivation.claims[claimed[k]];
         let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
         prepared.push(per_start.into_iter().map(one).collect());
     }
-    let tried: Vec<usize> = (0..derivation.trajectories.len())
-        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
-        .collect();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
         .par_iter()
@@ -143,7 +152,7 @@ pub fn check(
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
                     let none = Events::default();
-                    let events = events.get(&(k, t)).unwrap_or(&none);
+                    let events = stage.events(k, t).unwrap_or(&none);
                     one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
                 })
             };
@@ -154,7 +163,11 @@ pub fn check(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    Ok(assemble(derivation, &stage, &claimed, &tried, columns))
+    let identities: Vec<Option<IdentityAccount>> =
+        claimed.par_iter().map(|&c| Step::of(derivation, &derivation.claims[c]).and_then(Step::decide)).collect();
+    let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    Ok(account)
 }
 
 /// The verdict of one claim on one motion.
@@ -198,6 +211,67 @@ fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
 }
 
+/// Gives verdicts the strength of the proofs behind them, and compares the two.
+///
+/// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
+/// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
+/// `sampled`, and so do proofs that leave out special cases.
+///
+/// # Errors
+/// A description of a claim that is proved and fails.
+fn strengthen(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    claimed: &[usize],
+    tried: &[usize],
+) -> Result<(), String> {
+    // Each round may prove claims that follow from those of the round before.
+    loop {
+        let mut ready: Vec<(usize, usize)> = Vec::new();
+        for (k, &c) in claimed.iter().enumerate() {
+            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+                continue;
+            };
+            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
+            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
+                continue;
+            }
+            for (at, pair) in claims[k].results.iter().enumerate() {
+                let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
+                    continue;
+                };
+                let given = |name: &String| {
+                    let system = derivation.systems.iter().position(|s| s.id == *name);
+                    if let Some(system) = system {
+                        let motion = &derivation.trajectories[t].motion;
+                        return matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system);
+                    }
+                    claims.iter().filter(|c| c.id == *name).any(|c| {
+                        let pair = c.results.iter().find(|p| p.trajectory == pair.trajectory);
+                        pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
+                    })
+                };
+                if !identity.from.iter().all(given) {
+                    continue;
+                }
+                match pair.verdict.outcome() {
+                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
+                    Outcome::Fails(_) => {
+                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if ready.is_empty() {
+            return Ok(());
+        }
+        for (k, at) in ready {
+            claims[k].results[at].verdict.proved();
+        }
+    }
+}
+
 /// Puts the columns together into the account.
 fn assemble(
     derivation: &Derivation,
@@ -205,9 +279,10 @@ fn assemble(
     claimed: &[usize],
     tried: &[usize],
     columns: Vec<(Vec<Option<Verdict>>, Vec<Measurement>)>,
+    identities: Vec<Option<IdentityAccount>>,
 ) -> Account {
     let mut claims = Vec::new();
-    for (k, &c) in claimed.iter().enumerate() {
+    for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
         let claim = &derivation.claims[c];
         let pair = |(column, &t): (&(Vec<Option<Verdict>>, Vec<Measurement>), &usize)| {
             let verdict = column.0[k].clone()?;
@@ -222,10 +297,11 @@ fn assemble(
             formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
+            identity,
             results: columns.iter().zip(tried).filter_map(pair).collect(),
         });
     }
-    let trajectories = tried.iter().map(|&t| stage.account(derivation, t)).collect();
+    let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
     let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);

@@ -3,10 +3,11 @@
 //! **In:** the forms and assumptions of a claim. **Out:** a [`Program`] that measures every comparison at a point of any
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
-use super::comparison::{Comparison, Group};
+use super::comparison::{Comparison, Group, at_instant, traced};
+use super::trial::{Course, slack};
 use super::weigh::Measured;
 use crate::derivation::{Derivation, Form, Written};
-use crate::expr::{Expr, Graph, Leaf, Shape, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
 use crate::number::{Bounded, NoValue, Rational};
 use crate::tape::{Slots, Tape};
@@ -47,6 +48,9 @@ pub(super) struct Program {
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
     tape: Option<Tape>,
+    event: Option<Tape>,
+    /// Where the inputs of the tape stand among the leaves of a point.
+    inputs: Vec<usize>,
     sign: Leaf,
 }
 
@@ -68,7 +72,7 @@ fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> Str
 }
 
 /// The comparisons of a relation, one for each component; the same component twice (as in a symmetric equation) once.
-pub(super) fn relation_group(graph: &mut Graph, text: &str, relation: &Relation) -> Group {
+fn relation_group(graph: &mut Graph, scope: &Scope, text: &str, relation: &Relation) -> Group {
     let sides = relation.left.components.iter().zip(&relation.right.components).map(|(&l, &r)| (l, r));
     let sides: Vec<(Expr, Expr)> = sides.collect();
     let mut comparisons = Vec::new();
@@ -77,7 +81,7 @@ pub(super) fn relation_group(graph: &mut Graph, text: &str, relation: &Relation)
             continue;
         }
         let label = label(text, &relation.indices, &relation.left.shape, component);
-        comparisons.push(Comparison::new(graph, label, relation.kind, left, right));
+        comparisons.push(Comparison::new(graph, scope, label, relation.kind, left, right));
     }
     Group { comparisons, branching: relation.has_branches }
 }
@@ -100,21 +104,60 @@ fn vanishing(graph: &mut Graph, relation: &Relation) -> Option<Expr> {
     Some(sum)
 }
 
+/// The relation that holds where another does not.
+fn opposite(kind: RelationKind) -> Option<RelationKind> {
+    Some(match kind {
+        RelationKind::Equal => RelationKind::NotEqual,
+        RelationKind::NotEqual => RelationKind::Equal,
+        RelationKind::Less => RelationKind::GreaterEqual,
+        RelationKind::LessEqual => RelationKind::Greater,
+        RelationKind::Greater => RelationKind::LessEqual,
+        RelationKind::GreaterEqual => RelationKind::Less,
+    })
+}
+
+/// Whether both sides are the same at every time: parameters, and values at fixed times.
+fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
+    let all = relation.left.components.iter().chain(&relation.right.components).copied();
+    graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
+}
+
+/// The conditions under which every operation of an expression has a value, observables traced back.
+fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
+    let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
+    let (zero, one) = (graph.integer(0), graph.integer(1));
+    let mut out = Vec::new();
+    for node in graph.reachable(traced) {
+        let conditions = match *graph.node(node) {
+            Node::Unary(Op::Sqrt, a) => vec![(a, RelationKind::GreaterEqual, zero)],
+            Node::Unary(Op::Ln, a) => vec![(a, RelationKind::Greater, zero)],
+            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
+                let size = graph.unary(Op::Abs, a);
+                vec![(size, RelationKind::LessEqual, one)]
+            }
+            Node::Binary(Op::Div, _, b) => vec![(b, RelationKind::NotEqual, zero)],
+            Node::Binary(Op::Arctan2, a, b) => {
+                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
+                let length = graph.add(aa, bb);
+                vec![(length, RelationKind::NotEqual, zero)]
+            }
+            _ => continue,
+        };
+        for (left, kind, right) in conditions {
+            // What does not depend on anything is settled by the value itself.
+            if graph.leaves([left]).is_empty() {
+                continue;
+            }
+            let label = format!("{} has a value", w.text);
+            out.push(Comparison::new(graph, scope, label, kind, left, right));
+        }
+    }
+    out
+}
+
 /// What vanishes where the first relation of a statement holds, for events.
 pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
     statement.relations.first().and_then(|r| vanishing(graph, r))
-}
-
-/// `e` at a fixed time: every leaf that can move is replaced by its value then.
-fn at_instant(graph: &mut Graph, scope: &Scope, e: Expr, instant: Expr) -> Expr {
-    let time = scope.time();
-    graph.substitute(e, |graph, leaf| {
-        if Some(leaf) == time {
-            return Some(instant);
-        }
-        let moves = matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        (moves && leaf.instant.is_none()).then(|| graph.leaf(Leaf { instant: Some(instant), ..leaf }))
-    })
 }
 
 impl Program {
@@ -126,7 +169,7 @@ impl Program {
         let mut assumptions = Vec::new();
         for written in &claim.assuming {
             for relation in &written.value.relations {
-                let group = relation_group(graph, &written.text, relation);
+                let group = relation_group(graph, &claim.scope, &written.text, relation);
                 let throughout = relation.kind == RelationKind::Equal;
                 assumptions.push(Assumption { text: written.text.clone(), group, throughout });
             }
@@ -134,8 +177,7 @@ impl Program {
         let mut groups = Vec::new();
         let mut each = |graph: &mut Graph, w: &Written<Statement>, how: fn(Option<Expr>) -> Use| {
             for relation in &w.value.relations {
-                let vanishing = vanishing(graph, relation);
-                groups.push((how(vanishing), relation_group(graph, &w.text, relation)));
+                groups.push((how(None), relation_group(graph, &claim.scope, &w.text, relation)));
                 if let (Some(limit), Some(last)) = (&relation.limit, groups.last_mut()) {
                     last.0 = Use::Limit(limit.approaches.clone());
                 }
@@ -144,8 +186,7 @@ impl Program {
         for form in &claim.forms {
             match form {
                 Form::Always(w) => each(graph, w, |_| Use::Always),
-                Form::Never(w) => each(graph, w, Use::Never),
-                Form::Eventually(w) => each(graph, w, Use::Eventually),
+                Form::Never(_) | Form::Eventually(_) => {}
                 Form::Solves { system } => {
                     for w in &systems[*system].equations {
                         each(graph, w, |_| Use::Always);
@@ -167,12 +208,58 @@ impl Program {
                     _ => (at_instant(graph, &claim.scope, e, start), format!("{} is constant", w.text)),
                 };
                 let label = label(&text, &[], &w.value.shape, component);
-                comparisons.push(Comparison::new(graph, label, RelationKind::Equal, e, right));
+                comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
+            }
+            if let Use::Defined = how {
+                comparisons.extend(domain_conditions(graph, &claim.scope, w));
             }
             groups.push((how, Group { comparisons, branching: false }));
         }
+        for form in &claim.forms {
+            let (w, how): (_, fn(Option<Expr>) -> Use) = match form {
+                Form::Never(w) => (w, Use::Never),
+                Form::Eventually(w) => (w, Use::Eventually),
+                _ => continue,
+            };
+            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
+                && let (Some(limit), Some(kind)) = (&relation.limit, opposite(relation.kind))
+            {
+                // That a limit is never so is a statement about the limit.
+                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
+                groups.push((Use::Limit(limit.approaches.clone()), group));
+                continue;
+            }
+            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
+                && is_constant(graph, &claim.scope, relation)
+                && let Some(kind) = opposite(relation.kind)
+                && relation.left.shape.rank() == 0
+            {
+                // What does not move is never so if it is not so at the start.
+                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
+                groups.push((Use::Always, group));
+                continue;
+            }
+            // A chain happens when all of its relations hold at once.
+            let parts: Vec<Group> =
+                w.value.relations.iter().map(|r| relation_group(graph, &claim.scope, &w.text, r)).collect();
+            let zero = match w.value.relations.as_slice() {
+                [single] => vanishing(graph, single),
+                _ => None,
+            };
+            let branching = parts.iter().any(|g| g.branching);
+            let comparisons = parts.into_iter().flat_map(|g| g.comparisons).collect();
+            groups.push((how(zero), Group { comparisons, branching }));
+        }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program { assumptions, groups, at, tape: None, sign: claim.scope.branch_sign() }
+        Program {
+            assumptions,
+            groups,
+            at,
+            tape: None,
+            event: None,
+            inputs: Vec::new(),
+            sign: claim.scope.branch_sign(),
+        }
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -198,16 +285,37 @@ impl Program {
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 
-    /// Makes the tape. `known` are the leaves of a point, in its order.
+    /// Makes the tape. `known` are the leaves of a point, sorted.
     pub fn compile(&mut self, graph: &mut Graph, known: &[Leaf]) -> Result<(), Leaf> {
         let mut roots = Vec::new();
         for c in self.comparisons() {
             roots.push((c.left, c.right, c.magnitude));
         }
         let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
-        let inputs: Vec<Leaf> = known.iter().copied().chain([self.sign]).collect();
-        self.tape = Some(Tape::compile(graph, &inputs, &roots)?);
+        // Only what the claim depends on is copied from a point.
+        let mut needed = graph.leaves(roots.iter().copied());
+        needed.retain(|&l| l != self.sign);
+        self.inputs.clear();
+        for leaf in &needed {
+            self.inputs.push(known.binary_search(leaf).map_err(|_| *leaf)?);
+        }
+        needed.push(self.sign);
+        self.tape = Some(Tape::compile(graph, &needed, &roots)?);
+        self.event = self.at.map(|e| Tape::compile(graph, known, &[e])).transpose()?;
         Ok(())
+    }
+
+    /// How well the time of an event of this claim is known.
+    pub fn event_slack(&self, course: &Course, t: f64) -> f64 {
+        match &self.event {
+            Some(tape) => slack(tape, 0, course, t, &mut tape.slots(&())),
+            None => 0.0,
+        }
+    }
+
+    /// The position among the leaves of a point of an input of the tape.
+    pub fn input(&self, position: usize) -> Option<usize> {
+        self.inputs.get(position).copied()
     }
 
     /// The tape, once compiled.
@@ -224,10 +332,10 @@ impl Program {
     ) -> Vec<Result<Measured, NoValue>> {
         let Some(tape) = &self.tape else { return Vec::new() };
         let slots = slots.get_or_insert_with(|| tape.slots(&()));
-        for (i, v) in values.iter().enumerate() {
-            slots.set(i, *v);
+        for (i, &at) in self.inputs.iter().enumerate() {
+            slots.set(i, values.get(at).copied().unwrap_or(Err(NoValue::OutOfDomain)));
         }
-        slots.set(values.len(), Ok(Bounded { value: sign, error: 0.0 }));
+        slots.set(self.inputs.len(), Ok(Bounded { value: sign, error: 0.0 }));
         tape.run(&(), slots);
         let comparison = |k: usize| {
             Ok(Measured {

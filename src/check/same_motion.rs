@@ -34,7 +34,7 @@ pub(super) fn try_on(
     other: usize,
     of: &[Symbol],
 ) -> Verdict {
-    let (from, to) = course.stage.motion(other).span();
+    let (from, to) = course.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
         course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
     let mut comparisons = Vec::new();

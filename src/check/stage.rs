@@ -4,13 +4,18 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
+use super::CheckError;
 use super::account::TrajectoryAccount;
+use super::independence::expand;
+use super::measure::Compiled;
 use super::program::{Program, Use};
 use super::trial::{Course, Events, Values};
-use crate::derivation::{Derivation, Motion as Given, SymbolEntry};
+use crate::derivation::{Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{FlowError, Motion, Observable, Setup, Source, VectorField, Zeros};
@@ -20,18 +25,13 @@ use crate::number::{Bounded, NoValue};
 /// Chebyshev points in each step of an integration.
 const DENSITY: usize = 6;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
-const MOST_SAMPLES: usize = 4_000;
+const MOST_SAMPLES: usize = 1_500;
 /// Every how many samples dual numbers are compared with the bounds.
 const CROSS_CHECK: usize = 8;
 
-/// The motions of a derivation.
+/// The motions of a derivation, by the position of their trajectories; only those that are needed are there.
 pub(super) struct Stage {
-    motions: Vec<Arc<Motion>>,
-    known: Vec<Vec<Symbol>>,
-    places: Vec<Vec<Option<usize>>>,
-    state_leaves: Vec<Leaf>,
-    /// Values of the parameters of each trajectory.
-    given: Vec<Vec<(Symbol, Vec<Bounded>)>>,
+    motions: Vec<Option<Built>>,
 }
 
 /// The leaves of all components of a symbol.
@@ -44,196 +44,178 @@ fn paired(graph: &Graph, symbol: Symbol, rate: u8, values: &[Expr]) -> Vec<(Leaf
     leaves_of(graph, symbol).into_iter().map(|l| Leaf { rate, ..l }).zip(values.iter().copied()).collect()
 }
 
-impl Stage {
-    /// Solves the systems and builds the motions.
+/// The systems of a derivation, solved for their rates.
+pub(super) struct Fields {
+    time: Leaf,
+    fields: Vec<VectorField>,
+    /// The state variables of all systems, and the states of motions given by formulas.
+    pub state_leaves: Vec<Leaf>,
+}
+
+impl Fields {
+    /// Solves the systems.
     ///
     /// # Errors
-    /// A diagnostic for every system that cannot be solved and every trajectory that cannot be built.
-    pub fn build(derivation: &mut Derivation) -> Result<Stage, Vec<Diagnostic>> {
+    /// A diagnostic for every system that cannot be solved.
+    pub fn solve(derivation: &mut Derivation) -> Result<Fields, Vec<Diagnostic>> {
         let mut problems = Vec::new();
-        let Derivation { graph, scope, systems, trajectories, symbols, file, claims, .. } = derivation;
+        let Derivation { graph, scope, systems, symbols, file, .. } = derivation;
         let Some(time) = scope.time() else {
             return Err(vec![
                 Diagnostic::at(file, "derivation::no-time", 0..0, "no symbol has the role `time`")
                     .hint("add `'t' = { role = \"time\" }` to [symbols]"),
             ]);
         };
-        let mut fields: Vec<Option<VectorField>> = Vec::new();
+        let mut fields = Vec::new();
         for system in systems.iter() {
-            let mut equations = Vec::new();
-            for relation in system.equations.iter().flat_map(|w| &w.value.relations) {
-                let sides = relation.left.components.iter().zip(&relation.right.components);
-                equations.extend(sides.map(|(&l, &r)| (l, r)));
-            }
             // Observables on the right side are part of the system: it is closed in its states.
-            let closed: Vec<(Expr, Expr)> = equations
-                .into_iter()
-                .map(|(l, r)| {
-                    (super::independence::expand(graph, scope, l), super::independence::expand(graph, scope, r))
-                })
-                .collect();
+            let mut closed: Vec<(Expr, Expr)> = Vec::new();
+            for relation in system.equations.iter().flat_map(|w| &w.value.relations) {
+                for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+                    closed.push((expand(graph, scope, l), expand(graph, scope, r)));
+                }
+            }
             match VectorField::solve(graph, Some(time), &system.states, &closed) {
-                Ok(field) => fields.push(Some(field)),
+                Ok(field) => fields.push(field),
                 Err(error) => {
-                    problems.push(Diagnostic::at(
-                        file,
-                        "flow::system",
-                        system.span.clone(),
-                        format!("the system `{}` cannot be solved for its rates: {error}", system.id),
-                    ));
-                    fields.push(None);
+                    let message = format!("the system `{}` cannot be solved for its rates: {error}", system.id);
+                    problems.push(Diagnostic::at(file, "flow::system", system.span.clone(), message));
                 }
             }
         }
-        let mut entries: Vec<&SymbolEntry> = symbols.iter().collect();
-        entries.extend(claims.iter().flat_map(|c| &c.symbols));
-
-        let mut motions: Vec<Option<Arc<Motion>>> = vec![None; trajectories.len()];
-        let mut known: Vec<Vec<Symbol>> = vec![Vec::new(); trajectories.len()];
-        // A derived motion may stand before its source in the file.
-        for _ in 0..=trajectories.len() {
-            for (i, trajectory) in trajectories.iter().enumerate() {
-                if motions[i].is_some() {
-                    continue;
-                }
-                let mut parameters = Vec::new();
-                let mut knows = vec![time.symbol];
-                for (symbol, value) in &trajectory.parameters {
-                    parameters.retain(|(l, _): &(Leaf, Expr)| l.symbol != *symbol);
-                    parameters.extend(paired(graph, *symbol, 0, &value.value));
-                    knows.push(*symbol);
-                }
-                let source = match &trajectory.motion {
-                    Given::Integrated { system, initial } => {
-                        let Some(Some(field)) = fields.get(*system) else { continue };
-                        knows.extend(&systems[*system].states);
-                        let mut values = Vec::new();
-                        for (symbol, rate, w) in initial {
-                            values.extend(paired(graph, *symbol, *rate, &w.value));
-                        }
-                        Source::Integrated { field, initial: values }
-                    }
-                    Given::Formula { states } => {
-                        knows.extend(states.iter().map(|(s, _)| *s));
-                        let values = states.iter().flat_map(|(s, w)| paired(graph, *s, 0, &w.value)).collect();
-                        Source::Formula { states: values }
-                    }
-                    Given::Derived { from, map } => {
-                        let Some(Some(source)) = motions.get(*from).cloned() else { continue };
-                        let mut states: Vec<(Leaf, Expr)> = Vec::new();
-                        for &symbol in &known[*from] {
-                            if scope.role(symbol) == Some(Role::State) && !map.iter().any(|(s, _)| *s == symbol) {
-                                for leaf in leaves_of(graph, symbol) {
-                                    let e = graph.leaf(leaf);
-                                    states.push((leaf, e));
-                                }
-                                knows.push(symbol);
-                            }
-                        }
-                        for (symbol, w) in map {
-                            states.extend(paired(graph, *symbol, 0, &w.value));
-                            knows.push(*symbol);
-                        }
-                        Source::Derived { from: source, states }
-                    }
-                };
-                let mut observables = Vec::new();
-                for entry in entries.iter().filter(|e| e.role == Role::Observable) {
-                    let definition = scope
-                        .definition(entry.symbol)
-                        .or_else(|| claims.iter().find_map(|c| c.scope.definition(entry.symbol)));
-                    let Some(definition) = definition else { continue };
-                    let roots = definition.components.clone();
-                    if !all_known(graph, &knows, &roots) {
-                        continue;
-                    }
-                    knows.push(entry.symbol);
-                    for (leaf, e) in paired(graph, entry.symbol, 0, &roots) {
-                        observables.push(Observable { leaf, definition: e, angle: entry.angle });
-                    }
-                }
-                let setup = Setup {
-                    time,
-                    span: trajectory.span,
-                    initial_time: trajectory.initial_time,
-                    parameters,
-                    source,
-                    observables,
-                };
-                match Motion::new(graph, setup) {
-                    Ok(motion) => {
-                        motions[i] = Some(Arc::new(motion));
-                        known[i] = knows;
-                    }
-                    Err(error) => {
-                        problems.push(trajectory_problem(file, trajectory.place.clone(), &trajectory.id, &error));
-                        known[i] = knows;
-                    }
-                }
-            }
-            if !problems.is_empty() || motions.iter().all(Option::is_some) {
-                break;
-            }
-        }
-        crate::diag::sort(&mut problems);
-        let built: Vec<Arc<Motion>> = motions.into_iter().flatten().collect();
-        if !problems.is_empty() || built.len() != trajectories.len() {
-            if problems.is_empty() {
-                problems.push(Diagnostic::at(file, "flow::trajectory", 0..0, "a trajectory could not be built"));
-            }
+        if !problems.is_empty() {
             return Err(problems);
         }
-        let mut state_leaves: Vec<Leaf> = fields.iter().flatten().flat_map(|f| f.states().to_vec()).collect();
+        let mut state_leaves: Vec<Leaf> = fields.iter().flat_map(|f| f.states().to_vec()).collect();
         let of_formulas = symbols.iter().filter(|s| s.role == Role::State).flat_map(|s| leaves_of(graph, s.symbol));
         state_leaves.extend(of_formulas);
         state_leaves.sort_unstable();
         state_leaves.dedup();
-        let given = trajectories
-            .iter()
-            .map(|t| t.parameters.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect())
-            .collect();
-        Ok(Stage { motions: built, known, places: Vec::new(), state_leaves, given })
+        Ok(Fields { time, fields, state_leaves })
+    }
+}
+
+/// What has to be known of motions before claims can be tried on them.
+pub(super) struct Requests<'a> {
+    /// The leaves that points have values of.
+    pub wanted: &'a [Leaf],
+    /// The trajectories on which claims are tried.
+    pub tried: &'a [usize],
+    /// The positions of the claims that are tried.
+    pub claimed: &'a [usize],
+    /// Their programs, one for each initial time.
+    pub programs: &'a [Vec<Program>],
+    /// Which program belongs to a trajectory.
+    pub start_of: &'a [usize],
+    /// What is measured.
+    pub measures: &'a [Compiled],
+}
+
+/// A motion with everything that was asked of it.
+struct Built {
+    motion: Arc<Motion>,
+    known: Vec<Symbol>,
+    /// Position of every wanted leaf in a point of the motion.
+    places: Vec<Option<usize>>,
+    /// The part of its span that is asked for, as far as the motion reaches.
+    span: (f64, f64),
+    /// Values of the parameters.
+    given: Vec<(Symbol, Vec<Bounded>)>,
+    /// For each claim that asks for events.
+    events: BTreeMap<usize, Events>,
+    /// For each measure that is taken at events.
+    measured: BTreeMap<usize, Zeros>,
+}
+
+impl Stage {
+    /// Builds the motions that are tried, and those that they are derived from or compared with.
+    ///
+    /// A motion and those derived from it share a copy of the graph, so that families can be built in parallel.
+    ///
+    /// # Errors
+    /// A diagnostic for every trajectory that cannot be built.
+    pub fn build(derivation: &Derivation, fields: &Fields, requests: &Requests) -> Result<Stage, CheckError> {
+        let count = derivation.trajectories.len();
+        let source = |t: usize| match derivation.trajectories[t].motion {
+            Given::Derived { from, .. } => Some(from),
+            _ => None,
+        };
+        let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
+        for form in requests.claimed.iter().flat_map(|&c| &derivation.claims[c].forms) {
+            if let Form::SameMotion { other, .. } = form {
+                needed[*other] = true;
+            }
+        }
+        for t in 0..count {
+            let mut at = t;
+            while let (true, Some(from)) = (needed[at], source(at)) {
+                if std::mem::replace(&mut needed[from], true) {
+                    break;
+                }
+                at = from;
+            }
+        }
+        let root = |t: usize| {
+            let mut at = t;
+            // No motion comes from itself; the loader has seen to that.
+            while let Some(from) = source(at) {
+                at = from;
+            }
+            at
+        };
+        let mut families: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for t in (0..count).filter(|&t| needed[t]) {
+            families.entry(root(t)).or_default().push(t);
+        }
+        let families: Vec<Vec<usize>> = families.into_values().collect();
+        let results: Vec<Result<Vec<(usize, Built)>, CheckError>> =
+            families.par_iter().map(|members| family(derivation, fields, requests, members)).collect();
+        let mut motions: Vec<Option<Built>> = (0..count).map(|_| None).collect();
+        let mut problems = Vec::new();
+        for result in results {
+            match result {
+                Ok(built) => built.into_iter().for_each(|(t, b)| motions[t] = Some(b)),
+                Err(CheckError::Problems(found)) => problems.extend(found),
+                Err(defect) => return Err(defect),
+            }
+        }
+        if !problems.is_empty() {
+            crate::diag::sort(&mut problems);
+            return Err(CheckError::Problems(problems));
+        }
+        Ok(Stage { motions })
     }
 
-    /// The state variables of all systems.
-    pub fn state_leaves(&self) -> Vec<Leaf> {
-        self.state_leaves.clone()
+    fn built(&self, trajectory: usize) -> Option<&Built> {
+        self.motions.get(trajectory).and_then(Option::as_ref)
+    }
+
+    /// The times on which a motion is tried.
+    pub fn span(&self, trajectory: usize) -> (f64, f64) {
+        self.built(trajectory).map_or((f64::INFINITY, f64::NEG_INFINITY), |b| b.span)
     }
 
     /// A motion, by the position of its trajectory.
-    pub fn motion(&self, trajectory: usize) -> &Motion {
-        &self.motions[trajectory]
-    }
-
-    /// Compiles everything that points must have values of.
-    ///
-    /// # Errors
-    /// A description of the leaf that could not be compiled.
-    pub fn prepare(&mut self, graph: &mut Graph, wanted: &[Leaf]) -> Result<(), String> {
-        for (motion, known) in self.motions.iter_mut().zip(&self.known) {
-            let mut places = Vec::new();
-            let mut asked = Vec::new();
-            for &leaf in wanted {
-                let node = leaf.instant;
-                let here = known.contains(&leaf.symbol) && node.is_none_or(|e| all_known(graph, known, &[e]));
-                places.push(here.then_some(asked.len()));
-                if here {
-                    asked.push(leaf);
-                }
-            }
-            let mut prepared = Motion::clone(motion);
-            prepared.prepare(graph, &asked).map_err(|e| e.to_string())?;
-            *motion = Arc::new(prepared);
-            self.places.push(places);
-        }
-        Ok(())
+    pub fn motion(&self, trajectory: usize) -> Option<&Motion> {
+        self.built(trajectory).map(|b| b.motion.as_ref())
     }
 
     /// The values of the wanted leaves on a motion at a time.
     pub fn values(&self, trajectory: usize, t: f64) -> Values {
-        let point = self.motions[trajectory].at(t);
+        let Some(built) = self.built(trajectory) else { return Values::new() };
+        let point = built.motion.at(t);
         let place = |p: &Option<usize>| p.and_then(|i| point.get(i).copied()).unwrap_or(Err(NoValue::OutOfDomain));
-        self.places[trajectory].iter().map(place).collect()
+        built.places.iter().map(place).collect()
+    }
+
+    /// The events that a claim asks for on a motion.
+    pub fn events(&self, claim: usize, trajectory: usize) -> Option<&Events> {
+        self.built(trajectory)?.events.get(&claim)
+    }
+
+    /// The events of a measure on a motion; `None` where it has no meaning.
+    pub fn measured(&self, measure: usize, trajectory: usize) -> Option<&Zeros> {
+        self.built(trajectory)?.measured.get(&measure)
     }
 
     /// Samples a motion, and compares the two routes to its values.
@@ -241,8 +223,17 @@ impl Stage {
     /// # Errors
     /// A description of a value for which dual numbers and propagated bounds disagree.
     pub fn course<'a>(&'a self, graph: &Graph, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
-        let motion = &self.motions[trajectory];
+        let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
+        let motion = built.motion.as_ref();
         let mut times = motion.sample_times(DENSITY);
+        // A derived motion may be tried on a part of the span of its source.
+        let (from, to) = built.span;
+        times.retain(|t| (from..=to).contains(t));
+        for end in [from, to] {
+            if let Err(at) = times.binary_search_by(|t| t.total_cmp(&end)) {
+                times.insert(at, end);
+            }
+        }
         if times.len() > MOST_SAMPLES {
             let step = times.len().div_ceil(MOST_SAMPLES);
             let last = times.last().copied();
@@ -252,7 +243,7 @@ impl Stage {
         let points: Vec<Values> = times.iter().map(|&t| self.values(trajectory, t)).collect();
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
-            for (k, place) in self.places[trajectory].iter().enumerate() {
+            for (k, place) in built.places.iter().enumerate() {
                 let (Some(place), Ok(bounded)) = (place, &points[i][k]) else { continue };
                 let Some(Ok(dual)) = duals.get(*place) else { continue };
                 let gap = (dual.re - bounded.value).abs();
@@ -272,35 +263,6 @@ impl Stage {
         Ok(Course { stage: self, trajectory, motion, leaves, times, points })
     }
 
-    /// Finds the events that claims ask for: `[claim][trajectory]`.
-    pub fn events(
-        &self,
-        derivation: &mut Derivation,
-        claimed: &[usize],
-        programs: &[Vec<Program>],
-        start_of: &[usize],
-    ) -> HashMap<(usize, usize), Events> {
-        let mut out = HashMap::new();
-        for (k, &c) in claimed.iter().enumerate() {
-            for t in derivation.claims[c].trajectories.clone() {
-                let program = &programs[k][start_of[t]];
-                let mut events = Events::default();
-                events.at = program.at.and_then(|e| self.zeros(&mut derivation.graph, t, e));
-                for (position, (how, _)) in program.groups.iter().enumerate() {
-                    if let Use::Never(Some(e)) | Use::Eventually(Some(e)) = how
-                        && let Some(zeros) = self.zeros(&mut derivation.graph, t, *e)
-                    {
-                        events.occurrences.push((position, zeros));
-                    }
-                }
-                if events.at.is_some() || !events.occurrences.is_empty() {
-                    out.insert((k, t), events);
-                }
-            }
-        }
-        out
-    }
-
     /// The value of an expression in parameters on a motion.
     pub fn constant(&self, graph: &Graph, trajectory: usize, e: Expr) -> Option<Bounded> {
         let leaves = graph.leaves([e]);
@@ -311,24 +273,17 @@ impl Stage {
     }
 
     fn parameter(&self, trajectory: usize, leaf: Leaf) -> Result<Bounded, NoValue> {
-        let given = self.given[trajectory].iter().find(|(s, _)| *s == leaf.symbol);
+        let given = self.built(trajectory).and_then(|b| b.given.iter().find(|(s, _)| *s == leaf.symbol));
         given.and_then(|(_, v)| v.get(usize::from(leaf.component)).copied()).ok_or(NoValue::OutOfDomain)
     }
 
-    /// The zeros of an expression on a motion; `None` where the motion does not know what it depends on.
-    pub fn zeros(&self, graph: &mut Graph, trajectory: usize, e: Expr) -> Option<Zeros> {
-        if !all_known(graph, &self.known[trajectory], &[e]) {
-            return None;
-        }
-        self.motions[trajectory].zeros(graph, e).ok()
-    }
-
     /// A trajectory for the reports.
-    pub fn account(&self, derivation: &Derivation, trajectory: usize) -> TrajectoryAccount {
+    pub fn account(&self, derivation: &Derivation, trajectory: usize) -> Option<TrajectoryAccount> {
         let given = &derivation.trajectories[trajectory];
-        let motion = &self.motions[trajectory];
+        let Some(built) = self.built(trajectory) else { return None };
+        let motion = &built.motion;
         let mut values = Vec::new();
-        for (symbol, numbers) in &self.given[trajectory] {
+        for (symbol, numbers) in &built.given {
             if !numbers.is_empty() {
                 let numbers = numbers.iter().map(|v| v.value).collect();
                 values.push((derivation.graph.name(*symbol).to_owned(), numbers));
@@ -345,16 +300,205 @@ impl Stage {
                 values.push((format!("{dots}{}(t_0)", derivation.graph.name(*symbol)), numbers));
             }
         }
-        TrajectoryAccount {
+        Some(TrajectoryAccount {
             id: given.id.clone(),
             title: given.title.clone(),
-            span: motion.span(),
+            span: built.span,
             source: given.source(),
             given: values,
             steps: motion.steps(),
             error: motion.error().into_iter().fold(0.0, f64::max),
             problem: motion.problem().map(ToString::to_string),
+        })
+    }
+}
+
+/// Builds a motion and those derived from it, in the order of the file as far as sources come first.
+fn family(
+    derivation: &Derivation,
+    fields: &Fields,
+    requests: &Requests,
+    members: &[usize],
+) -> Result<Vec<(usize, Built)>, CheckError> {
+    let mut graph = derivation.graph.clone();
+    let mut done: Vec<(usize, Built)> = Vec::new();
+    let mut problems = Vec::new();
+    let mut left: Vec<usize> = members.to_vec();
+    // Each round builds those whose source is there.
+    while !left.is_empty() {
+        let before = left.len();
+        let mut later = Vec::new();
+        for &t in &left {
+            let trajectory = &derivation.trajectories[t];
+            let from = match &trajectory.motion {
+                Given::Derived { from, .. } => match done.iter().find(|(s, _)| s == from) {
+                    Some((_, source)) => Some(source),
+                    None => {
+                        later.push(t);
+                        continue;
+                    }
+                },
+                _ => None,
+            };
+            match setup(derivation, fields, &mut graph, trajectory, from) {
+                Ok((motion, known)) => {
+                    let built = prepare(derivation, requests, &mut graph, t, motion, known)?;
+                    done.push((t, built));
+                }
+                Err(error) => problems.push(Diagnostic::at(
+                    &derivation.file,
+                    "flow::trajectory",
+                    trajectory.place.clone(),
+                    format!("the trajectory `{}` cannot be built: {error}", trajectory.id),
+                )),
+            }
         }
+        if later.len() == before || !problems.is_empty() {
+            break;
+        }
+        left = later;
+    }
+    if problems.is_empty() { Ok(done) } else { Err(CheckError::Problems(problems)) }
+}
+
+/// A motion, and the symbols that it knows.
+fn setup(
+    derivation: &Derivation,
+    fields: &Fields,
+    graph: &mut Graph,
+    trajectory: &Trajectory,
+    from: Option<&Built>,
+) -> Result<(Motion, Vec<Symbol>), FlowError> {
+    let Derivation { scope, systems, symbols, claims, .. } = derivation;
+    let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
+    let mut known = vec![fields.time.symbol];
+    for (symbol, value) in &trajectory.parameters {
+        parameters.retain(|(l, _)| l.symbol != *symbol);
+        let rounded: Vec<Expr> = value.value.iter().map(|&e| rounded(graph, e)).collect();
+        parameters.extend(paired(graph, *symbol, 0, &rounded));
+        known.push(*symbol);
+    }
+    let source = match (&trajectory.motion, from) {
+        (Given::Integrated { system, initial }, _) => {
+            known.extend(&systems[*system].states);
+            let values = initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect();
+            Source::Integrated { field: &fields.fields[*system], initial: values }
+        }
+        (Given::Formula { states }, _) => {
+            known.extend(states.iter().map(|(s, _)| *s));
+            Source::Formula { states: states.iter().flat_map(|(s, w)| paired(graph, *s, 0, &w.value)).collect() }
+        }
+        (Given::Derived { map, .. }, from) => {
+            let mut states: Vec<(Leaf, Expr)> = Vec::new();
+            let kept = from.map_or(&[][..], |b| b.known.as_slice());
+            for &symbol in kept.iter().filter(|&&s| scope.role(s) == Some(Role::State)) {
+                if map.iter().any(|(s, _)| *s == symbol) {
+                    continue;
+                }
+                for leaf in leaves_of(graph, symbol) {
+                    let e = graph.leaf(leaf);
+                    states.push((leaf, e));
+                }
+                known.push(symbol);
+            }
+            for (symbol, w) in map {
+                states.extend(paired(graph, *symbol, 0, &w.value));
+                known.push(*symbol);
+            }
+            match from {
+                Some(built) => Source::Derived { from: Arc::clone(&built.motion), states },
+                None => Source::Formula { states },
+            }
+        }
+    };
+    let mut observables = Vec::new();
+    let entries: Vec<&SymbolEntry> = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)).collect();
+    for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
+        let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
+        let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
+        if known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
+            continue;
+        }
+        known.push(entry.symbol);
+        for (leaf, e) in paired(graph, entry.symbol, 0, &definition.components) {
+            observables.push(Observable { leaf, definition: e, angle: entry.angle });
+        }
+    }
+    let (span, initial_time) = (trajectory.span, trajectory.initial_time);
+    let setup = Setup { time: fields.time, span, initial_time, parameters, source, observables };
+    Ok((Motion::new(graph, setup)?, known))
+}
+
+/// Compiles what points need, and finds the events.
+fn prepare(
+    derivation: &Derivation,
+    requests: &Requests,
+    graph: &mut Graph,
+    trajectory: usize,
+    mut motion: Motion,
+    known: Vec<Symbol>,
+) -> Result<Built, CheckError> {
+    let mut places = Vec::new();
+    let mut asked = Vec::new();
+    for &leaf in requests.wanted {
+        let here = known.contains(&leaf.symbol) && leaf.instant.is_none_or(|e| all_known(graph, &known, &[e]));
+        places.push(here.then_some(asked.len()));
+        if here {
+            asked.push(leaf);
+        }
+    }
+    motion.prepare(graph, &asked).map_err(|e| CheckError::Defect(e.to_string()))?;
+    let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
+    let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
+    let inside = |t: &f64| (span.0..=span.1).contains(t);
+    let mut zeros = |e: Expr| {
+        let mut found = if all_known(graph, &known, &[e]) { motion.zeros(graph, e).ok() } else { None }?;
+        found.times.retain(inside);
+        found.touching.retain(inside);
+        Some(found)
+    };
+    let mut events = BTreeMap::new();
+    let mut measured = BTreeMap::new();
+    if requests.tried.contains(&trajectory) {
+        for (k, &c) in requests.claimed.iter().enumerate() {
+            if !derivation.claims[c].trajectories.contains(&trajectory) {
+                continue;
+            }
+            let program = &requests.programs[k][requests.start_of[trajectory]];
+            let at = program.at.and_then(&mut zeros);
+            let mut occurrences = Vec::new();
+            for (position, (how, _)) in program.groups.iter().enumerate() {
+                if let Use::Never(Some(e)) | Use::Eventually(Some(e)) = how
+                    && let Some(found) = zeros(*e)
+                {
+                    occurrences.push((position, found));
+                }
+            }
+            if at.is_some() || !occurrences.is_empty() {
+                events.insert(k, Events { at, occurrences });
+            }
+        }
+        for (k, measure) in requests.measures.iter().enumerate() {
+            if let Some(e) = measure.at
+                && measure.is_taken_on(derivation, trajectory)
+                && let Some(found) = zeros(e)
+            {
+                measured.insert(k, found);
+            }
+        }
+    }
+    let of = &derivation.trajectories[trajectory].parameters;
+    let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
+    Ok(Built { motion: Arc::new(motion), known, places, span, given, events, measured })
+}
+
+/// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
+/// in the file is equal without an error.
+fn rounded(graph: &mut Graph, e: Expr) -> Expr {
+    let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
+    match nearest.and_then(|x| crate::expr::Rational::try_from(x).ok()) {
+        Some(r) => graph.constant(r),
+        None => e,
     }
 }
 
@@ -371,13 +515,4 @@ fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
         .leaves(roots.iter().copied())
         .iter()
         .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
-}
-
-fn trajectory_problem(
-    file: &Arc<crate::diag::Source>,
-    place: std::ops::Range<usize>,
-    id: &str,
-    error: &FlowError,
-) -> Diagnostic {
-    Diagnostic::at(file, "flow::trajectory", place, format!("the trajectory `{id}` cannot be built: {error}"))
 }

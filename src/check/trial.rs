@@ -9,13 +9,13 @@ use super::comparison::{Comparison, Group, Standing};
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Left, MeasuredGroup, Series, Setting, deciding, group_standings, weigh, witness};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, TOLERATED_INCONCLUSIVE, weigh, witness};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots};
+use crate::tape::{Fault, Slots, Tape};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -40,6 +40,40 @@ impl Course<'_> {
     /// The values of all leaves at another time.
     pub fn values(&self, t: f64) -> Values {
         self.stage.values(self.trajectory, t)
+    }
+
+    /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
+    /// their error.
+    pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
+        let (before, after) = (self.values(t - slack), self.values(t + slack));
+        let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
+            let here = here?;
+            let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
+            // Over so short a time everything moves linearly; twice the change covers what is not.
+            Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
+        };
+        self.values(t).into_iter().zip(before).zip(after).map(widened).collect()
+    }
+}
+
+/// How well the time of an event is known: the error of the expression that vanishes there, over its speed.
+pub(super) fn slack(tape: &Tape, output: usize, course: &Course, t: f64, slots: &mut Slots<Bounded>) -> f64 {
+    let (from, to) = course.stage.span(course.trajectory);
+    let step = 1e-6 * (to - from);
+    let floor = 4.0 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
+    let mut value = |t: f64| -> Option<Bounded> {
+        for (i, v) in course.values(t).into_iter().enumerate() {
+            slots.set(i, v);
+        }
+        tape.run(&(), slots);
+        tape.output(output, slots).ok().copied()
+    };
+    match (value(t), value((t - step).max(from)), value((t + step).min(to))) {
+        (Some(here), Some(before), Some(after)) => {
+            let speed = (after.value - before.value).abs() / ((t + step).min(to) - (t - step).max(from));
+            if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor }
+        }
+        _ => floor,
     }
 }
 
@@ -123,7 +157,7 @@ impl<'a> Describer<'a> {
         let position = self.program.position(comparison);
         let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
         match fault {
-            Some(Fault::Input(i)) => match self.leaves.get(i) {
+            Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
                 Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),
                 None => reason.to_string(),
             },
@@ -145,8 +179,8 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
     let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, &events.at) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let points = zeros.times.iter().map(|&t| course.values(t)).collect();
-            Some((zeros.times.clone(), points))
+            let at = |&t: &f64| course.values_at_event(t, program.event_slack(course, t));
+            Some((zeros.times.clone(), zeros.times.iter().map(at).collect()))
         }
         (Some(_), zeros) => return no_event(claim, course, zeros.as_ref()),
     };
@@ -154,6 +188,18 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         Some((t, p)) => (t.as_slice(), p.as_slice()),
         None => (course.times.as_slice(), course.points.as_slice()),
     };
+    // An equation among the assumptions that fails at the first point settles it.
+    if program.assumptions.iter().any(|a| a.throughout) {
+        let (first, point) = (&times[..1], &points[..1]);
+        let describer = Describer::new(graph, program, course, first, point);
+        if let Err(verdict) = apply_assumptions(claim, program, &measure(program, point), &describer)
+            && verdict.outcome() == Outcome::NotApplicable
+            && verdict.evidence().excluded.is_empty()
+            && program.assumptions.iter().all(|a| a.throughout)
+        {
+            return *verdict;
+        }
+    }
     let describer = Describer::new(graph, program, course, times, points);
     let measured = measure(program, points);
 
@@ -190,9 +236,58 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         }
     }
     if !weighed.is_empty() {
-        verdicts.push(weigh(setting(), &weighed));
+        let verdict = weigh(setting(), &weighed);
+        verdicts.push(match at_events {
+            Some(_) => verdict,
+            None => look_closer(graph, claim, program, course, verdict),
+        });
     }
     all_of(verdicts)
+}
+
+/// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
+const CLOSER: usize = 4;
+
+/// Tries a claim that holds at further times around its worst sample: the worst of all times lies between samples.
+fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course, verdict: Verdict) -> Verdict {
+    let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
+    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
+    let neighbours = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| course.times.get(i));
+    let between = |&other: &f64| {
+        let worst = worst.at;
+        (1..=CLOSER).map(move |k| worst + (other - worst) * k as f64 / (CLOSER + 1) as f64)
+    };
+    let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+    times.sort_by(f64::total_cmp);
+    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
+    let describer = Describer::new(graph, program, course, &times, &points);
+    let measured = measure(program, &points);
+    let Ok(left) = apply_assumptions(claim, program, &measured, &describer) else { return verdict };
+    let values = |c: &Comparison, i: usize| describer.values(c, i);
+    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
+    let setting = Setting {
+        times: &times,
+        left,
+        precision: claim.precision,
+        one_sign_throughout: claim.branches_throughout,
+        values: &values,
+        fault: &fault,
+    };
+    let held =
+        program.groups.iter().zip(measured.groups).filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
+    let groups: Vec<MeasuredGroup> = held
+        .map(|((how, group), signs)| MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) })
+        .collect();
+    let closer = weigh(setting, &groups);
+    match (closer.outcome(), &closer.evidence().residual) {
+        (Outcome::Fails(_), _) => closer,
+        (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
+            let samples = verdict.evidence().samples + closer.evidence().samples;
+            let residual = Some(r.clone());
+            Verdict::new(verdict.outcome(), Evidence { samples, residual, ..verdict.evidence().clone() })
+        }
+        _ => verdict,
+    }
 }
 
 fn find(occurrences: &[(usize, Zeros)], position: usize) -> Option<&Zeros> {
@@ -268,7 +363,7 @@ pub(super) fn settle(
 /// The verdict where the event of a claim is not found.
 fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
     let text = claim.at.as_ref().map_or("", |w| w.text.as_str());
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     let mut evidence = Evidence::default();
     match zeros.and_then(|z| z.incomplete.as_ref()) {
         Some(problem) => {
@@ -296,11 +391,15 @@ fn apply_assumptions(
     };
     for (assumption, signs) in program.assumptions.iter().zip(&measured.assumptions) {
         let group = MeasuredGroup { group: &assumption.group, signs: signs.clone(), definedness: false };
-        let by_sign = group_standings(&group, claim.precision);
+        let judged = Judged::new(&group, claim.precision);
         let mut unclear = None;
+        let mut unclear_count = 0;
         for i in 0..count {
-            let Some(standing) = by_sign.iter().map(|s| s[i]).reduce(Standing::or) else { continue };
-            let c = deciding(&group, 0, i, claim.precision);
+            let Some(standing) = judged.best(i) else { continue };
+            if standing == Standing::Satisfied {
+                continue;
+            }
+            let c = judged.deciding(0, i);
             let comparison = &assumption.group.comparisons[c];
             let sides = |what: &str| match &group.signs[0][c][i] {
                 Ok(m) => format!(
@@ -325,6 +424,10 @@ fn apply_assumptions(
                 }
                 Standing::Inconclusive if assumption.throughout => {
                     unclear.get_or_insert_with(|| sides("cannot be decided"));
+                    unclear_count += 1;
+                    if left[i] == Left::In {
+                        left[i] = Left::Out(format!("the assumption `{}` cannot be decided", assumption.text));
+                    }
                 }
                 Standing::Violated | Standing::Inconclusive => {
                     if left[i] == Left::In {
@@ -333,7 +436,9 @@ fn apply_assumptions(
                 }
             }
         }
-        if let Some(reason) = unclear {
+        if let Some(reason) = unclear
+            && unclear_count as f64 > TOLERATED_INCONCLUSIVE * count as f64
+        {
             return conclude(Outcome::Undecided, reason);
         }
     }
@@ -348,8 +453,8 @@ fn apply_assumptions(
 }
 
 /// The times that count at which a group holds, with the sign that makes it hold.
-fn holding(setting: &Setting, group: &MeasuredGroup) -> Option<(usize, usize)> {
-    let standing = group_standings(group, setting.precision);
+fn holding(setting: &Setting, judged: &Judged) -> Option<(usize, usize)> {
+    let standing = &judged.whole;
     (0..setting.times.len())
         .filter(|&i| setting.left[i] == Left::In)
         .find_map(|i| (0..standing.len()).find(|&s| standing[s][i] == Standing::Satisfied).map(|s| (i, s)))
@@ -366,8 +471,9 @@ fn never(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.witness = Some(witness(setting, &group.group.comparisons[c], i, m));
             return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
@@ -425,8 +531,9 @@ fn eventually(
 ) -> Verdict {
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    if let Some((i, s)) = holding(setting, group) {
-        let c = deciding(group, s, i, claim.precision);
+    let judged = Judged::new(group, claim.precision);
+    if let Some((i, s)) = holding(setting, &judged) {
+        let c = judged.deciding(s, i);
         if let Ok(m) = &group.signs[s][c][i] {
             evidence.reason = Some(format!("first seen at the sample t = {}", short(setting.times[i])));
             evidence.residual =
@@ -438,7 +545,7 @@ fn eventually(
         evidence.reason = Some(format!("happens first at t = {t:.12}"));
         return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
     }
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     evidence.reason = Some(format!(
         "not seen at {counted} samples between t = {from} and t = {to}; a longer motion may show it, an enclosure could \
          exclude it"
@@ -458,7 +565,7 @@ fn limit(
     course: &Course,
     point: &LimitPoint,
 ) -> Verdict {
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     let undecided =
         |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
     let (target, times): (String, Vec<f64>) = match point {
@@ -497,13 +604,18 @@ fn limit(
         };
         evidence.samples += valid.len();
         let size = last.difference.value.abs();
+        if !matches!(comparison.kind, RelationKind::Equal | RelationKind::NotEqual) {
+            return undecided("only `=` and `\\ne` can be tried of a limit".to_owned());
+        }
+        let claims_equal = comparison.kind == RelationKind::Equal;
         let settled = size <= last.difference.error.max(claim.precision * last.magnitude.max(f64::MIN_POSITIVE));
         let finite = matches!(point, LimitPoint::Finite(_));
-        if settled || (finite && comparison.kind == RelationKind::Equal && vanishes(&valid, &times)) {
+        let reached = settled || (finite && vanishes(&valid, &times));
+        if (claims_equal && reached) || (!claims_equal && finite && !reached) {
             evidence.residual = Some(Residual { max: size, bound: last.difference.error, at: times[i] });
             continue;
         }
-        if finite && !vanishes(&valid, &times) {
+        if (claims_equal && finite) || (!claims_equal && reached) {
             let setting = Setting {
                 times: &times,
                 left: vec![Left::In; times.len()],

@@ -4,14 +4,15 @@
 //!
 //! The rules, in their order: a point where an assumption is not met, or where a side has no value, is left out and named;
 //! when nothing is left the claim is not applicable. One violated point refutes. Points whose bound is too large to tell
-//! are named too; more than one in ten of them, and the verdict is `undecided`.
+//! are named too; more than two in a hundred of them, and the verdict is `undecided`.
 
 use super::comparison::{Comparison, Group, Standing, judge};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
-const TOLERATED_INCONCLUSIVE: f64 = 0.1;
+pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
 
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
@@ -67,54 +68,93 @@ pub(super) struct Setting<'a> {
     pub fault: &'a dyn Fn(&Comparison, usize, NoValue) -> String,
 }
 
-/// What a point must be large against: the size of the terms there, or typically along the motion, whichever is larger.
-fn scales(series: &Series) -> Vec<f64> {
+/// What a residual must be small against, for every comparison of a group and every time: the size of the terms at that
+/// time, or what is typical of the group along the motion, whichever is larger. The components of a vector share what is
+/// typical: that one of them vanishes does not make its rounding significant.
+fn scales(group: &[Series]) -> Vec<Vec<f64>> {
+    let typical = group.iter().map(typical).fold(0.0, f64::max);
+    let floor = if typical > 0.0 { typical } else { 1.0 };
+    let scale = |m: &Result<Measured, NoValue>| m.as_ref().map_or(floor, |m| m.magnitude.max(floor));
+    group.iter().map(|series| series.iter().map(scale).collect()).collect()
+}
+
+/// The median size of the terms of a comparison along the motion.
+fn typical(series: &Series) -> f64 {
     let mut sizes: Vec<f64> = series.iter().filter_map(|m| m.as_ref().ok().map(|m| m.magnitude)).collect();
     sizes.sort_by(f64::total_cmp);
-    let typical = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
-    let scale = |m: &Result<Measured, NoValue>| match m {
-        Ok(m) => m.magnitude.max(typical),
-        Err(_) => typical,
-    };
-    series.iter().map(scale).map(|s| if s > 0.0 { s } else { 1.0 }).collect()
+    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// Standing of every comparison of a group at every time, for one sign: `[c][i]`.
-fn standings(group: &MeasuredGroup, sign: usize, precision: f64) -> Vec<Vec<Standing>> {
-    let one = |(comparison, series): (&Comparison, &Series)| {
-        let scales = scales(series);
-        let at = |(m, scale): (&Result<Measured, NoValue>, f64)| match (m, group.definedness) {
-            (Ok(_), true) => Standing::Satisfied,
-            (Err(NoValue::OutOfDomain), true) => Standing::Violated,
-            (Err(_), true) => Standing::Inconclusive,
-            (Ok(m), false) => judge(comparison.kind, m.difference, scale, precision),
-            (Err(reason), false) => Standing::NoValue(*reason),
+/// A measured group, judged: everything that the rules look at, computed once.
+pub(super) struct Judged<'a, 'g> {
+    /// The measurements.
+    pub measured: &'a MeasuredGroup<'g>,
+    /// `[s][c][i]`: standing of comparison c at time i for the sign s.
+    each: Vec<Vec<Vec<Standing>>>,
+    /// `[s][c][i]`: what its difference is compared with.
+    scales: Vec<Vec<Vec<f64>>>,
+    /// `[s][i]`: standing of the whole group.
+    pub whole: Vec<Vec<Standing>>,
+}
+
+impl<'a, 'g> Judged<'a, 'g> {
+    /// Judges every comparison at every time.
+    pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
+        let scales: Vec<Vec<Vec<f64>>> = measured.signs.iter().map(|s| scales(s)).collect();
+        let one = |(s, series): (usize, &Vec<Series>)| -> Vec<Vec<Standing>> {
+            let rows = measured.group.comparisons.iter().zip(series).zip(&scales[s]);
+            rows.map(|((comparison, series), scales)| {
+                standings(comparison, series, scales, measured.definedness, precision)
+            })
+            .collect()
         };
-        series.iter().zip(scales).map(at).collect()
-    };
-    group.group.comparisons.iter().zip(&group.signs[sign]).map(one).collect()
+        let each: Vec<Vec<Vec<Standing>>> = measured.signs.iter().enumerate().map(one).collect();
+        let together = |rows: &Vec<Vec<Standing>>| -> Vec<Standing> {
+            let count = rows.first().map_or(0, Vec::len);
+            (0..count).map(|i| rows.iter().map(|r| r[i]).fold(Standing::Satisfied, Standing::and)).collect()
+        };
+        let whole = each.iter().map(together).collect();
+        Judged { measured, each, scales, whole }
+    }
+
+    /// The comparison that decides the standing at a time, for one sign: the one that is furthest off among the worst.
+    pub fn deciding(&self, sign: usize, time: usize) -> usize {
+        let worst = self.whole[sign][time];
+        let off = |c: usize| match &self.measured.signs[sign][c][time] {
+            Ok(m) => m.difference.value.abs() / self.scales[sign][c][time],
+            Err(_) => f64::INFINITY,
+        };
+        let candidates = (0..self.each[sign].len()).filter(|&c| self.each[sign][c][time] == worst);
+        candidates.max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
+    }
+
+    /// The standing at a time with the sign that does best.
+    pub fn best(&self, time: usize) -> Option<Standing> {
+        self.whole.iter().map(|s| s[time]).reduce(Standing::or)
+    }
 }
 
-/// Standing of a whole group at every time, with each sign: `[s][i]`.
-pub(super) fn group_standings(group: &MeasuredGroup, precision: f64) -> Vec<Vec<Standing>> {
-    let whole = |sign: usize| {
-        let each = standings(group, sign, precision);
-        let count = each.first().map_or(0, Vec::len);
-        (0..count).map(|i| each.iter().map(|s| s[i]).fold(Standing::Satisfied, Standing::and)).collect()
+/// Standing of a comparison at every time.
+fn standings(
+    comparison: &Comparison,
+    series: &Series,
+    scales: &[f64],
+    definedness: bool,
+    precision: f64,
+) -> Vec<Standing> {
+    // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
+    let exists = definedness && comparison.kind == RelationKind::Equal;
+    let at = |(m, &scale): (&Result<Measured, NoValue>, &f64)| match (m, definedness) {
+        (Ok(_), true) if exists => Standing::Satisfied,
+        (Ok(m), true) => judge(comparison.kind, m.difference, scale, precision),
+        (Err(NoValue::OutOfDomain), true) => Standing::Violated,
+        (Err(_), true) => Standing::Inconclusive,
+        (Ok(m), false) => judge(comparison.kind, m.difference, scale, precision),
+        (Err(NoValue::OutOfDomain), false) => Standing::NoValue(NoValue::OutOfDomain),
+        // A value may exist: this is a bound that is too large, not a formula that says nothing.
+        (Err(_), false) => Standing::Inconclusive,
     };
-    (0..group.signs.len()).map(whole).collect()
-}
-
-/// The comparison of a group that decides its standing at a time, for one sign.
-pub(super) fn deciding(group: &MeasuredGroup, sign: usize, time: usize, precision: f64) -> usize {
-    let each = standings(group, sign, precision);
-    let worst = each.iter().map(|s| s[time]).fold(Standing::Satisfied, Standing::and);
-    let excess = |c: usize| match &group.signs[sign][c][time] {
-        Ok(m) => m.difference.value.abs() / scales(&group.signs[sign][c])[time],
-        Err(_) => f64::INFINITY,
-    };
-    let candidates = (0..each.len()).filter(|&c| each[c][time] == worst);
-    candidates.max_by(|&a, &b| excess(a).total_cmp(&excess(b))).unwrap_or(0)
+    series.iter().zip(scales).map(at).collect()
 }
 
 /// A point of a comparison that a reader can check.
@@ -197,23 +237,37 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
     Signs { words: Some(words), change: first[0].zip(first[1]) }
 }
 
+/// A violated comparison: where it is, and how far off in units of the size of its terms.
+struct Failure {
+    size: f64,
+    group: usize,
+    sign: usize,
+    comparison: usize,
+    time: usize,
+}
+
 /// Weighs the groups of a claim, all of which must hold.
 pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
     let count = setting.times.len();
     let mut evidence = Evidence::default();
-    let mut satisfied_everywhere = vec![true; count];
+    let mut unclear_before = vec![false; count];
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
-    let mut failures: Vec<(f64, Witness)> = Vec::new();
-    let all: Vec<Vec<Vec<Standing>>> = groups.iter().map(|g| group_standings(g, setting.precision)).collect();
+    let mut clearest: Option<Failure> = None;
+    let mut fail = |failure: Failure| {
+        // The clearest failure is the witness; among equals the earliest.
+        if clearest.as_ref().is_none_or(|c| failure.size > c.size) {
+            clearest = Some(failure);
+        }
+    };
+    let all: Vec<Judged> = groups.iter().map(|g| Judged::new(g, setting.precision)).collect();
 
     // First what has no value: such points are left out of the claim as a whole.
-    for (group, standing) in groups.iter().zip(&all) {
+    for judged in &all {
         for i in 0..count {
-            let best = standing.iter().map(|s| s[i]).reduce(Standing::or);
-            if let (Some(Standing::NoValue(reason)), Left::In) = (best, &setting.left[i]) {
-                let c = deciding(group, 0, i, setting.precision);
-                setting.left[i] = Left::Out((setting.fault)(&group.group.comparisons[c], i, reason));
+            if let (Some(Standing::NoValue(reason)), Left::In) = (judged.best(i), &setting.left[i]) {
+                let c = judged.deciding(0, i);
+                setting.left[i] = Left::Out((setting.fault)(&judged.measured.group.comparisons[c], i, reason));
             }
         }
     }
@@ -229,7 +283,8 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
         return Verdict::new(Outcome::NotApplicable, evidence);
     }
 
-    for (group, standing) in groups.iter().zip(&all) {
+    for (g, judged) in all.iter().enumerate() {
+        let (group, standing) = (judged.measured, &judged.whole);
         let sign = signs(setting.times, &setting.left, standing);
         if sign.words.is_some() {
             evidence.branch = sign.words;
@@ -243,17 +298,20 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                 Standing::NoValue(_) => 3,
             });
             let Some(best) = best else { continue };
-            let c = deciding(group, best, i, setting.precision);
+            let c = judged.deciding(best, i);
             let Ok(m) = &group.signs[best][c][i] else {
                 if standing[best][i] == Standing::Violated {
                     // A claim of definedness: there is no value to show, the reason is.
                     let reason = (setting.fault)(&group.group.comparisons[c], i, NoValue::OutOfDomain);
                     evidence.reason.get_or_insert(reason);
-                    let none = Bounded { value: 0.0, error: 0.0 };
-                    let m = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
-                    failures.push((0.0, witness(&setting, &group.group.comparisons[c], i, &m)));
-                } else {
-                    inconclusive_count += 1;
+                    fail(Failure { size: 0.0, group: g, sign: best, comparison: c, time: i });
+                } else if standing[best][i] == Standing::Inconclusive {
+                    inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
+                    inconclusive.get_or_insert_with(|| {
+                        let reason = group.signs[best][c][i].err().unwrap_or(NoValue::Indeterminate);
+                        let why = (setting.fault)(&group.group.comparisons[c], i, reason);
+                        format!("at t = {:.6}, {why}", setting.times[i])
+                    });
                 }
                 continue;
             };
@@ -266,7 +324,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
             match standing[best][i] {
                 Standing::Satisfied | Standing::NoValue(_) => {}
                 Standing::Inconclusive => {
-                    inconclusive_count += usize::from(std::mem::replace(&mut satisfied_everywhere[i], false));
+                    inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
                     inconclusive.get_or_insert_with(|| {
                         format!(
                             "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}",
@@ -275,30 +333,34 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
                     });
                 }
                 Standing::Violated => {
-                    let scale = scales(&group.signs[best][c])[i];
-                    failures.push((size / scale, witness(&setting, &group.group.comparisons[c], i, m)));
+                    let size = size / judged.scales[best][c][i];
+                    fail(Failure { size, group: g, sign: best, comparison: c, time: i });
                 }
             }
         }
         if let (true, Some((plus, minus))) = (setting.one_sign_throughout, sign.change) {
             // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
             let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
-            let c = deciding(group, wrong, i, setting.precision);
+            let c = judged.deciding(wrong, i);
             if let Ok(m) = &group.signs[wrong][c][i] {
-                let scale = scales(&group.signs[wrong][c])[i];
-                failures.push((m.difference.value.abs() / scale, witness(&setting, &group.group.comparisons[c], i, m)));
+                let size = m.difference.value.abs() / judged.scales[wrong][c][i];
+                fail(Failure { size, group: g, sign: wrong, comparison: c, time: i });
                 evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
             }
         }
     }
 
-    // The clearest failure is the witness; among equals the earliest.
-    let clearest = failures.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
-    if let Some((_, witness)) = clearest {
-        evidence.witness = Some(witness);
+    if let Some(f) = clearest {
+        let none = Bounded { value: 0.0, error: 0.0 };
+        let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
+        let measured = all[f.group].measured;
+        let m = measured.signs[f.sign][f.comparison][f.time].as_ref().unwrap_or(&absent);
+        evidence.witness = Some(witness(&setting, &measured.group.comparisons[f.comparison], f.time, m));
         return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
     }
-    if inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
+    // That something has a value is claimed of every point: one that cannot tell leaves it open.
+    let definedness = groups.iter().any(|g| g.definedness) && inconclusive_count > 0;
+    if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
         evidence.reason = Some(format!(
             "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; a more accurate \

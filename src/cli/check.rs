@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, CheckError, Options, Summary};
+use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
 use rederive::derivation::Derivation;
 use rederive::report;
 
@@ -15,19 +15,20 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut derivations = files::load_all(&files::find(&arguments.paths)?)?;
     files::known(&derivations, &arguments.claim, &arguments.trajectory)?;
     derivations.retain(|d| files::concerns(d, &arguments.claim, &arguments.trajectory));
-    let options = Options { claims: arguments.claim.clone(), trajectories: arguments.trajectory.clone() };
-    let filtered = !options.claims.is_empty() || !options.trajectories.is_empty();
+    let (claims, trajectories) = (&arguments.claim, &arguments.trajectory);
+    let filtered = !claims.is_empty() || !trajectories.is_empty();
 
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
     for (i, derivation) in derivations.iter_mut().enumerate() {
-        let account = match account(derivation, &options) {
+        let account = match account(derivation, claims, trajectories) {
             Ok(account) => account,
-            Err(Stop::Diagnostics(found)) => {
+            // The other files may have problems, too, or be good.
+            Err(CheckError::Problems(found)) => {
                 problems.extend(found);
                 continue;
             }
-            Err(stop) => return Err(stop),
+            Err(defect) => return Err(defect.into()),
         };
         let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
         if let Some(folder) = &folder {
@@ -61,7 +62,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
 }
 
 /// Checks one derivation, with a progress bar on a terminal if it takes long.
-pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account, Stop> {
+///
+/// `claims` are ids, or `id/reading` for one reading; all if empty, as for trajectories.
+pub fn account(derivation: &mut Derivation, claims: &[String], trajectories: &[String]) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
         && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
@@ -78,18 +81,24 @@ pub fn account(derivation: &mut Derivation, options: &Options) -> Result<Account
         bar.set_length(of as u64);
         bar.set_position(done as u64);
     };
-    let account = rederive::check::check(derivation, options, &progress);
+    let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
+    let options = Options { claims: ids, trajectories: trajectories.to_vec() };
+    let account = rederive::check::check(derivation, &options, &progress);
     bar.finish_and_clear();
-    account.map_err(|e| match e {
-        CheckError::Problems(found) => Stop::Diagnostics(found),
-        CheckError::Defect(message) => Stop::Defect(message),
+    account.map(|mut account| {
+        let wanted = |c: &ClaimAccount| {
+            let reading = c.reading.as_ref().map(|r| format!("{}/{r}", c.id));
+            claims.is_empty() || claims.contains(&c.id) || reading.is_some_and(|name| claims.contains(&name))
+        };
+        account.claims.retain(wanted);
+        account
     })
 }
 
 fn exit_of(summary: &Summary) -> Exit {
     if summary.unexpected > 0 {
         Exit::Different
-    } else if summary.open > 0 {
+    } else if summary.undecided > 0 {
         Exit::Undecided
     } else {
         Exit::Good

@@ -1,6 +1,5 @@
 //! `rederive explain`.
 
-use rederive::check::Options;
 use rederive::report;
 
 use super::{Exit, ExplainArguments, Stop, check, files, print};
@@ -10,10 +9,9 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let mut derivations = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
     files::known(&derivations, &claims, &arguments.on)?;
     derivations.retain(|d| files::concerns(d, &claims, &arguments.on));
-    let options = Options { claims: claims.to_vec(), trajectories: arguments.on.clone() };
     let mut shown = 0;
     for derivation in &mut derivations {
-        let account = check::account(derivation, &options)?;
+        let account = check::account(derivation, &claims, &arguments.on)?;
         shown += account.claims.iter().map(|c| c.results.len()).sum::<usize>();
         print(&report::explain(derivation, &account, true))?;
     }

@@ -11,6 +11,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use rederive::check::CheckError;
 use rederive::diag::{Diagnostic, render, sort};
 
 /// How a run ended.
@@ -142,9 +143,12 @@ enum Stop {
     Defect(String),
 }
 
-impl From<Vec<Diagnostic>> for Stop {
-    fn from(found: Vec<Diagnostic>) -> Stop {
-        Stop::Diagnostics(found)
+impl From<CheckError> for Stop {
+    fn from(error: CheckError) -> Stop {
+        match error {
+            CheckError::Problems(found) => Stop::Diagnostics(found),
+            CheckError::Defect(message) => Stop::Defect(message),
+        }
     }
 }
 
@@ -179,20 +183,18 @@ fn guarded(command: impl FnOnce() -> Result<Exit, Stop>) -> Exit {
             complain(&format!("error: {message}\n"));
             Exit::BadInput
         }
-        Ok(Err(Stop::Defect(message))) => {
-            complain(&format!("error: {message}\n"));
-            defect()
-        }
+        Ok(Err(Stop::Defect(message))) => defect(&message),
         // The panic itself has been printed.
-        Err(_) => defect(),
+        Err(_) => defect("it has stopped in the middle of its work"),
     }
 }
 
 /// Asks for a report of a defect.
-fn defect() -> Exit {
+fn defect(message: &str) -> Exit {
+    let version = env!("CARGO_PKG_VERSION");
     complain(&format!(
-        "\nThis is a defect of rederive {}, not of your file. Please report it, with the file and the message above.\n",
-        env!("CARGO_PKG_VERSION")
+        "\nThis is a defect of rederive {version}, not of your file: {message}.\n\
+         Please report it, with the file and what is printed above.\n"
     ));
     Exit::Defect
 }
@@ -223,6 +225,7 @@ mod tests {
     #[test]
     fn a_panic_is_a_defect() {
         assert_eq!(guarded(|| panic!("on purpose")), Exit::Defect);
+        assert_eq!(guarded(|| Err(CheckError::Defect("1 = 2".into()).into())), Exit::Defect);
         assert_eq!(guarded(|| Err(Stop::Message("wrong".into()))), Exit::BadInput);
         assert_eq!(guarded(|| Ok(Exit::Different)), Exit::Different);
     }

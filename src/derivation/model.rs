@@ -127,7 +127,7 @@ pub enum Motion {
     Derived {
         /// Position in [`Derivation::trajectories`]; it comes from no motion that comes from this one.
         from: usize,
-        /// State and its formula in the states, parameters and time of the other motion; a state that is not listed is
+        /// State and its formula in the states and time of the other motion, values of parameters put in; a state that is not listed is
         /// that of the other motion. A state that the other motion does not have may be added.
         map: Vec<(Symbol, Written<Vec<Expr>>)>,
     },

@@ -414,7 +414,12 @@ impl Loader<'_> {
         let states = &source.states;
         let mut out = Values::new();
         for Assigned { symbol, value, .. } in given {
-            let Some(written) = self.components(value, symbol, scope) else { continue };
+            let Some(mut written) = self.components(value, symbol, scope) else { continue };
+            // The other motion does not know this one's own parameters: their values are put in.
+            let own = |leaf: Leaf| parameters.iter().rev().find(|(s, _)| *s == leaf.symbol).map(|(_, w)| &w.value);
+            for e in &mut written.value {
+                *e = self.out.graph.substitute(*e, |_, leaf| own(leaf)?.get(usize::from(leaf.component)).copied());
+            }
             let leaves = self.out.graph.leaves(written.value.iter().copied());
             let unknown = leaves.into_iter().find(|leaf| match scope.role(leaf.symbol) {
                 Some(Role::State) => !states.contains(&leaf.symbol),

@@ -51,6 +51,15 @@ impl Loader<'_> {
                 self.refused.push(name.to_owned());
                 continue;
             }
+            // In another spelling, `{x}` for `x`, TOML does not see that a name is there already.
+            let before = scope.symbol(name);
+            if let Some(first) = out.iter().find(|e: &&SymbolEntry| Some(e.symbol) == before) {
+                let message = format!("`{name}` is declared already, as `{}`", first.name);
+                self.problems
+                    .note("derivation::duplicate-id", key.span(), message)
+                    .see(first.span.clone(), "the first one");
+                continue;
+            }
             match self.declare_one(name, key.span(), value, scope, in_claim) {
                 Some(entry) => out.push(entry),
                 None => self.refused.push(name.to_owned()),

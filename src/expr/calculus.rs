@@ -2,7 +2,7 @@
 //!
 //! Terms whose factor is a structural zero are left out, so a derivative exists wherever the expression is differentiable.
 
-use std::collections::HashMap;
+use super::FastMap;
 
 use super::{Expr, Graph, Leaf, Node, Op};
 
@@ -32,7 +32,7 @@ impl Graph {
         mut tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
     ) -> Result<Expr, NoDerivative> {
         let zero = self.integer(0);
-        let mut derivative: HashMap<Expr, Expr> = HashMap::new();
+        let mut derivative: FastMap<Expr, Expr> = FastMap::default();
         for node in self.reachable([e]) {
             let d = match self.node(node).clone() {
                 Node::Constant(_) | Node::Pi => zero,
@@ -74,7 +74,7 @@ impl Graph {
 
     /// `e` with every leaf replaced for which `with` yields an expression.
     pub fn substitute(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
-        let mut image: HashMap<Expr, Expr> = HashMap::new();
+        let mut image: FastMap<Expr, Expr> = FastMap::default();
         for node in self.reachable([e]) {
             let new = match self.node(node).clone() {
                 Node::Constant(_) | Node::Pi => node,

@@ -1,8 +1,6 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-use std::collections::HashMap;
-
-use super::{Op, Rational, Shape};
+use super::{FastMap, Op, Rational, Shape};
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -79,7 +77,7 @@ struct SymbolEntry {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
+    index: FastMap<Node, Expr>,
     symbols: Vec<SymbolEntry>,
 }
 
@@ -107,6 +105,11 @@ impl Graph {
     /// The LaTeX name a symbol was declared with.
     pub fn name(&self, symbol: Symbol) -> &str {
         &self.symbols[symbol.index()].name
+    }
+
+    /// The symbol that was last declared with this name.
+    pub fn find_symbol(&self, name: &str) -> Option<Symbol> {
+        self.symbols.iter().rposition(|entry| entry.name == name).map(|at| Symbol(at as u32))
     }
 
     /// The shape a symbol was declared with.
@@ -310,16 +313,17 @@ impl Graph {
 
     /// Every node that the roots depend on, roots included, children before parents.
     pub fn reachable(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let mut seen = vec![false; self.nodes.len()];
-        let mut stack: Vec<Expr> = roots.into_iter().collect();
-        let mut found = Vec::new();
-        while let Some(e) = stack.pop() {
-            if !std::mem::replace(&mut seen[e.index()], true) {
+        // The youngest first: a node is complete once nothing younger is left, so that equal entries come together. The
+        // graph may be much larger than what is reached.
+        let mut open: std::collections::BinaryHeap<Expr> = roots.into_iter().collect();
+        let mut found: Vec<Expr> = Vec::new();
+        while let Some(e) = open.pop() {
+            if found.last() != Some(&e) {
                 found.push(e);
-                stack.extend(self.node(e).children());
+                open.extend(self.node(e).children());
             }
         }
-        found.sort_unstable();
+        found.reverse();
         found
     }
 

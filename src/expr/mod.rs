@@ -12,10 +12,12 @@
 
 mod calculus;
 mod graph;
+mod hash;
 mod print;
 mod tensor;
 
 pub use crate::number::{Op, Rational};
 pub use calculus::NoDerivative;
 pub use graph::{Expr, Graph, Leaf, Node, Symbol};
+pub use hash::{FastHasher, FastMap, FastSet};
 pub use tensor::{Shape, Tensor};

@@ -145,14 +145,18 @@ impl Core {
             Err(reason) => return Ok(Err(reason)),
         };
         let program = self.compile(graph, &[value])?;
-        let mut bench = program.bench::<Bounded>(self, 1);
         let turns = self.turns(&program, time.value, &mut Vec::new());
-        program.run(self, &mut bench, time.value, &turns);
-        let expanded = program.output(&bench, 0);
-        Ok(expanded.and_then(|x| {
-            let (value, rate) = (x.coefficient(0), x.coefficient(1));
-            // The fixed time itself may be rounded.
-            let moved = 2.0 * time.error * rate.magnitude();
+        let coefficient = |order: usize| {
+            let mut bench = program.bench::<Bounded>(self, order);
+            program.run(self, &mut bench, time.value, &turns);
+            program.output(&bench, 0).map(|x| x.coefficient(order))
+        };
+        if time.error == 0.0 {
+            return Ok(coefficient(0));
+        }
+        // The fixed time itself is rounded.
+        Ok(coefficient(0).and_then(|value| {
+            let moved = 2.0 * time.error * coefficient(1)?.magnitude();
             Ok(Bounded { value: value.value, error: value.error + moved })
         }))
     }

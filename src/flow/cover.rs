@@ -46,6 +46,7 @@ pub(super) struct Explorer<'a> {
     pub(super) program: &'a Program,
     series: Bench<f64>,
     values: Bench<Bounded>,
+    plain: Bench<f64>,
     angles: AngleBenches,
 }
 
@@ -56,6 +57,7 @@ impl<'a> Explorer<'a> {
             program,
             series: program.bench(core, degree),
             values: program.bench(core, 0),
+            plain: program.bench(core, 0),
             angles: Vec::new(),
         }
     }
@@ -67,6 +69,13 @@ impl<'a> Explorer<'a> {
         (0..self.program.output_count())
             .map(|i| self.program.output(&self.values, i).map(|x| x.coefficient(0)))
             .collect()
+    }
+
+    /// The value of the first output, without its error.
+    pub(super) fn plain(&mut self, t: f64) -> Option<f64> {
+        let turns = self.core.turns(self.program, t, &mut self.angles);
+        self.program.run(self.core, &mut self.plain, t, &turns);
+        self.program.output(&self.plain, 0).ok().map(|x| x.coefficient(0))
     }
 
     /// The polynomials around the middle of a stretch.
@@ -106,7 +115,10 @@ impl<'a> Explorer<'a> {
                 let hopeless = reason.is_some() && !self.somewhere(start, end);
                 if budget == 0 || hopeless || end - start <= smallest || !(start < middle && middle < end) {
                     match out.last_mut() {
-                        Some(Stretch::Gap { end: last, .. }) if *last == start => *last = end,
+                        Some(Stretch::Gap { end: last, reason: why, .. }) if *last == start => {
+                            *last = end;
+                            *why = why.or(reason);
+                        }
                         _ => out.push(Stretch::Gap { start, end, reason }),
                     }
                 } else {

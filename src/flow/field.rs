@@ -445,9 +445,10 @@ fn eliminate(graph: &mut Graph, mut matrix: Vec<Vec<Option<Expr>>>, mut right: V
             let Some(entry) = matrix[row][column] else { continue };
             let factor = Some(graph.div(entry, pivot));
             matrix[row][column] = None;
-            for k in column + 1..n {
-                let moved = product(graph, factor, matrix[column][k]);
-                matrix[row][k] = difference(graph, matrix[row][k], moved);
+            let above = matrix[column].clone();
+            for (entry, over) in matrix[row].iter_mut().zip(above).skip(column + 1) {
+                let moved = product(graph, factor, over);
+                *entry = difference(graph, *entry, moved);
             }
             let moved = product(graph, factor, right[column]);
             right[row] = difference(graph, right[row], moved);

@@ -16,7 +16,7 @@ use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Minimum, Zeros};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, NoValue};
+use crate::number::{Bounded, NoValue, Scalar};
 use crate::tape::Tape;
 
 /// Largest number of steps of a trajectory in each direction.
@@ -94,6 +94,8 @@ struct Prepared {
 #[derive(Debug)]
 struct Scratch {
     bench: Bench<Bounded>,
+    /// The same for other degrees, by degree: for branch points.
+    others: Vec<Option<Bench<Bounded>>>,
     dual: Option<DualBench>,
     angles: AngleBenches,
 }
@@ -124,6 +126,42 @@ impl Clone for Motion {
     }
 }
 
+impl Prepared {
+    /// The leaves at a time, and whether a branch point lies there.
+    fn at(&self, scratch: &mut Scratch, t: f64) -> (Point, bool) {
+        let turns = self.core.turns(&self.program, t, &mut scratch.angles);
+        let read = |bench: &Bench<Bounded>, output: usize, order: usize| {
+            let series = self.program.output(bench, output)?;
+            let coefficient = series.coefficient(order);
+            if order < 2 {
+                // A product would add a rounding error, and make exact parameters inexact.
+                return coefficient.checked();
+            }
+            let factorial = Bounded::exact((2..=order).map(|k| k as f64).product());
+            (coefficient * factorial).checked()
+        };
+        self.program.run(&self.core, &mut scratch.bench, t, &turns);
+        let branch = self.program.at_branch_point(&scratch.bench);
+        let mut point: Point = self.places.iter().map(|&(at, order)| read(&scratch.bench, at, order)).collect();
+        if self.degree > 0 && (branch || point.iter().any(Result::is_err)) {
+            // A value exists also where a derivative does not: every order by itself. At a branch point, whether an
+            // argument of √ is constant up to order n takes 2n orders to tell.
+            scratch.others.resize(2 * self.degree + 1, None);
+            for order in 0..=self.degree {
+                let degree = if branch { 2 * order } else { order };
+                let bench = scratch.others[degree].get_or_insert_with(|| self.program.bench(&self.core, degree));
+                self.program.run(&self.core, bench, t, &turns);
+                for (x, place) in point.iter_mut().zip(&self.places) {
+                    if place.1 == order {
+                        *x = read(bench, place.0, order);
+                    }
+                }
+            }
+        }
+        (point, branch)
+    }
+}
+
 impl Motion {
     /// Integrates, or sets up, a motion.
     ///
@@ -138,7 +176,8 @@ impl Motion {
         let derived = matches!(setup.source, Source::Derived { .. });
         let (from, to) = setup.span;
         let inside = from <= setup.initial_time && setup.initial_time <= to;
-        if !derived && !(from.is_finite() && to.is_finite() && from < to && inside) {
+        let valid = from.is_finite() && to.is_finite() && from < to && inside;
+        if !(derived || valid) {
             return Err(FlowError::Span { span: setup.span, initial_time: setup.initial_time });
         }
         let mut core = Core {
@@ -248,6 +287,7 @@ impl Motion {
         let taken = self.pool.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let mut scratch = taken.unwrap_or_else(|| Scratch {
             bench: prepared.program.bench(&prepared.core, prepared.degree),
+            others: Vec::new(),
             dual: None,
             angles: Vec::new(),
         });
@@ -264,23 +304,7 @@ impl Motion {
     /// The error of a state is the estimate of its trajectory; from there on bounds are propagated.
     pub fn at(&self, t: f64) -> Point {
         let Some(prepared) = &self.prepared else { return Vec::new() };
-        self.with_scratch(prepared, |scratch| {
-            let turns = prepared.core.turns(&prepared.program, t, &mut scratch.angles);
-            prepared.program.run(&prepared.core, &mut scratch.bench, t, &turns);
-            let value = |&(output, order): &(usize, usize)| {
-                let series = prepared.program.output(&scratch.bench, output)?;
-                let factorial: i32 = (1..=order as i32).product();
-                let mut x = Bounded::exact(0.0);
-                crate::number::Number::mul(
-                    &mut x,
-                    &(),
-                    &series.coefficient(order),
-                    &Bounded::exact(f64::from(factorial)),
-                )?;
-                Ok(x)
-            };
-            prepared.places.iter().map(value).collect()
-        })
+        self.with_scratch(prepared, |scratch| prepared.at(scratch, t).0)
     }
 
     /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.
@@ -290,19 +314,25 @@ impl Motion {
     pub fn dual_at(&self, t: f64) -> Vec<Result<Dual64, NoValue>> {
         let Some(prepared) = &self.prepared else { return Vec::new() };
         self.with_scratch(prepared, |scratch| {
+            let (exact, branch) = prepared.at(scratch, t);
             let turns = prepared.core.turns(&prepared.dual, t, &mut scratch.angles);
             let bench = scratch.dual.get_or_insert_with(|| prepared.dual.dual_bench(&prepared.core));
             let found = prepared.dual.run_dual(&prepared.core, bench, t, &turns);
             let get = |i: usize| found.get(i).copied().unwrap_or(Err(NoValue::Unsupported));
-            let leaf = |(&(value, rate), &(_, order)): (&(usize, Option<usize>), &(usize, usize))| {
+            let leaf = |at: usize, (value, rate): (usize, Option<usize>), order: usize| {
                 let x = get(value)?;
+                if order > 0 && branch {
+                    // A dual number knows too little of its argument here.
+                    exact.get(at).copied().unwrap_or(Err(NoValue::Indeterminate))?;
+                }
                 if order == 0 {
                     return Ok(x);
                 }
                 let rate = rate.and_then(|r| get(r).ok()).map_or(f64::NAN, |r| r.eps);
                 Ok(Dual64::new(x.eps, rate))
             };
-            prepared.dual_places.iter().zip(&prepared.places).map(leaf).collect()
+            let places = prepared.dual_places.iter().zip(&prepared.places).enumerate();
+            places.map(|(at, (&dual, &(_, order)))| leaf(at, dual, order)).collect()
         })
     }
 
@@ -391,6 +421,12 @@ impl Motion {
     /// Number of steps of the integration; 0 for formulas.
     pub fn steps(&self) -> usize {
         self.core.orbit.as_ref().map_or(0, |o| o.trajectory.boundaries().len() - 1)
+    }
+
+    /// Integrates once more over the same span, keeping every polynomial but not estimating errors: for benchmarks.
+    #[doc(hidden)]
+    pub fn integrate_again(&self) -> usize {
+        self.core.orbit.as_ref().map_or(0, |o| o.trajectory.again(&o.flow, &o.constants))
     }
 
     /// The largest estimated error over the span of every integrated state variable, in the order of the field; empty for

@@ -4,7 +4,7 @@ use num_dual::Dual;
 
 use super::core::Core;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, Jet, NoValue, Number, Orders, Scalar};
+use crate::number::{Bounded, Jet, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -23,6 +23,10 @@ pub(super) struct Program {
     tape: Tape,
     inputs: Vec<Input>,
     moving: bool,
+    /// Which states are among the inputs.
+    needs: Vec<bool>,
+    /// Operations with a branch point, and the slots of their first arguments.
+    branches: Vec<(Op, usize)>,
 }
 
 /// Numbers in which states and turns are available.
@@ -96,8 +100,17 @@ impl Program {
                 .ok_or(leaf)
         };
         let inputs: Vec<Input> = leaves.iter().map(input).collect::<Result<_, _>>()?;
-        let moving = inputs.iter().any(|i| matches!(i, Input::State(_)));
-        Ok(Program { tape: Tape::compile(graph, &leaves, roots)?, inputs, moving })
+        let dimension = core.orbit.as_ref().map_or(0, |o| o.states.len());
+        let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
+        let moving = needs.contains(&true);
+        let tape = Tape::compile(graph, &leaves, roots)?;
+        let branches = tape
+            .instructions()
+            .iter()
+            .filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos))
+            .map(|i| (i.op, i.a as usize))
+            .collect();
+        Ok(Program { tape, inputs, moving, needs, branches })
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -136,8 +149,11 @@ impl Program {
         if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
             let (from, to) = orbit.trajectory.reach();
             let place = orbit.trajectory.place(t);
-            for (i, x) in bench.state.iter_mut().enumerate() {
-                *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+            for (i, (x, &needed)) in bench.state.iter_mut().zip(&self.needs).enumerate() {
+                // The field needs all states, the value of the outputs only their own.
+                if needed || bench.field.is_some() {
+                    *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+                }
             }
             let outside = !(from <= t && t <= to);
             if outside || bench.state.iter().any(|x| x.checked().is_err()) {
@@ -183,6 +199,24 @@ impl Program {
             }
         }
         self.tape.run(&orders, &mut bench.slots);
+    }
+
+    /// Whether an operation was evaluated at its branch point with an argument that looks constant to the degree of the
+    /// series: √(c·h²) is then taken for a constant. Twice the degree tells.
+    pub(super) fn at_branch_point<B: Base>(&self, bench: &Bench<B>) -> bool {
+        bench.degree > 0
+            && self.branches.iter().any(|&(op, slot)| {
+                let argument = bench.slots.value(slot);
+                let branch = match op {
+                    Op::Arcsin | Op::Arccos => {
+                        let one = B::integer(1);
+                        let x = argument.coefficient(0);
+                        (one - x).is_zero() || (one + x).is_zero()
+                    }
+                    _ => argument.coefficient(0).is_zero(),
+                };
+                bench.slots.missing(slot).is_none() && argument.is_constant() && branch
+            })
     }
 
     /// An output after [`Program::run`].

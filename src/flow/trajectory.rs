@@ -72,6 +72,16 @@ impl Trajectory {
         })
     }
 
+    /// One more integration over the forward part, without companions: number of steps.
+    pub(super) fn again(&self, flow: &Flow, constants: &[Bounded]) -> usize {
+        let place = self.place(self.initial_time);
+        let state: Vec<Bounded> = (0..self.dimension).map(|i| self.bounded(place, i)).collect();
+        let numbers: Vec<f64> = constants.iter().map(|c| c.value).collect();
+        let control = Control { order: ORDER, caution: 1.0, max_steps: usize::MAX };
+        let span = (self.initial_time, self.reach().1);
+        Branch::integrate(flow, control, &numbers, span, &state).map_or(0, |b| b.times.len() - 1)
+    }
+
     /// The times between which the motion is known.
     pub(super) fn reach(&self) -> (f64, f64) {
         let last = |b: &Branch| b.times.last().copied().unwrap_or(self.initial_time);
@@ -156,47 +166,20 @@ fn branch(
     max_steps: usize,
 ) -> Result<Branch, (usize, NoValue)> {
     let n = flow.dimension;
-    let mut out = Branch { times: vec![start], ..Branch::default() };
     let values = |of: &[Bounded]| of.iter().map(|x| x.value).collect::<Vec<f64>>();
     let (numbers, initial) = (values(constants), values(state));
     let control = Control { order: ORDER, caution: 1.0, max_steps };
-    let mut walker = match Walker::new(flow, control, &numbers, (start, end), &initial) {
-        Ok(walker) => walker,
-        Err(Stop::NoRate(i, reason)) => return Err((i, reason)),
-        Err(Stop::Collapsed) => return Ok(out),
-    };
-    // Largest value so far, for the rounding floor.
-    let mut largest: Vec<f64> = initial.iter().map(|x| x.abs()).collect();
-    while !walker.finished() {
-        if out.times.len() > max_steps {
-            out.problem = Some(Problem::TooManySteps { time: walker.time, steps: max_steps });
-            break;
-        }
-        match walker.step() {
-            Ok(step) => {
-                out.coefficients.extend_from_slice(step.coefficients);
-                out.low.extend_from_slice(step.low);
-            }
-            Err(stop) => {
-                out.problem = Some(problem(flow, stop, walker.time));
-                break;
-            }
-        }
-        out.times.push(walker.time);
-        for ((l, x), b) in largest.iter_mut().zip(&walker.state).zip(state) {
-            *l = l.max(x.abs());
-            out.error.push(FLOOR * *l + 2.0 * b.error);
-        }
-    }
+    let mut out = Branch::integrate(flow, control, &numbers, (start, end), state)?;
     if out.times.len() > 1 {
+        // Two orders less, but steps that make the truncation about as small.
         out.compare(flow, control, &numbers, &initial, 2, 0.8);
         if constants.iter().chain(state).any(|x| x.error > 0.0) {
             let shifted = |of: &[Bounded], sign: &dyn Fn(usize) -> f64| {
                 of.iter().enumerate().map(|(i, x)| x.value + sign(i) * x.error).collect::<Vec<f64>>()
             };
             // Two corners of the box of what is known; the second alternates in a sequence without a short period.
-            let corner = |i: usize| if (i * i + i / 2) % 3 == 0 { 1.0 } else { -1.0 };
-            for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.9), (&corner, 0.7)] {
+            let corner = |i: usize| if (i * i + i / 2).is_multiple_of(3) { 1.0 } else { -1.0 };
+            for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.97), (&corner, 0.91)] {
                 out.compare(flow, control, &shifted(constants, sign), &shifted(state, sign), 0, caution);
             }
         }
@@ -206,6 +189,47 @@ fn branch(
 }
 
 impl Branch {
+    /// The integration itself; errors are the rounding floor.
+    fn integrate(
+        flow: &Flow,
+        control: Control,
+        constants: &[f64],
+        (start, end): (f64, f64),
+        state: &[Bounded],
+    ) -> Result<Branch, (usize, NoValue)> {
+        let mut out = Branch { times: vec![start], ..Branch::default() };
+        let initial: Vec<f64> = state.iter().map(|x| x.value).collect();
+        let mut walker = match Walker::new(flow, control, constants, (start, end), &initial) {
+            Ok(walker) => walker,
+            Err(Stop::NoRate(i, reason)) => return Err((i, reason)),
+            Err(Stop::Collapsed) => return Ok(out),
+        };
+        // Largest value so far, for the rounding floor.
+        let mut largest: Vec<f64> = initial.iter().map(|x| x.abs()).collect();
+        while !walker.finished() {
+            if out.times.len() > control.max_steps {
+                out.problem = Some(Problem::TooManySteps { time: walker.time, steps: control.max_steps });
+                break;
+            }
+            match walker.step() {
+                Ok(step) => {
+                    out.coefficients.extend_from_slice(step.coefficients);
+                    out.low.extend_from_slice(step.low);
+                }
+                Err(stop) => {
+                    out.problem = Some(problem(flow, stop, walker.time));
+                    break;
+                }
+            }
+            out.times.push(walker.time);
+            for ((l, x), b) in largest.iter_mut().zip(&walker.state).zip(state) {
+                *l = l.max(x.abs());
+                out.error.push(FLOOR * *l + 2.0 * b.error);
+            }
+        }
+        Ok(out)
+    }
+
     /// Integrates once more and raises the errors where the two differ; ends the branch where the other ends.
     fn compare(
         &mut self,
@@ -213,13 +237,13 @@ impl Branch {
         control: Control,
         constants: &[f64],
         initial: &[f64],
-        more: usize,
+        less: usize,
         caution: f64,
     ) {
         let n = flow.dimension;
         let (Some(&start), Some(&end)) = (self.times.first(), self.times.last()) else { return };
         let forward = end > start;
-        let control = Control { order: control.order + more, caution, max_steps: 4 * control.max_steps };
+        let control = Control { order: control.order - less, caution, max_steps: 4 * control.max_steps };
         let Ok(mut walker) = Walker::new(flow, control, constants, (start, end), initial) else {
             self.cut(n, start);
             return;

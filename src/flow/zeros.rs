@@ -61,6 +61,8 @@ pub struct Minimum {
     pub time: f64,
     /// The value there, with its sign and error. It contains 0 where the sign changes.
     pub value: Bounded,
+    /// The first stretch on which nothing could be decided: the expression may come closer to 0 there.
+    pub incomplete: Option<Incomplete>,
 }
 
 /// A time at which the expression was looked at.
@@ -313,7 +315,7 @@ impl Zeros {
     fn cross(&mut self, explorer: &mut Explorer, a: Node, b: Node) {
         let time = refine(explorer, a, b);
         match explorer.values(time).first() {
-            Some(Ok(x)) if x.value.abs() <= a.value.value.abs().max(b.value.value.abs()) + x.error => {
+            Some(Ok(x)) if x.value.abs() <= 1e-6 * a.value.value.abs().max(b.value.value.abs()) + 4.0 * x.error => {
                 self.times.push(time);
             }
             Some(Err(reason)) => {
@@ -356,11 +358,11 @@ fn refine(explorer: &mut Explorer, a: Node, b: Node) -> f64 {
 /// The smallest absolute value of the only output of `program`.
 pub(super) fn minimum(core: &Core, program: &Program) -> Option<Minimum> {
     let mut explorer = Explorer::new(core, program, DEGREE);
-    let (runs, _) = nodes(&mut explorer);
+    let (runs, incomplete) = nodes(&mut explorer);
     let mut best: Option<Minimum> = None;
     let mut offer = |time: f64, value: Bounded| {
         if best.is_none_or(|b| value.value.abs() < b.value.value.abs()) {
-            best = Some(Minimum { time, value });
+            best = Some(Minimum { time, value, incomplete });
         }
     };
     for run in runs {

@@ -87,16 +87,16 @@ impl Bounded {
         Ok(())
     }
 
-    /// 0 for an argument that is exactly 0, for odd functions.
+    /// Whether the argument of an odd function is exactly 0; then so is its value.
     #[inline(always)]
-    fn odd_zero(&mut self, a: &Bounded) -> bool {
+    fn odd_zero(&mut self, a: &Bounded, value: f64) -> bool {
         if a.is_exact_zero() {
-            *self = *a;
+            *self = Bounded::exact(value);
         }
         a.is_exact_zero()
     }
 
-    /// The same, where the value has been computed for the centre.
+    /// Why there is no result when the centre is outside the domain.
     fn outside(&self, inside_somewhere: bool) -> NoValue {
         // A ball that is not known to be a set of numbers at all says nothing.
         let known = self.value.is_finite() && self.error.is_finite();
@@ -196,6 +196,38 @@ impl Scalar for Bounded {
     fn poisoned_by(self, _: Bounded) -> Bounded {
         self
     }
+
+    /// Values are added as over `f64`. Of n products and their sum, each term is rounded at most n times, by u each.
+    #[inline]
+    fn convolution(a: &[Bounded], b: &[Bounded]) -> Bounded {
+        let (head, tail) = a.as_chunks::<4>();
+        let (rest, back) = b.as_rchunks::<4>();
+        let (mut s, mut size, mut spread) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        let mut value = 0.0;
+        let mut weigh = |i: usize, p: &Bounded, q: &Bounded| {
+            let (x, y) = (p.value.abs(), q.value.abs());
+            size[i] += x * y;
+            spread[i] += x * q.error + (y + q.error) * p.error;
+        };
+        for (p, q) in head.iter().zip(back.iter().rev()) {
+            for i in 0..4 {
+                s[i] += p[i].value * q[3 - i].value;
+                weigh(i, &p[i], &q[3 - i]);
+            }
+        }
+        value += (s[0] + s[2]) + (s[1] + s[3]);
+        for (i, (p, q)) in tail.iter().zip(rest.iter().rev()).enumerate() {
+            value += p.value * q.value;
+            weigh(i, p, q);
+        }
+        let n = a.len() as f64;
+        let size = (size[0] + size[1]) + (size[2] + size[3]);
+        let spread = (spread[0] + spread[1]) + (spread[2] + spread[3]);
+        if size == 0.0 && spread == 0.0 && a.iter().zip(b.iter().rev()).all(|(p, q)| p.is_zero() || q.is_zero()) {
+            return Bounded { value, error: 0.0 };
+        }
+        Bounded { value, error: (spread + (n + 1.0) * U * size) * (UP + 2.0 * n * U) + n * TINY }
+    }
 }
 
 /// At least the largest |arcsin p − arcsin q| (and |arccos p − arccos q|) for q the centre and p within `error` of it.
@@ -263,7 +295,15 @@ impl Number for Bounded {
     /// Below the centre √ falls by e/(√a + √(a − e)), or by √a where the ball reaches 0; above, it rises by less than
     /// e/(√a + √(a + e)).
     fn sqrt(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.sqrt(&(), &a.value)) else { return Err(a.outside(a.value + a.error >= 0.0)) };
+        let Ok(value) = centre(|x| x.sqrt(&(), &a.value)) else {
+            // Rounding has moved a small value across 0: its root lies between 0 and that of the largest value.
+            let largest = a.value + a.error;
+            if !(largest >= 0.0 && a.error.is_finite()) {
+                return Err(a.outside(false));
+            }
+            *self = Bounded { value: 0.0, error: (largest * UP).sqrt() * UP };
+            return Ok(());
+        };
         let low = (a.value - a.error) * DOWN;
         let deviation = if a.error == 0.0 {
             0.0
@@ -291,7 +331,7 @@ impl Number for Bounded {
     }
     fn sin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.sin(&(), &a.value))?;
-        if self.odd_zero(a) { Ok(()) } else { self.elementary(value, wave_deviation(value, a.error)) }
+        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, wave_deviation(value, a.error)) }
     }
     fn cos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.cos(&(), &a.value))?;
@@ -300,7 +340,7 @@ impl Number for Bounded {
     /// tan(a + δ) − tan a = tan δ·(1 + t²)/(1 − t·tan δ) with t = tan a; the ball holds a pole when |t|·tan e ≥ 1.
     fn tan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.tan(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         if a.error >= 1.5 {
@@ -314,17 +354,21 @@ impl Number for Bounded {
         self.elementary(value, step * (1.0 + t * t) / under)
     }
     fn arcsin(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.arcsin(&(), &a.value)) else { return Err(a.outside(a.mignitude() <= 1.0)) };
-        if self.odd_zero(a) { Ok(()) } else { self.elementary(value, arc_deviation(a.value, a.error)) }
+        let Ok(value) = centre(|x| x.arcsin(&(), &a.value)) else {
+            return Err(a.outside(a.value.abs() - a.error <= 1.0));
+        };
+        if self.odd_zero(a, value) { Ok(()) } else { self.elementary(value, arc_deviation(a.value, a.error)) }
     }
     fn arccos(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.arccos(&(), &a.value)) else { return Err(a.outside(a.mignitude() <= 1.0)) };
+        let Ok(value) = centre(|x| x.arccos(&(), &a.value)) else {
+            return Err(a.outside(a.value.abs() - a.error <= 1.0));
+        };
         self.elementary(value, arc_deviation(a.value, a.error))
     }
     /// arctan(a + δ) − arctan a = arctan(δ/(1 + a² + aδ)) where that denominator is positive; the slope is at most 1.
     fn arctan(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.arctan(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (low, size) = (a.mignitude(), a.value.abs());
@@ -337,7 +381,7 @@ impl Number for Bounded {
     /// sinh(a + δ) − sinh a = 2 cosh(a + δ/2) sinh(δ/2).
     fn sinh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.sinh(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (half, middle) = (0.5 * a.error, (a.value.abs() + 0.5 * a.error) * UP);
@@ -354,7 +398,7 @@ impl Number for Bounded {
     /// tanh(a + δ) − tanh a = tanh δ·(1 − t²)/(1 + t·tanh δ) with t = tanh a; the slope is at most 1.
     fn tanh(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.tanh(&(), &a.value))?;
-        if self.odd_zero(a) {
+        if self.odd_zero(a, value) {
             return Ok(());
         }
         let (t, step) = (value.abs(), (pxfm::f_tanh(a.error) * UP).min(1.0));
@@ -402,7 +446,7 @@ impl Number for Bounded {
             // A power computed as 0 may have been as large as the smallest number.
             self.elementary(value, (value * UP + TINY) * pxfm::f_expm1(exponent) * UP)
         } else if a.is_exact_zero() && b.value - b.error > 0.0 {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             Ok(())
         } else if b.value - b.error > 0.0 {
             let top = a.magnitude();
@@ -446,7 +490,7 @@ impl Number for Bounded {
             return Err(if in_domain { NoValue::Indeterminate } else { a.outside(inside && known) });
         };
         if a.is_exact_zero() || b.is_exact_zero() {
-            *self = Bounded::ZERO;
+            *self = Bounded::exact(value);
             return Ok(());
         }
         let rounding = (3.0 * f64::from(real::AGM_ITERATIONS) + 8.0) * U;

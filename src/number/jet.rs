@@ -46,10 +46,16 @@ impl Orders {
         self.degree
     }
 
+    /// The order k ≥ 1 to compute, if it is only one: the case of an integrator, which deserves the shortest path.
+    #[inline(always)]
+    pub(super) fn single(&self) -> Option<usize> {
+        (self.from == self.to && self.to > 0).then_some(self.to)
+    }
+
     /// The orders to compute by recurrence: all but 0, which the base type computes.
     #[inline(always)]
-    pub(super) fn recurrent(&self) -> std::ops::RangeInclusive<usize> {
-        self.from.max(1)..=self.to
+    pub(super) fn recurrent(&self) -> std::ops::Range<usize> {
+        self.from.max(1)..self.to + 1
     }
 }
 
@@ -99,6 +105,12 @@ impl<B: Scalar> Jet<B> {
     #[inline(always)]
     pub fn coefficients(&self) -> &[B] {
         &self.series[..self.length]
+    }
+
+    /// Coefficients 0 … k, if all of them are known.
+    #[inline(always)]
+    pub(super) fn upto(&self, k: usize) -> Option<&[B]> {
+        if k < self.length { self.series.get(..=k) } else { None }
     }
 
     /// Whether all coefficients but the first are zero, as far as they are known.
@@ -161,9 +173,7 @@ impl<B: Scalar> Jet<B> {
     pub(super) fn put(&mut self, k: usize, coefficient: B) -> Result<(), NoValue> {
         let c = coefficient.checked()?;
         self.series[k] = c;
-        if !c.is_zero() {
-            self.length = k + 1;
-        }
+        self.length = if c.is_zero() { self.length } else { k + 1 };
         Ok(())
     }
 

@@ -13,9 +13,11 @@
 
 mod bounded;
 mod dual;
-
+mod finite;
 mod jet;
+mod lanes;
 mod operation;
+mod random;
 mod real;
 mod scalar;
 mod series;
@@ -23,8 +25,11 @@ mod slope;
 
 pub use bounded::Bounded;
 pub use dashu_ratio::RBig as Rational;
+pub use finite::{Finite, FiniteField, is_prime};
 pub use jet::{Jet, Orders};
+pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};
+pub use random::Draws;
 pub use scalar::Scalar;
 
 /// Why an operation has no value.

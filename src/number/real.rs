@@ -28,7 +28,14 @@ pub(super) fn powi(a: f64, n: i32) -> f64 {
         base *= base;
         e >>= 1;
     }
-    if n < 0 { 1.0 / acc } else { acc }
+    // The reciprocal of an overflow is not 0 but unknown.
+    if n >= 0 {
+        acc
+    } else if acc.is_infinite() {
+        f64::NAN
+    } else {
+        1.0 / acc
+    }
 }
 
 /// More iterations of the arithmetic–geometric mean than any two numbers need: one per halving of the exponent of their
@@ -69,7 +76,7 @@ impl Number for f64 {
         Ok(())
     }
     fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
-        domain(n >= 0 || *a != 0.0)?;
+        domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
         *self = finite(powi(*a, n))?;
         Ok(())
     }
@@ -151,7 +158,7 @@ impl Number for f64 {
         Ok(())
     }
     fn pow(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {
-        domain(*a > 0.0 || (*a == 0.0 && *b > 0.0))?;
+        domain((*a > 0.0 || (*a == 0.0 && *b > 0.0)) && !b.is_nan())?;
         *self = finite(pxfm::f_pow(*a, *b))?;
         Ok(())
     }

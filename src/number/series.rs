@@ -9,15 +9,32 @@ use super::{Jet, NoValue, Number, Orders, Rational, Scalar, scalar::value};
 /// Σ aᵢ·bₖ₋ᵢ for lo ≤ i ≤ hi, as far as both are known; slices end where the series does.
 #[inline(always)]
 fn sum<B: Scalar>(a: &[B], b: &[B], k: usize, lo: usize, hi: usize) -> B {
-    let lo = lo.max((k + 1).saturating_sub(b.len()));
-    let hi = hi.min(a.len().wrapping_sub(1));
-    if hi == usize::MAX || lo > hi {
+    if lo > hi {
         return B::ZERO;
     }
     match (a.get(lo..=hi), b.get(k - hi..=k - lo)) {
         (Some(a), Some(b)) => B::convolution(a, b),
-        _ => B::ZERO,
+        _ => partial_sum(a, b, k, lo, hi),
     }
+}
+
+/// The same where coefficients beyond the ends of the slices are 0. Terms are added in the order of the full sum, so that
+/// the result does not depend on whether a zero is stored.
+fn partial_sum<B: Scalar>(a: &[B], b: &[B], k: usize, lo: usize, hi: usize) -> B {
+    let body = lo + (hi + 1 - lo) / 4 * 4;
+    let (first, end) = (lo.max((k + 1).saturating_sub(b.len())), (hi + 1).min(a.len()));
+    if end == first + 1 {
+        return a[first] * b[k - first];
+    }
+    let mut s = [B::ZERO; 4];
+    for i in first..end.min(body) {
+        s[(i - lo) % 4] = s[(i - lo) % 4] + a[i] * b[k - i];
+    }
+    let mut sum = (s[0] + s[2]) + (s[1] + s[3]);
+    for i in first.max(body)..end {
+        sum = sum + a[i] * b[k - i];
+    }
+    sum
 }
 
 /// Coefficient k of a·b.
@@ -65,6 +82,16 @@ fn upto<B>(series: &[B], k: usize) -> &[B] {
 }
 
 impl<B: Scalar> Jet<B> {
+    /// Coefficient k of a result whose arguments are constant: 0, without a look at slopes that may not exist.
+    #[inline]
+    fn rest(&mut self, k: usize) -> Result<(), NoValue> {
+        let room = self.series.len();
+        for companion in self.companions.chunks_exact_mut(room) {
+            companion[k] = B::ZERO;
+        }
+        self.put(k, B::ZERO)
+    }
+
     /// x = f(a) where dx = w·da and w follows from x: exp (w = x), tan (w = 1 + x²), tanh (w = 1 − x²).
     #[inline(always)]
     fn by_slope(&mut self, cx: &Orders, a: &Jet<B>, w: impl Fn(&[B], usize) -> B) -> Result<(), NoValue> {
@@ -74,6 +101,10 @@ impl<B: Scalar> Jet<B> {
             self.companions[room] = w(&self.series[..1], 0);
         }
         for k in cx.recurrent() {
+            if a.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
             let [da, ws] = split(&mut self.companions, room);
             da[k] = int::<B>(k) * a.coefficient(k);
             let x = sum(&da[..a.length.min(k + 1)], ws, k, 1, k) / int(k);
@@ -95,6 +126,10 @@ impl<B: Scalar> Jet<B> {
             self.companions[room] = partner.checked()?;
         }
         for k in cx.recurrent() {
+            if a.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
             let [da, y] = split(&mut self.companions, room);
             da[k] = int::<B>(k) * a.coefficient(k);
             let da = &da[..a.length.min(k + 1)];
@@ -119,12 +154,11 @@ impl<B: Scalar> Jet<B> {
             self.companions[room] = value(B::sqrt, (one - a) * (one + a));
         }
         for k in cx.recurrent() {
-            let [dx, w] = split(&mut self.companions, room);
             if a.is_constant() {
-                (dx[k], w[k]) = (B::ZERO, B::ZERO);
-                self.put(k, B::ZERO)?;
+                self.rest(k)?;
                 continue;
             }
+            let [dx, w] = split(&mut self.companions, room);
             dx[k] = (int::<B>(k) * a.coefficient(k) - sum(dx, w, k, 1, k - 1)) / w[0];
             w[k] = -sum(upto(dx, k), a.coefficients(), k, 1, k) / int(k);
             let x = dx[k] / int(k);
@@ -142,11 +176,25 @@ impl<B: Scalar> Jet<B> {
             self.companions[room] = w(&a.series[..1], 0);
         }
         for k in cx.recurrent() {
+            if a.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
             let [dx, ws] = split(&mut self.companions, room);
             ws[k] = w(a.coefficients(), k);
             dx[k] = (int::<B>(k) * a.coefficient(k) - sum(dx, ws, k, 1, k - 1)) / ws[0].checked()?;
             let x = dx[k] / int(k);
             self.put(k, x)?;
+        }
+        Ok(())
+    }
+
+    /// The orders of a product, from 0 on or with factors that end early.
+    #[inline(never)]
+    fn several_products(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        self.start(cx, |x| x.mul(&(), &a.series[0], &b.series[0]))?;
+        for k in cx.recurrent() {
+            self.put(k, product(a.coefficients(), b.coefficients(), k))?;
         }
         Ok(())
     }
@@ -226,6 +274,10 @@ impl<B: Scalar> Number for Jet<B> {
             }
         }
         for k in cx.recurrent() {
+            if a.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
             let x = match n {
                 0 => B::ZERO,
                 1 => a.coefficient(k),
@@ -250,7 +302,7 @@ impl<B: Scalar> Number for Jet<B> {
         self.start(cx, |x| x.sqrt(&(), &a.series[0]))?;
         for k in cx.recurrent() {
             if a.is_constant() {
-                self.put(k, B::ZERO)?;
+                self.rest(k)?;
                 continue;
             }
             // The square of x without the two products that contain xₖ.
@@ -323,6 +375,9 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn add(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        if let Some(k) = cx.single() {
+            return self.put(k, a.coefficient(k) + b.coefficient(k));
+        }
         self.start(cx, |x| x.add(&(), &a.series[0], &b.series[0]))?;
         for k in cx.recurrent() {
             self.put(k, a.coefficient(k) + b.coefficient(k))?;
@@ -331,6 +386,9 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn sub(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
+        if let Some(k) = cx.single() {
+            return self.put(k, a.coefficient(k) - b.coefficient(k));
+        }
         self.start(cx, |x| x.sub(&(), &a.series[0], &b.series[0]))?;
         for k in cx.recurrent() {
             self.put(k, a.coefficient(k) - b.coefficient(k))?;
@@ -339,16 +397,12 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn mul(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
-        self.start(cx, |x| x.mul(&(), &a.series[0], &b.series[0]))?;
-        for k in cx.recurrent() {
-            let x = if std::ptr::eq(a, b) {
-                square(a.coefficients(), k)
-            } else {
-                product(a.coefficients(), b.coefficients(), k)
-            };
-            self.put(k, x)?;
+        if let Some(k) = cx.single()
+            && let (Some(p), Some(q)) = (a.upto(k), b.upto(k))
+        {
+            return self.put(k, B::convolution(p, q));
         }
-        Ok(())
+        self.several_products(cx, a, b)
     }
     /// x·b = a.
     fn div(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
@@ -365,13 +419,12 @@ impl<B: Scalar> Number for Jet<B> {
         self.reserve(3);
         let room = self.series.len();
         for k in cx.recurrent() {
-            let [dl, l, du] = split(&mut self.companions, room);
             if a.is_constant() && (b.is_constant() || a.series[0].is_zero()) {
                 // 0 to a positive power stays 0.
-                (dl[k], l[k], du[k]) = (B::ZERO, B::ZERO, B::ZERO);
-                self.put(k, B::ZERO)?;
+                self.rest(k)?;
                 continue;
             }
+            let [dl, l, du] = split(&mut self.companions, room);
             dl[k] = (int::<B>(k) * a.coefficient(k) - sum(dl, a.coefficients(), k, 1, k - 1)) / a.series[0];
             l[k] = dl[k] / int(k);
             du[k] = if b.is_constant() {
@@ -397,6 +450,10 @@ impl<B: Scalar> Number for Jet<B> {
             r[0] = v[0] * v[0] + u[0] * u[0];
         }
         for k in cx.recurrent() {
+            if y.is_constant() && x.is_constant() {
+                self.rest(k)?;
+                continue;
+            }
             let [v, dv, u, du, r, dx] = split(&mut self.companions, room);
             (v[k], u[k]) = (y.coefficient(k) * scale, x.coefficient(k) * scale);
             (dv[k], du[k]) = (int::<B>(k) * v[k], int::<B>(k) * u[k]);
@@ -405,7 +462,7 @@ impl<B: Scalar> Number for Jet<B> {
             let turn = sum(&dv[..ny], &u[..nx], k, 1, k) - sum(&du[..nx], &v[..ny], k, 1, k);
             dx[k] = (turn - sum(dx, r, k, 1, k - 1)) / r[0];
             let angle = dx[k] / int(k);
-            self.put(k, if y.is_constant() && x.is_constant() { B::ZERO } else { angle })?;
+            self.put(k, angle)?;
         }
         Ok(())
     }

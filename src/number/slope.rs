@@ -24,7 +24,7 @@ pub(super) fn slope<B: Scalar>(op: Op, a: B, v: B) -> B {
         Op::Tan => one + v * v,
         Op::Arcsin => one / value(B::sqrt, one_minus_square(a)),
         Op::Arccos => -one / value(B::sqrt, one_minus_square(a)),
-        Op::Arctan => one / (one + a * a),
+        Op::Arctan => one / (one + a * a).checked().unwrap_or(B::INVALID),
         Op::Sinh => value(B::cosh, a),
         Op::Cosh => value(B::sinh, a),
         Op::Tanh => one_minus_square(v),
@@ -50,7 +50,7 @@ pub(super) fn curvature<B: Scalar>(op: Op, a: B, v: B, s: B) -> B {
         Op::Arctan => -(a + a) * s * s,
         Op::Tanh => -(v + v) * s,
         // 0 where there is a slope at all.
-        Op::Abs => s - s,
+        Op::Abs => s + -s,
         Op::Powi(n) if n < 0 => (B::integer(n) - B::integer(1)) * s / a,
         Op::Powi(n) => {
             let factor = B::integer(n) * B::integer(n - 1);

@@ -233,8 +233,21 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
         if let Some(remark) = &claim.remark {
             out.push_str(&format!("> {}\n\n", prose(remark)));
         }
+        if let Some(identity) = &claim.identity {
+            out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
+            if identity.generic {
+                out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+            }
+            if !identity.conditions.is_empty() {
+                let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
+                out.push_str(&format!("<details><summary>Conditions</summary>\n\n{list}\n</details>\n\n"));
+            }
+            if let Some(witness) = &identity.witness {
+                out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
+            }
+        }
         for group in groups(claim) {
-            out.push_str(&group_section(claim, &group));
+            out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
     }
     out
@@ -273,7 +286,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
 }
 
 /// The pairs of a claim with the same verdict: in one line, with the numbers folded away, and a witness.
-fn group_section(claim: &ClaimAccount, group: &Group<'_>) -> String {
+fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     let names: Vec<String> = group.pairs.iter().map(|p| format!("`{}`", p.trajectory)).collect();
     let verdict = match group.word {
         "holds" => "Holds",
@@ -281,8 +294,9 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>) -> String {
         "undecided" => "Undecided",
         _ => "Does not apply",
     };
-    let on = if group.pairs.len() == claim.results.len() && names.len() > 1 {
-        format!("on all {}", count(names.len(), "trajectory"))
+    let on = if group.pairs.len() == claim.results.len() && names.len() > 3 {
+        let all = count(names.len(), "trajectory");
+        if names.len() < of { format!("on all {all} on which it is tried") } else { format!("on all {all}") }
     } else {
         format!("on {}", names.join(", "))
     };

@@ -139,7 +139,7 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
             let difference = residual.as_ref().filter(|r| r.at == witness.t).map(|r| size(r.max));
             out.push_str(&sides(witness, difference, indent + 2));
         }
-        (None, Some(r)) => out.push_str(&format!(
+        (None, Some(r)) if evidence.reason.is_none() => out.push_str(&format!(
             "{space}{}: largest residual {} at t = {}, error bound {}, {}\n",
             pair.trajectory,
             size(r.max),
@@ -147,7 +147,7 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
             size(r.bound),
             count(evidence.samples, "sample"),
         )),
-        (None, None) => {}
+        (None, _) => {}
     }
     out
 }
@@ -179,11 +179,13 @@ fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> Str
         for m in account.measurements.iter().filter(|m| m.measure == measure.id && !m.values.is_empty()) {
             let values = m.values.iter().take(TIMES_SHOWN).map(|(t, v, b)| {
                 let unit = measure.unit.as_ref().map(|u| format!(" {u}")).unwrap_or_default();
-                format!("{}{unit} ± {} (t = {})", time(*v), size(*b), time(*t)).replace(' ', "\u{a0}")
+                format!("{}{unit} ± {} (t = {});", time(*v), size(*b), time(*t)).replace(' ', "\u{a0}")
             });
             let more = m.values.len().saturating_sub(TIMES_SHOWN);
             let more = (more > 0).then(|| format!("and\u{a0}{more}\u{a0}more"));
-            lines.push_str(&wrapped(std::iter::once(format!("{}:", m.trajectory)).chain(values).chain(more), 4));
+            let line = wrapped(std::iter::once(format!("{}:", m.trajectory)).chain(values).chain(more), 4);
+            lines.push_str(line.trim_end().trim_end_matches(';'));
+            lines.push('\n');
         }
         if !lines.is_empty() {
             out.push_str(&format!("  {}  {}\n{lines}", paint.bold(&measure.id), measure.says));

@@ -8,9 +8,9 @@
 //!
 //! **Why no reuse of slots:** series are computed order by order, with every intermediate series still there.
 
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::number::{NoValue, Number, Op, Rational};
-use std::collections::HashMap;
 
 /// What fills a slot before the instructions run.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub struct Instruction {
 }
 
 /// A straight-line program. Slots are numbered: inputs first, then constants, then results.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     inputs: Vec<Leaf>,
     presets: Vec<Preset>,
@@ -65,9 +65,9 @@ impl Tape {
     /// # Errors
     /// The first leaf that the roots need and `inputs` does not have.
     pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
-        let place: HashMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
+        let place: FastMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
         let order = graph.reachable(roots.iter().copied());
-        let mut slot: HashMap<Expr, u32> = HashMap::new();
+        let mut slot: FastMap<Expr, u32> = FastMap::default();
         let mut presets = Vec::new();
         for &e in &order {
             match graph.node(e) {
@@ -108,6 +108,11 @@ impl Tape {
     /// The instructions in order.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
+    }
+
+    /// Number of slots: inputs, constants and results.
+    pub fn slot_count(&self) -> usize {
+        self.inputs.len() + self.presets.len() + self.instructions.len()
     }
 
     /// Number of outputs.

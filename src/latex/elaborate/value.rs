@@ -109,10 +109,10 @@ impl Elaborator<'_> {
         for (sign, term) in terms {
             let mut value = self.value(term)?;
             if matches!(sign, Sign::PlusMinus | Sign::MinusPlus) {
-                let leaf = self.scope.branch_sign();
+                let (leaf, written_zero) = (self.scope.branch_sign(), term.is_zero());
                 value = self.map(value, |g, e| {
                     let s = g.leaf(leaf);
-                    g.mul_structural(s, e)
+                    if written_zero { g.mul(s, e) } else { g.mul_structural(s, e) }
                 });
             }
             let negative = matches!(sign, Sign::Minus | Sign::MinusPlus);

@@ -168,11 +168,13 @@ impl Parser<'_> {
         let mut names = 0;
         let mut lowered_names = 0;
         let mut depth = 0usize;
-        // A subscript, as the 0 in `t_0`, is not looked at.
+        // A subscript, as the 0 in `t_0`, and the name of an operator are not looked at.
         let mut lowered_depth = None;
         for (i, token) in body.iter().enumerate() {
             let after_lower = i > 0 && body[i - 1].kind == Kind::Sign('_');
-            if after_lower && token.kind == Kind::Sign('{') {
+            let word = matches!(i.checked_sub(1).map(|before| &body[before].kind),
+                Some(Kind::Command(c)) if matches!(c.as_str(), "operatorname" | "begin" | "end"));
+            if (after_lower || word) && token.kind == Kind::Sign('{') {
                 lowered_depth = Some(depth);
             }
             let base = match &token.kind {

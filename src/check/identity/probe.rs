@@ -1,0 +1,148 @@
+//! Random evaluation of lowered expressions over GF(p²).
+
+use super::lower::{Generator, Generators};
+use crate::expr::FastMap;
+use crate::expr::{Expr, Graph, Leaf, Node};
+use crate::number::{Draws, Finite, FiniteField, NoValue};
+use crate::tape::{Slots, Tape};
+
+/// What random evaluation says of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// 0 at several random points: probably identically zero.
+    Zero,
+    /// Not 0 at some point: certainly not identically zero.
+    Nonzero,
+    /// No value at any point tried: division by something identically zero.
+    Nowhere,
+}
+
+/// Coefficients of a polynomial in one leaf, and those above that vanish at the random points.
+pub(super) type InPowers = (Vec<Expr>, Vec<Expr>);
+
+/// A random point of the space of leaves, kept so that all expressions are seen at the same points.
+pub(super) struct Probe {
+    pub(super) field: FiniteField,
+    draws: Draws,
+    /// One map for each point.
+    points: Vec<FastMap<Leaf, Finite>>,
+    /// What was seen: the points stay, so it does not change.
+    sights: FastMap<Expr, Sight>,
+    /// Expression → numerator.
+    pub(super) tops: FastMap<Expr, Expr>,
+    /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
+    pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
+    /// Whether an expression is known to be ≠ 0 from the facts of the problem.
+    pub(super) nonzero: FastMap<Expr, bool>,
+}
+
+/// Number of points at which [`Probe::sight`] must see 0.
+const POINTS: usize = 3;
+/// The same where signs are drawn too: seeing one choice of them only has probability 2⁻⁹ at most.
+const POINTS_WITH_SIGNS: usize = 10;
+/// Number of points tried.
+const TRIES: usize = 16;
+
+impl Probe {
+    pub(super) fn new(draws: &mut Draws) -> Probe {
+        let field = FiniteField::draw(draws);
+        let draws = Draws::new(draws.bits());
+        Probe {
+            field,
+            draws,
+            points: vec![FastMap::default(); TRIES],
+            sights: FastMap::default(),
+            tops: FastMap::default(),
+            nonzero: FastMap::default(),
+            solvable: FastMap::default(),
+        }
+    }
+
+    /// The value of a leaf at a point: on the circle for cosine and sine, ±1 for a sign, random otherwise.
+    fn leaf(&mut self, generators: &Generators, point: usize, leaf: Leaf) -> Finite {
+        if let Some(&v) = self.points[point].get(&leaf) {
+            return v;
+        }
+        let f = self.field.clone();
+        if let Some((c, s)) = generators.circle(leaf) {
+            let (cosine, sine) = on_circle(&f, &mut self.draws);
+            self.points[point].insert(c, cosine);
+            self.points[point].insert(s, sine);
+            return if leaf == c { cosine } else { sine };
+        }
+        let v = match generators.get(leaf) {
+            Some(Generator::Sign) => f.integer(if self.draws.bits() & 1 == 0 { 1 } else { -1 }),
+            _ => f.draw_element(&mut self.draws),
+        };
+        self.points[point].insert(leaf, v);
+        v
+    }
+
+    /// Values of the expressions at one of the points.
+    pub(super) fn values(
+        &mut self,
+        graph: &Graph,
+        generators: &Generators,
+        point: usize,
+        exprs: &[Expr],
+    ) -> Vec<Result<Finite, NoValue>> {
+        let leaves = graph.leaves(exprs.iter().copied());
+        let Ok(tape) = Tape::compile(graph, &leaves, exprs) else {
+            return vec![Err(NoValue::Unsupported); exprs.len()];
+        };
+        let field = self.field.clone();
+        let mut slots: Slots<Finite> = tape.slots(&field);
+        for (i, &leaf) in leaves.iter().enumerate() {
+            slots.set(i, Ok(self.leaf(generators, point, leaf)));
+        }
+        tape.run(&field, &mut slots);
+        (0..exprs.len()).map(|i| tape.output(i, &slots).copied()).collect()
+    }
+
+    /// Whether an expression is identically zero, see [`Sight`].
+    pub(super) fn sight(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> Sight {
+        if let Some(&known) = self.sights.get(&e) {
+            return known;
+        }
+        let seen = self.look(graph, generators, e);
+        self.sights.insert(e, seen);
+        seen
+    }
+
+    fn look(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> Sight {
+        if let Node::Constant(_) = graph.node(e) {
+            return if graph.is_zero(e) { Sight::Zero } else { Sight::Nonzero };
+        }
+        let leaves = graph.leaves([e]);
+        let Ok(tape) = Tape::compile(graph, &leaves, &[e]) else { return Sight::Nowhere };
+        let field = self.field.clone();
+        let mut slots: Slots<Finite> = tape.slots(&field);
+        let signed = leaves.iter().any(|&l| generators.get(l) == Some(&Generator::Sign));
+        let enough = if signed { POINTS_WITH_SIGNS } else { POINTS };
+        let mut zeros = 0;
+        for point in 0..TRIES {
+            for (i, &leaf) in leaves.iter().enumerate() {
+                slots.set(i, Ok(self.leaf(generators, point, leaf)));
+            }
+            tape.run(&field, &mut slots);
+            match tape.output(0, &slots) {
+                Ok(v) if !v.is_zero() => return Sight::Nonzero,
+                Ok(_) => zeros += 1,
+                Err(_) => {}
+            }
+            if zeros == enough {
+                return Sight::Zero;
+            }
+        }
+        if zeros > 0 { Sight::Zero } else { Sight::Nowhere }
+    }
+}
+
+/// ((1 − t²)/(1 + t²), 2t/(1 + t²)) for a random t; 1 + t² ≠ 0 as −1 is no square in GF(p).
+fn on_circle(f: &FiniteField, draws: &mut Draws) -> (Finite, Finite) {
+    let t = f.draw_element(draws);
+    let one = f.integer(1);
+    let square = f.product(t, t);
+    let inverse = f.inverse(f.sum(one, square)).unwrap_or(one);
+    (f.product(f.difference(one, square), inverse), f.product(f.sum(t, t), inverse))
+}

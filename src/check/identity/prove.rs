@@ -1,0 +1,536 @@
+//! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
+
+use super::conditions::conditions;
+use super::field::{Question, Trials, sum_log2, trials};
+use super::lower::{Generator, Generators, Lowering, TooLarge};
+use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
+use super::polynomial::factors;
+use super::prepare::{Premise, argument_leaves, explicit, with_rates};
+use super::probe::Probe;
+use super::roots::Roots;
+use super::sign::Facts;
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
+use super::witness::{Found, Scene, refutation};
+use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::expr::{FastMap, FastSet};
+use crate::number::Draws;
+
+type Pairs = Vec<(Expr, Expr)>;
+
+/// The problem after lowering.
+pub(super) struct Lowered {
+    pub(super) generators: Generators,
+    /// Residuals of the premises that are not definitions, and whether they are derivatives of others.
+    pub(super) premises: Vec<(Expr, bool)>,
+    pub(super) claim: Pairs,
+    pub(super) facts: Facts,
+    pub(super) denominators: Vec<Expr>,
+    /// Given as ≠ 0.
+    pub(super) assumed: Vec<Expr>,
+    frozen: FastSet<Leaf>,
+}
+
+/// Whether the equations hold wherever the premises do and both sides have a value.
+///
+/// See the [module](self::super) for the procedure, the theorem behind the bound, and what is not decided.
+///
+/// `given` may name derivatives by time; definitions among it are inserted. The graph gets new nodes and, once, one hidden
+/// symbol.
+pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Identity {
+    match decide(graph, equations, given, options) {
+        Ok(proof) => Identity::Proved(proof),
+        Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
+        Err(Stop::Undecided(reason)) => Identity::Undecided(reason),
+    }
+}
+
+/// The answer for a family of branches: a formula with ±, one list of equations for each choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branches {
+    /// For each branch: whether it holds by itself, at every point.
+    pub throughout: Vec<Identity>,
+    /// Whether at every point some branch holds (which one may change from point to point).
+    pub pointwise: Identity,
+}
+
+/// Tests a family of branches, as a whole and each by itself.
+///
+/// "Some branch at each point" is one identity: of the residuals f of the branches, ∏ f = 0; for systems, every product that
+/// takes one residual of each branch.
+pub fn branches_test(
+    graph: &mut Graph,
+    branches: &[Vec<(Expr, Expr)>],
+    given: &Premises,
+    options: &Options,
+) -> Branches {
+    let throughout = branches.iter().map(|b| identity_test(graph, b, given, options)).collect();
+    let zero = graph.integer(0);
+    let mut products = vec![graph.integer(1)];
+    for branch in branches {
+        let mut next = Vec::new();
+        for &p in &products {
+            for &(l, r) in branch {
+                let residual = graph.sub(l, r);
+                next.push(graph.mul(p, residual));
+            }
+        }
+        if next.len() > 256 {
+            return Branches { throughout, pointwise: Identity::Undecided(Reason::TooLarge) };
+        }
+        products = next;
+    }
+    let equations: Pairs = products.into_iter().map(|p| (p, zero)).collect();
+    Branches { throughout, pointwise: identity_test(graph, &equations, given, options) }
+}
+
+impl From<TooLarge> for Reason {
+    fn from(_: TooLarge) -> Reason {
+        Reason::TooLarge
+    }
+}
+
+impl From<Failed> for Reason {
+    fn from(failed: Failed) -> Reason {
+        match failed {
+            Failed::NoValue => Reason::NoValue,
+            Failed::TooManyCases => Reason::TooLarge,
+        }
+    }
+}
+
+fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Result<Proof, Stop> {
+    let mut draws = Draws::new(options.seed);
+    let premises = with_rates(graph, given, equations)?;
+    let solved = explicit(graph, &premises, equations, given);
+    let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
+    let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
+    let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
+    let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
+    let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
+    let mut lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &definitions)?;
+    let probe = Probe::new(&mut draws);
+    let parameters: FastSet<Leaf> =
+        given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
+    lowered.frozen.extend(given.time);
+    let mut examination = Examination {
+        graph,
+        probe,
+        draws,
+        lowered,
+        parameters,
+        claim: equations,
+        premises: &premises,
+        given,
+        explicit: &solved.definitions,
+        options,
+        examples: options.attempts,
+        strategy: Strategy::AsGiven,
+    };
+    let own = examination.lowered.premises.clone();
+    let (mut proof, resolved) = examination.generic(&own)?;
+    // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
+    let mut pivots = Pivots::of(&examination, &resolved);
+    let limit = examination.graph.len() + MOST_SPECIAL_NODES;
+    examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
+    for at in 0..pivots.list.len().min(options.special_cases as usize) {
+        if !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
+            continue;
+        }
+        let mut with_pivot = vec![(pivots.list[at], false)];
+        with_pivot.extend(&own);
+        let Ok(outcomes) = examination.run(&with_pivot) else { continue };
+        match merge(outcomes) {
+            Ok((special, resolved)) => {
+                proof.absorb(special);
+                pivots.nested[at] = Some(Pivots::of(&examination, &resolved).list);
+            }
+            Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
+            Err(Stop::Undecided(Reason::Contradiction)) => pivots.nested[at] = Some(Vec::new()),
+            Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
+            Err(Stop::Undecided(_)) => {}
+        }
+    }
+    if proof.log2_error > options.target_log2_error {
+        return Err(Reason::Bound(proof.log2_error).into());
+    }
+    let needed = pivots.needed();
+    let Examination { graph, lowered, .. } = examination;
+    let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
+    all.dedup();
+    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    Ok(proof)
+}
+
+/// Special cases are given up when they have made this many nodes: their pivots stay conditions.
+const MOST_SPECIAL_NODES: usize = 2000;
+
+/// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
+fn is_simple(graph: &Graph, pivot: Expr) -> bool {
+    let nodes = graph.reachable([pivot]);
+    nodes.len() <= 48 && !nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt, _)))
+}
+
+/// What becomes of one case.
+enum Outcome {
+    Holds(Box<Proof>),
+    Refuted(Box<Refutation>),
+    Open(Reason),
+    /// The premises or the formulas rule the case out.
+    Empty(Reason),
+}
+
+/// Why a list of cases does not amount to a proof.
+enum Stop {
+    Refuted(Box<Refutation>),
+    Undecided(Reason),
+}
+
+impl From<Reason> for Stop {
+    fn from(reason: Reason) -> Stop {
+        Stop::Undecided(reason)
+    }
+}
+
+/// One proof from all cases, with the resolutions it rests on.
+fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
+    let mut proof: Option<Proof> = None;
+    let (mut open, mut empty, mut resolved) = (None, None, Vec::new());
+    for (case, outcome) in outcomes {
+        match outcome {
+            Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
+            Outcome::Open(reason) => drop(open.get_or_insert(reason)),
+            Outcome::Empty(reason) => drop(empty.get_or_insert(reason)),
+            Outcome::Holds(one) => {
+                resolved.push(case);
+                match &mut proof {
+                    None => proof = Some(*one),
+                    Some(all) => all.absorb(*one),
+                }
+            }
+        }
+    }
+    match (open, proof) {
+        (Some(reason), _) => Err(Stop::Undecided(reason)),
+        (None, Some(proof)) => Ok((proof, resolved)),
+        (None, None) => Err(Stop::Undecided(empty.unwrap_or(Reason::Contradiction))),
+    }
+}
+
+impl Proof {
+    /// Both proofs together.
+    fn absorb(&mut self, other: Proof) {
+        self.log2_error = sum_log2(self.log2_error, other.log2_error);
+        self.degree_bound = self.degree_bound.max(other.degree_bound);
+        self.height_bound = self.height_bound.max(other.height_bound);
+        self.trials = self.trials.max(other.trials);
+        self.primes.extend(other.primes);
+        self.signs = self.signs.max(other.signs);
+        self.cases += other.cases;
+        self.example = self.example.take().or(other.example);
+    }
+}
+
+/// What was divided by, and which of it a special case has dealt with.
+struct Pivots {
+    list: Vec<Expr>,
+    /// The pivots of the proof for the case that this one vanishes; `None` when there is no such proof.
+    nested: Vec<Option<Vec<Expr>>>,
+}
+
+impl Pivots {
+    /// The factors of the pivots that are not known to be ≠ 0.
+    fn of(examination: &Examination<'_>, cases: &[Resolved]) -> Pivots {
+        let Examination { graph, lowered, .. } = examination;
+        let mut list: Vec<Expr> = Vec::new();
+        for &pivot in cases.iter().flat_map(|c| &c.pivots) {
+            for (base, _) in factors(graph, pivot).1 {
+                if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
+                    list.push(base);
+                }
+            }
+        }
+        let nested = vec![None; list.len()];
+        Pivots { list, nested }
+    }
+
+    /// Pivots that must not vanish: all but those whose special case is proved from the remaining ones.
+    fn needed(&self) -> Vec<Expr> {
+        let mut needed = self.list.clone();
+        let mut relied_on: Vec<Expr> = Vec::new();
+        for (pivot, nested) in self.list.iter().zip(&self.nested) {
+            let Some(nested) = nested else { continue };
+            if !relied_on.contains(pivot) && nested.iter().all(|n| n != pivot && needed.contains(n)) {
+                needed.retain(|n| n != pivot);
+                relied_on.extend(nested);
+            }
+        }
+        needed
+    }
+}
+
+/// Everything that the cases of one test share.
+struct Examination<'a> {
+    graph: &'a mut Graph,
+    probe: Probe,
+    draws: Draws,
+    lowered: Lowered,
+    parameters: FastSet<Leaf>,
+    claim: &'a [(Expr, Expr)],
+    premises: &'a [(Expr, Expr)],
+    given: &'a Premises,
+    explicit: &'a FastMap<Leaf, Expr>,
+    options: &'a Options,
+    /// Real points tried for an example of something proved.
+    examples: u32,
+    strategy: Strategy,
+}
+
+impl Examination<'_> {
+    /// The first order of solving that settles the question.
+    fn generic(&mut self, premises: &[(Expr, bool)]) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let mut first = None;
+        for strategy in Strategy::ALL {
+            self.strategy = strategy;
+            match self.run(premises).map_err(Stop::from).and_then(merge) {
+                Err(Stop::Undecided(
+                    reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
+                )) => drop(first.get_or_insert(reason)),
+                settled => return settled,
+            }
+        }
+        Err(Stop::Undecided(first.unwrap_or(Reason::NoValue)))
+    }
+
+    /// All cases of the given lowered premises.
+    fn run(&mut self, premises: &[(Expr, bool)]) -> Result<Vec<(Resolved, Outcome)>, Reason> {
+        let cases = Solver {
+            graph: self.graph,
+            generators: &mut self.lowered.generators,
+            probe: &mut self.probe,
+            facts: &self.lowered.facts,
+            frozen: &self.lowered.frozen,
+            parameters: &self.parameters,
+            strategy: self.strategy,
+        }
+        .solve(premises)?;
+        // Room for as many cases and special cases as there may be.
+        let target_log2_error = self.options.target_log2_error - 8.0;
+        let each = Options { target_log2_error, ..*self.options };
+        let mut out = Vec::new();
+        for case in cases {
+            let outcome = self.case(&case, &each);
+            out.push((case, outcome));
+        }
+        Ok(out)
+    }
+
+    fn case(&mut self, case: &Resolved, options: &Options) -> Outcome {
+        let map = closed(self.graph, &case.definitions);
+        if self.clashes(&map) {
+            return Outcome::Empty(Reason::Contradiction);
+        }
+        let question = question(self.graph, &mut self.lowered, &mut self.probe, case, &map);
+        let outcome = trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws);
+        let mut sides = Pairs::new();
+        for &(l, r) in &self.lowered.claim {
+            sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
+        }
+        let scene = Scene {
+            graph: self.graph,
+            generators: &self.lowered.generators,
+            claim: self.claim,
+            lowered: &sides,
+            premises: self.premises,
+            nonzero: &self.given.nonzero,
+            positive: &self.given.positive,
+            explicit: self.explicit,
+            defined: &map,
+        };
+        match outcome {
+            Trials::Vanish(bound) => {
+                let found = look(&scene, &mut self.draws, self.examples, |f| !f.is_empty());
+                if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
+                    let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
+                    let what = format!("proved over finite fields, but at a real point: {sides}");
+                    return Outcome::Open(Reason::Defect(what));
+                }
+                Outcome::Holds(Box::new(Proof {
+                    log2_error: bound.log2_error,
+                    degree_bound: bound.degree,
+                    height_bound: bound.height,
+                    trials: bound.primes.len(),
+                    primes: bound.primes,
+                    signs: bound.signs,
+                    cases: 1,
+                    conditions: Vec::new(),
+                    example: found.into_iter().next().map(|f| f.point),
+                }))
+            }
+            Trials::Fail { failing, of } => {
+                let enough = |f: &[Found]| {
+                    f.len() > 12
+                        || refutation(f)
+                            .is_some_and(|r| r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some())
+                };
+                match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
+                    Some(refutation) => Outcome::Refuted(Box::new(refutation)),
+                    None => Outcome::Open(Reason::Branches { failing, of }),
+                }
+            }
+            Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+            Trials::NoValue => Outcome::Empty(Reason::NoValue),
+            Trials::Unsettled(reason) => Outcome::Open(reason),
+        }
+    }
+
+    /// Whether something given as positive is not, by its structure, once the definitions are inserted.
+    fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
+        let positive = self.lowered.facts.positive.clone();
+        positive.iter().any(|&e| {
+            let image = insert_definitions(self.graph, map, e);
+            let mut others = self.lowered.facts.clone();
+            others.positive.remove(&image);
+            others.nonzero.remove(&image);
+            others.sign(self.graph, &self.lowered.generators, image).not_positive
+        })
+    }
+}
+
+fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
+    match graph.node(e) {
+        Node::Leaf(leaf) => Some(*leaf),
+        _ => None,
+    }
+}
+
+/// Premises and claim, definitions inserted, without transcendental functions.
+pub(super) fn lower(
+    graph: &mut Graph,
+    premises: &[Premise],
+    claim: &[(Expr, Expr)],
+    (nonzero, positive): (&[Expr], &[Expr]),
+    definitions: &[Expr],
+) -> Result<Lowered, Reason> {
+    let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
+    let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(definitions));
+    let frozen = argument_leaves(graph, roots.iter().copied());
+    let mut lowering = Lowering::new(graph, &roots);
+    let mut images = Vec::new();
+    for (&e, premise) in residuals.iter().zip(premises) {
+        images.push((lowering.lower(e)?, premise.derived));
+    }
+    let mut sides = Vec::new();
+    for &(l, r) in claim {
+        sides.push((lowering.lower(l)?, lowering.lower(r)?));
+    }
+    let mut facts = Facts::default();
+    for &e in positive {
+        let image = lowering.lower(e)?;
+        facts.positive.insert(image);
+    }
+    let mut not_zero = Vec::new();
+    for &e in nonzero {
+        not_zero.push(lowering.lower(e)?);
+    }
+    // Formulas are claimed where they have a value, so their denominators are not 0 there.
+    let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
+    lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
+    for &e in definitions {
+        lowered_roots.push(lowering.lower(e)?);
+    }
+    let graph = &mut *lowering.graph;
+    let mut denominators = Vec::new();
+    for node in graph.reachable(lowered_roots) {
+        match *graph.node(node) {
+            Node::Binary(Op::Div, _, b) => denominators.push(b),
+            Node::Unary(Op::Powi(n), a) if n < 0 => denominators.push(a),
+            _ => {}
+        }
+    }
+    denominators.retain(|&e| graph.as_constant(e).is_none());
+    for &e in not_zero.iter().chain(&denominators) {
+        facts.nonzero.insert(e);
+        facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
+    }
+    let generators = lowering.generators;
+    Ok(Lowered { generators, premises: images, claim: sides, facts, denominators, assumed: not_zero, frozen })
+}
+
+/// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
+fn question(
+    graph: &mut Graph,
+    lowered: &mut Lowered,
+    probe: &mut Probe,
+    case: &Resolved,
+    map: &FastMap<Leaf, Expr>,
+) -> Question {
+    let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
+        list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
+    };
+    let residuals: Vec<Expr> = lowered.claim.iter().map(|&(l, r)| graph.sub(l, r)).collect();
+    let residuals = inserted(graph, &residuals);
+    let filters = inserted(graph, &case.unsolved);
+    let mut zeros = inserted(graph, &case.taken_as_zero);
+    let mut assumed = inserted(graph, &lowered.assumed);
+    let mut nonzeros = inserted(graph, &lowered.denominators);
+    let mut facts = lowered.facts.clone();
+    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.nonzero] {
+        let mut list: Vec<Expr> = set.iter().copied().collect();
+        list.sort_unstable();
+        set.extend(inserted(graph, &list));
+    }
+    let mut all = residuals.clone();
+    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros));
+    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
+    roots.prepare(&all);
+    let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
+    let (residuals, filters) = (normal(residuals), normal(filters));
+    zeros = normal(zeros);
+    assumed = normal(assumed);
+    nonzeros = normal(nonzeros);
+    let taken = std::mem::take(&mut roots.taken_as_zero);
+    zeros.extend(taken.into_iter().map(|e| roots.normal(e)).collect::<Vec<_>>());
+    let mut out = Question { residuals, filters, zeros, assumed, nonzeros };
+    parametrise(graph, &mut lowered.generators, &mut out);
+    out
+}
+
+/// c = (1 − t²)/(1 + t²), s = 2t/(1 + t²) for every pair that is not solved for.
+fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Question) {
+    let Question { residuals, filters, zeros, assumed, nonzeros } = question;
+    let lists = [residuals, filters, zeros, assumed, nonzeros];
+    let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
+    let mut map: FastMap<Leaf, Expr> = FastMap::default();
+    for leaf in leaves {
+        let Some((c, s)) = generators.circle(leaf) else { continue };
+        if map.contains_key(&leaf) {
+            continue;
+        }
+        let Some(t) = generators.add(Generator::Half) else { continue };
+        let t = graph.leaf(t);
+        let (one, two, square) = (graph.integer(1), graph.integer(2), graph.powi(t, 2));
+        let (above, below, twice) = (graph.sub(one, square), graph.add(one, square), graph.mul(two, t));
+        map.insert(c, graph.div(above, below));
+        map.insert(s, graph.div(twice, below));
+    }
+    for list in lists {
+        for e in list.iter_mut() {
+            *e = insert_definitions(graph, &map, *e);
+        }
+    }
+}
+
+fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[Found]) -> bool) -> Vec<Found> {
+    let mut found = Vec::new();
+    for number in 0..attempts {
+        if let Some(f) = scene.attempt(number, draws) {
+            found.push(f);
+            if enough(&found) {
+                break;
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,97 @@
+//! What is known of the signs of lowered expressions.
+
+use super::lower::{Generator, Generators};
+use crate::expr::FastSet;
+use crate::expr::{Expr, Graph, Node, Op, Rational};
+
+/// Facts about lowered expressions, and what follows from them by structure.
+#[derive(Clone, Default)]
+pub(super) struct Facts {
+    pub(super) positive: FastSet<Expr>,
+    pub(super) not_negative: FastSet<Expr>,
+    pub(super) nonzero: FastSet<Expr>,
+}
+
+/// Knowledge of a sign, by two independent statements each way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Known {
+    /// x ≥ 0.
+    pub(super) not_negative: bool,
+    /// x ≤ 0.
+    pub(super) not_positive: bool,
+    /// x ≠ 0.
+    pub(super) nonzero: bool,
+}
+
+impl Facts {
+    /// Signs of a node and everything below it, wherever it has a value.
+    pub(super) fn sign(&self, graph: &Graph, generators: &Generators, e: Expr) -> Known {
+        let mut known = crate::expr::FastMap::default();
+        for node in graph.reachable([e]) {
+            let mut k = self.step(graph, generators, node, &known);
+            k.not_negative |= self.positive.contains(&node) || self.not_negative.contains(&node);
+            k.nonzero |= self.positive.contains(&node) || self.nonzero.contains(&node);
+            known.insert(node, k);
+        }
+        known.get(&e).copied().unwrap_or_default()
+    }
+
+    fn step(
+        &self,
+        graph: &Graph,
+        generators: &Generators,
+        node: Expr,
+        known: &crate::expr::FastMap<Expr, Known>,
+    ) -> Known {
+        let at = |e: Expr| known.get(&e).copied().unwrap_or_default();
+        match *graph.node(node) {
+            Node::Constant(ref r) => Known {
+                not_negative: *r >= Rational::ZERO,
+                not_positive: *r <= Rational::ZERO,
+                nonzero: *r != Rational::ZERO,
+            },
+            Node::Pi => Known { not_negative: true, not_positive: false, nonzero: true },
+            Node::Leaf(leaf) => match generators.get(leaf) {
+                Some(Generator::Exponential(_)) => Known { not_negative: true, not_positive: false, nonzero: true },
+                Some(Generator::Sign) => Known { nonzero: true, ..Known::default() },
+                _ => Known::default(),
+            },
+            Node::Unary(op, a) => {
+                let a = at(a);
+                match op {
+                    Op::Neg => Known { not_negative: a.not_positive, not_positive: a.not_negative, nonzero: a.nonzero },
+                    Op::Sqrt | Op::Abs => Known { not_negative: true, not_positive: false, nonzero: a.nonzero },
+                    Op::Powi(n) if n % 2 == 0 => {
+                        Known { not_negative: true, not_positive: false, nonzero: n <= 0 || a.nonzero }
+                    }
+                    Op::Powi(n) => Known { nonzero: n < 0 || a.nonzero, ..a },
+                    _ => Known::default(),
+                }
+            }
+            Node::Binary(op, x, y) => {
+                let (a, b) = (at(x), at(y));
+                let sum = |a: Known, b: Known| {
+                    let up = a.not_negative && b.not_negative;
+                    let down = a.not_positive && b.not_positive;
+                    Known { not_negative: up, not_positive: down, nonzero: (up || down) && (a.nonzero || b.nonzero) }
+                };
+                match op {
+                    Op::Add => sum(a, b),
+                    Op::Sub => {
+                        sum(a, Known { not_negative: b.not_positive, not_positive: b.not_negative, nonzero: b.nonzero })
+                    }
+                    Op::Mul | Op::Div => {
+                        let same = (a.not_negative && b.not_negative) || (a.not_positive && b.not_positive);
+                        let opposite = (a.not_negative && b.not_positive) || (a.not_positive && b.not_negative);
+                        Known {
+                            not_negative: same || (op == Op::Mul && x == y),
+                            not_positive: opposite,
+                            nonzero: a.nonzero && (op == Op::Div || b.nonzero),
+                        }
+                    }
+                    _ => Known::default(),
+                }
+            }
+        }
+    }
+}

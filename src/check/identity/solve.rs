@@ -1,0 +1,508 @@
+//! Premises as a parametrised set: triangular resolution.
+//!
+//! **In:** lowered residuals that vanish under the premises. **Out:** [`Resolved`] cases, each with definitions
+//! leaf := expression in the remaining leaves. A case covers every common solution at which its pivots are not 0; the pivots
+//! are reported as conditions. Equations that are products are split into one case for each factor not known to be ≠ 0.
+//!
+//! An unknown is solved for when an equation, as a polynomial in it, has degree 1 (x = −b/a) or 2
+//! (x = (−b + σ√(b² − 4ac))/2a with a sign σ of its own, so that both roots are covered). Cosine and sine of one argument
+//! are unknowns too: an equation in both is reduced by c² + s² = 1, and once one of them is solved for, that relation becomes
+//! an equation for the other.
+//!
+//! Leaving an equation out only enlarges the set on which the conclusion is tested, so redundant equations need not be
+//! recognised with certainty.
+
+use super::lower::{Generator, Generators};
+use super::polynomial::{coefficients, factors, fraction, product};
+use super::probe::{InPowers, Probe, Sight};
+use super::sign::Facts;
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use crate::expr::{FastMap, FastSet};
+use std::collections::BTreeSet;
+
+/// One case of the resolution.
+#[derive(Clone, Default)]
+pub(super) struct Resolved {
+    /// In the order of solving; an expression may contain leaves that are solved later.
+    pub(super) definitions: Vec<(Leaf, Expr)>,
+    /// Must not vanish: divided by while solving.
+    pub(super) pivots: Vec<Expr>,
+    /// Must not be negative: discriminants.
+    pub(super) radicands: Vec<Expr>,
+    /// Taken as zero on the strength of a few random points; to be tested with everything else.
+    pub(super) taken_as_zero: Vec<Expr>,
+    /// Equations without an unknown that can be solved for.
+    pub(super) unsolved: Vec<Expr>,
+    /// Factors set to 0, for the description of the case.
+    pub(super) split_on: Vec<Expr>,
+}
+
+/// Why there is no resolution.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Failed {
+    /// A premise divides by something that vanishes identically under the others.
+    NoValue,
+    /// More cases than are looked at.
+    TooManyCases,
+}
+
+/// Which equation is solved next, and for which unknown: where one order runs into choices of signs that the other premises
+/// only partly exclude, or into pivots that vanish, another may not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Strategy {
+    /// Equations in the order in which they are given.
+    AsGiven,
+    /// Pivots known to be ≠ 0 first, even in quadratic equations.
+    CertainPivots,
+    /// Linear equations first.
+    LowDegree,
+    /// Pivots known to be ≠ 0 first, unknowns in the opposite order.
+    LastFirst,
+}
+
+impl Strategy {
+    /// In the order of trying.
+    pub(super) const ALL: [Strategy; 4] =
+        [Strategy::LowDegree, Strategy::AsGiven, Strategy::CertainPivots, Strategy::LastFirst];
+}
+
+/// What the resolution works with.
+pub(super) struct Solver<'a> {
+    pub(super) graph: &'a mut Graph,
+    pub(super) generators: &'a mut Generators,
+    pub(super) probe: &'a mut Probe,
+    pub(super) facts: &'a Facts,
+    /// Leaves that must stay free: they stand in arguments of transcendental functions.
+    pub(super) frozen: &'a FastSet<Leaf>,
+    /// In which order.
+    pub(super) strategy: Strategy,
+    /// Leaves that are solved for only when nothing else can be.
+    pub(super) parameters: &'a FastSet<Leaf>,
+}
+
+const MOST_CASES: usize = 16;
+const HIGHEST: usize = 8;
+
+/// An equation that is not yet used.
+#[derive(Clone, Copy)]
+struct Pending {
+    /// A numerator that must vanish.
+    e: Expr,
+    /// The residual it comes from: the test of signs wants its value, without what it was multiplied by.
+    plain: Expr,
+    /// Whether it is a derivative by time of others.
+    derived: bool,
+}
+
+#[derive(Clone, Default)]
+struct Case {
+    out: Resolved,
+    pending: Vec<Pending>,
+    on_circle: BTreeSet<Leaf>,
+}
+
+struct Candidate {
+    class: u8,
+    rank: (bool, u8, usize, u8, u8, usize, usize),
+    equation: usize,
+    unknown: Leaf,
+    coefficients: Vec<Expr>,
+    vanishing: Vec<Expr>,
+}
+
+/// The expression with all definitions inserted.
+pub(super) fn insert_definitions(graph: &mut Graph, map: &FastMap<Leaf, Expr>, e: Expr) -> Expr {
+    graph.substitute(e, |_, leaf| map.get(&leaf).copied())
+}
+
+/// Definitions with later ones inserted into earlier ones.
+pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap<Leaf, Expr> {
+    let mut map = FastMap::default();
+    for &(leaf, e) in definitions.iter().rev() {
+        let e = insert_definitions(graph, &map, e);
+        map.insert(leaf, e);
+    }
+    map
+}
+
+impl Solver<'_> {
+    /// All cases; an empty list when the premises contradict each other in every case.
+    pub(super) fn solve(&mut self, equations: &[(Expr, bool)]) -> Result<Vec<Resolved>, Failed> {
+        let pending = equations.iter().map(|&(e, derived)| Pending { e, plain: e, derived }).collect();
+        let mut open = vec![Case { pending, ..Case::default() }];
+        let mut done = Vec::new();
+        while let Some(mut case) = open.pop() {
+            if open.len() + done.len() > MOST_CASES {
+                return Err(Failed::TooManyCases);
+            }
+            match self.advance(&mut case)? {
+                Next::Done => done.push(case.out),
+                Next::Contradiction => {}
+                Next::Split(equation, parts) => {
+                    for part in parts.into_iter().rev() {
+                        let mut one = case.clone();
+                        let derived = one.pending[equation].derived;
+                        one.pending[equation] = Pending { e: part, plain: part, derived };
+                        one.out.split_on.push(part);
+                        open.push(one);
+                    }
+                }
+            }
+        }
+        Ok(done)
+    }
+
+    fn advance(&mut self, case: &mut Case) -> Result<Next, Failed> {
+        loop {
+            if let Some(next) = self.tidy(case)? {
+                return Ok(next);
+            }
+            let mut best: Option<Candidate> = None;
+            for equation in 0..case.pending.len() {
+                for candidate in self.candidates(case, equation) {
+                    if best.as_ref().is_none_or(|b| candidate.rank < b.rank) {
+                        best = Some(candidate);
+                    }
+                }
+            }
+            let Some(best) = best else {
+                case.out.unsolved.extend(case.pending.drain(..).map(|p| p.plain));
+                return Ok(Next::Done);
+            };
+            if let Some(next) = self.zero_root(case, &best) {
+                return Ok(next);
+            }
+            self.define(case, best);
+        }
+    }
+
+    /// Numerators of the pending equations, without known factors; splits, contradictions.
+    fn tidy(&mut self, case: &mut Case) -> Result<Option<Next>, Failed> {
+        let mut kept: Vec<Pending> = Vec::new();
+        let pending = std::mem::take(&mut case.pending);
+        let mut split = None;
+        let mut seen = FastSet::default();
+        for one in pending {
+            let top = match self.probe.tops.get(&one.e) {
+                Some(&top) => top,
+                None => {
+                    let (top, _) = fraction(self.graph, one.e);
+                    self.probe.tops.insert(one.e, top);
+                    top
+                }
+            };
+            if !seen.insert(top) {
+                continue;
+            }
+            match self.probe.sight(self.graph, self.generators, top) {
+                Sight::Zero => continue,
+                Sight::Nowhere => return Err(Failed::NoValue),
+                Sight::Nonzero => {}
+            }
+            let (_, parts) = factors(self.graph, top);
+            let mut parts: Vec<Expr> =
+                parts.into_iter().filter(|&(base, k)| k > 0 && !self.is_known(base)).map(|(base, _)| base).collect();
+            if parts.len() > 1 {
+                // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
+                let free = |base: &Expr| match self.graph.node(*base) {
+                    Node::Leaf(leaf) => self.frozen.contains(leaf),
+                    _ => false,
+                };
+                case.out.pivots.extend(parts.iter().copied().filter(free));
+                parts.retain(|base| !free(base));
+            }
+            match parts.as_slice() {
+                [] => return Ok(Some(Next::Contradiction)),
+                &[base] => {
+                    let reduced = self.on_circle(case, base);
+                    let (_, again) = factors(self.graph, reduced);
+                    if again.len() > 1 {
+                        split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
+                    }
+                    kept.push(Pending { e: reduced, ..one });
+                }
+                many => {
+                    split.get_or_insert((kept.len(), many.to_vec()));
+                    kept.push(Pending { e: one_product(self.graph, many), ..one });
+                }
+            }
+        }
+        case.pending = kept;
+        Ok(split.map(|(equation, parts)| Next::Split(equation, parts)))
+    }
+
+    /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
+    fn on_circle(&mut self, case: &mut Case, e: Expr) -> Expr {
+        let pairs: BTreeSet<(Leaf, Leaf)> =
+            self.graph.leaves([e]).into_iter().filter_map(|l| self.generators.circle(l)).collect();
+        let mut e = e;
+        for (c, s) in pairs {
+            let leaves = self.graph.leaves([e]);
+            if !(leaves.contains(&c) && leaves.contains(&s)) {
+                continue;
+            }
+            let mut kept = None;
+            for (keep, reduce) in [(c, s), (s, c)] {
+                let Some(all) = coefficients(self.graph, e, reduce, HIGHEST) else { continue };
+                if all.len() < 3 {
+                    continue;
+                }
+                let (even, odd) = self.halves(&all, keep);
+                let flat = |this: &mut Self, e| this.probe.sight(this.graph, this.generators, e) == Sight::Zero;
+                if flat(self, odd) {
+                    case.out.taken_as_zero.push(odd);
+                    e = even;
+                    kept = None;
+                    break;
+                }
+                let root = self.graph.leaf(reduce);
+                let term = self.graph.mul(root, odd);
+                if flat(self, even) {
+                    case.out.taken_as_zero.push(even);
+                    e = term;
+                    kept = None;
+                    break;
+                }
+                kept.get_or_insert(self.graph.add(even, term));
+            }
+            if let Some(reduced) = kept {
+                e = reduced;
+            }
+        }
+        e
+    }
+
+    /// Even and odd part of a polynomial in one of the pair, with its square replaced by 1 − keep².
+    fn halves(&mut self, all: &[Expr], keep: Leaf) -> (Expr, Expr) {
+        let g = &mut *self.graph;
+        let keep = g.leaf(keep);
+        let (one, square) = (g.integer(1), g.powi(keep, 2));
+        let other = g.sub(one, square);
+        let mut parts = [g.integer(0), g.integer(0)];
+        for (k, &coefficient) in all.iter().enumerate() {
+            let power = g.powi(other, (k / 2) as i32);
+            let factor = if k / 2 == 0 { one } else { power };
+            let term = g.mul_structural(coefficient, factor);
+            parts[k % 2] = g.add(parts[k % 2], term);
+        }
+        (parts[0], parts[1])
+    }
+
+    /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
+    fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
+        let all = &candidate.coefficients;
+        let lowest = *all.first()?;
+        let e = case.pending[candidate.equation].e;
+        let x = self.graph.leaf(candidate.unknown);
+        if e == x || self.probe.sight(self.graph, self.generators, lowest) != Sight::Zero {
+            return None;
+        }
+        case.out.taken_as_zero.extend(candidate.vanishing.iter().copied());
+        if !self.graph.is_zero(lowest) {
+            case.out.taken_as_zero.push(lowest);
+        }
+        let mut quotient = self.graph.integer(0);
+        for &c in all[1..].iter().rev() {
+            let raised = self.graph.mul_structural(quotient, x);
+            quotient = self.graph.add(raised, c);
+        }
+        let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
+        Some(Next::Split(candidate.equation, parts))
+    }
+
+    /// Whether an expression is known to be ≠ 0.
+    fn is_known(&mut self, e: Expr) -> bool {
+        if let Some(&known) = self.probe.nonzero.get(&e) {
+            return known;
+        }
+        let known = self.facts.sign(self.graph, self.generators, e).nonzero;
+        self.probe.nonzero.insert(e, known);
+        known
+    }
+
+    fn class(&self, leaf: Leaf) -> Option<u8> {
+        if self.frozen.contains(&leaf) {
+            return None;
+        }
+        match self.generators.get(leaf) {
+            Some(Generator::Cosine(_) | Generator::Sine(_) | Generator::Exponential(_)) => Some(2),
+            Some(Generator::Opaque(_)) => Some(4),
+            Some(Generator::Sign | Generator::Half) => None,
+            None if self.parameters.contains(&leaf) => Some(3),
+            None if leaf.rate > 0 => Some(0),
+            None => Some(1),
+        }
+    }
+
+    fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
+        let Pending { e, derived, .. } = case.pending[equation];
+        let mut out = Vec::new();
+        let size = self.graph.reachable([e]).len();
+        let mut leaves: Vec<(u8, Leaf)> =
+            self.graph.leaves([e]).into_iter().filter_map(|l| Some((self.class(l)?, l))).collect();
+        leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
+        for (class, unknown) in leaves {
+            if out.iter().any(|c: &Candidate| c.class < class) {
+                break;
+            }
+            let Some((all, vanishing)) = self.in_powers(e, unknown) else { continue };
+            let Some(&pivot) = all.last() else { continue };
+            let quality = if self.graph.as_constant(pivot).is_some() {
+                0
+            } else if self.is_known(pivot) {
+                1
+            } else {
+                2
+            };
+            let degree = all.len() as u8;
+            let late = derived && unknown.rate == 0;
+            let position = out.len();
+            out.push(Candidate {
+                class,
+                rank: match self.strategy {
+                    Strategy::AsGiven => (late, class, equation, degree, quality, size, position),
+                    Strategy::CertainPivots => (late, class, 0, quality, degree, size, position),
+                    Strategy::LowDegree => (late, class, 0, degree, quality, size, position),
+                    Strategy::LastFirst => (late, class, 0, quality, degree, size, usize::MAX - position),
+                },
+                equation,
+                unknown,
+                coefficients: all,
+                vanishing,
+            });
+        }
+        out
+    }
+
+    /// Coefficients of an equation of degree 1 or 2 in an unknown, and those above that vanish at the random points.
+    fn in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<InPowers> {
+        if let Some(known) = self.probe.solvable.get(&(e, unknown)) {
+            return known.clone();
+        }
+        let mut found = None;
+        if let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) {
+            let mut vanishing = Vec::new();
+            while let Some(&last) = all.last()
+                && all.len() > 1
+                && self.probe.sight(self.graph, self.generators, last) != Sight::Nonzero
+            {
+                vanishing.push(last);
+                all.pop();
+            }
+            if all.len() == 2 || all.len() == 3 {
+                found = Some((all, vanishing));
+            }
+        }
+        self.probe.solvable.insert((e, unknown), found.clone());
+        found
+    }
+
+    /// Solves one equation for one unknown and inserts the result everywhere.
+    fn define(&mut self, case: &mut Case, candidate: Candidate) {
+        let Candidate { equation, unknown, coefficients, vanishing, .. } = candidate;
+        case.pending.remove(equation);
+        case.out.taken_as_zero.extend(vanishing.into_iter().filter(|&e| !self.graph.is_zero(e)));
+        let value = match *coefficients.as_slice() {
+            [b, a] => {
+                self.pivot(case, a);
+                let quotient = self.graph.div(b, a);
+                self.graph.neg(quotient)
+            }
+            [c, b, a] => {
+                self.pivot(case, a);
+                self.quadratic(case, c, b, a)
+            }
+            _ => return,
+        };
+        case.out.definitions.push((unknown, value));
+        if let Some((c, s)) = self.generators.circle(unknown)
+            && case.on_circle.insert(c)
+        {
+            let g = &mut *self.graph;
+            let (c, s, one) = (g.leaf(c), g.leaf(s), g.integer(1));
+            let (cc, ss) = (g.powi(c, 2), g.powi(s, 2));
+            let sum = g.add(cc, ss);
+            let e = g.sub(sum, one);
+            case.pending.push(Pending { e, plain: e, derived: false });
+        }
+        for p in &mut case.pending {
+            p.e = self.graph.substitute(p.e, |_, leaf| (leaf == unknown).then_some(value));
+        }
+    }
+
+    fn pivot(&mut self, case: &mut Case, a: Expr) {
+        if self.graph.as_constant(a).is_none() && !case.out.pivots.contains(&a) {
+            case.out.pivots.push(a);
+        }
+    }
+
+    /// A root of a·x² + b·x + c, with a sign of its own.
+    ///
+    /// The radicand carries the factor σ², so that this root is never taken for the positive root of the same radicand.
+    fn quadratic(&mut self, case: &mut Case, c: Expr, b: Expr, a: Expr) -> Expr {
+        let Some(leaf) = self.generators.add(Generator::Sign) else { return c };
+        let g = &mut *self.graph;
+        let sigma = g.leaf(leaf);
+        let mark = g.powi(sigma, 2);
+        let two = g.integer(2);
+        let flat = g.is_zero(b);
+        if flat || self.probe.sight(self.graph, self.generators, b) == Sight::Zero {
+            let g = &mut *self.graph;
+            if !flat {
+                case.out.taken_as_zero.push(b);
+            }
+            let quotient = g.div(c, a);
+            let radicand = g.neg(quotient);
+            case.out.radicands.push(radicand);
+            let marked = g.mul(radicand, mark);
+            let root = g.unary(Op::Sqrt, marked);
+            return g.mul(sigma, root);
+        }
+        let g = &mut *self.graph;
+        let four = g.integer(4);
+        let (square, ac) = (g.powi(b, 2), g.mul_structural(a, c));
+        let four_ac = g.mul(four, ac);
+        let radicand = g.sub(square, four_ac);
+        case.out.radicands.push(radicand);
+        let marked = g.mul(radicand, mark);
+        let root = g.unary(Op::Sqrt, marked);
+        let signed = g.mul(sigma, root);
+        let top = g.sub(signed, b);
+        let under = g.mul(two, a);
+        g.div(top, under)
+    }
+}
+
+enum Next {
+    Done,
+    Contradiction,
+    /// The equation with this number is a product of these factors.
+    Split(usize, Vec<Expr>),
+}
+
+fn one_product(graph: &mut Graph, bases: &[Expr]) -> Expr {
+    let parts: Vec<(Expr, i32)> = bases.iter().map(|&b| (b, 1)).collect();
+    product(graph, &Rational::ONE, &parts)
+}
+
+/// The radicand of a root made by [`Solver::quadratic`], without its mark.
+pub(super) fn unmarked(graph: &mut Graph, generators: &Generators, radicand: Expr) -> Option<Expr> {
+    let is_mark = |graph: &Graph, e: Expr| match *graph.node(e) {
+        Node::Unary(Op::Powi(2), s) => match *graph.node(s) {
+            Node::Leaf(leaf) => generators.get(leaf) == Some(&Generator::Sign),
+            _ => false,
+        },
+        _ => false,
+    };
+    if is_mark(graph, radicand) {
+        return Some(graph.integer(1));
+    }
+    let Node::Binary(Op::Mul, a, b) = *graph.node(radicand) else { return None };
+    if is_mark(graph, b) {
+        Some(a)
+    } else if is_mark(graph, a) {
+        Some(b)
+    } else {
+        None
+    }
+}

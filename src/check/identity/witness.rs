@@ -1,0 +1,433 @@
+//! Real points that satisfy the premises: witnesses against an identity, examples for one.
+//!
+//! A point is built in the order of the resolution: small rational values for the free leaves, angles with rational cosine
+//! and sine, then the definitions. It counts only after every premise, as it was given, has been evaluated there and found to
+//! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
+//! formulas as given, and exactly from the lowered formulas where every root is rational.
+
+use super::exact::Exact;
+use super::lower::{Generator, Generators};
+use super::outcome::{Point, PointValue, Refutation, Side};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use crate::expr::{FastMap, FastSet};
+use crate::number::{Bounded, Draws, NoValue, Number};
+use crate::tape::{Slots, Tape};
+
+/// Everything a point is built from and tested with.
+pub(super) struct Scene<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) generators: &'a Generators,
+    /// The claim as given.
+    pub(super) claim: &'a [(Expr, Expr)],
+    /// The claim lowered, with all definitions inserted; roots are positive roots.
+    pub(super) lowered: &'a [(Expr, Expr)],
+    /// Premises as given, with their derivatives by time.
+    pub(super) premises: &'a [(Expr, Expr)],
+    pub(super) nonzero: &'a [Expr],
+    pub(super) positive: &'a [Expr],
+    /// Definitions before lowering.
+    pub(super) explicit: &'a FastMap<Leaf, Expr>,
+    /// Definitions of the case, closed.
+    pub(super) defined: &'a FastMap<Leaf, Expr>,
+}
+
+/// A point that satisfies all premises, and what the claim's sides are there.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) point: Point,
+    pub(super) sides: Vec<(Side, Side)>,
+    /// First equation whose sides certainly differ.
+    pub(super) differs: Option<usize>,
+    /// Whether every equation's sides agree within rounding.
+    pub(super) agrees: bool,
+}
+
+const MAGNITUDES: [(i64, i64); 10] = [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
+/// Numbers below 1: entries of rotations with rational coefficients, above all.
+const SMALL: [(i64, i64); 10] = [(1, 3), (2, 3), (0, 1), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 2), (1, 4)];
+/// Half-angle tangents: cosine and sine are 3/5 and 4/5, 5/13 and 12/13 …
+const TANGENTS: [(i64, i64); 8] = [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1)];
+
+fn ratio((n, d): (i64, i64)) -> Rational {
+    Rational::from(n) / Rational::from(d)
+}
+
+/// Values of several expressions.
+fn evaluate<N: Number<Context = ()>>(
+    graph: &Graph,
+    exprs: &[Expr],
+    value: impl Fn(Leaf) -> Option<N>,
+) -> (Tape, Slots<N>) {
+    let leaves = graph.leaves(exprs.iter().copied());
+    // Every leaf is an input, so the program exists.
+    let tape = Tape::compile(graph, &leaves, exprs).unwrap_or_default();
+    let mut slots: Slots<N> = tape.slots(&());
+    for (i, &leaf) in leaves.iter().enumerate() {
+        slots.set(i, value(leaf).ok_or(NoValue::Unsupported));
+    }
+    tape.run(&(), &mut slots);
+    (tape, slots)
+}
+
+/// Values of expressions with bounds of their errors.
+///
+/// An angle atan2(y, x) that the bounds place on both sides of the negative half-axis has no value here: [`Bounded`] would
+/// yield one of two representatives.
+fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+    let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
+    let torn = tape.instructions().iter().any(|i| {
+        let y = slots.value(i.a as usize);
+        i.op == Op::Arctan2 && y.error > 0.0 && y.contains_zero() && slots.value(i.b as usize).value < 0.0
+    });
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
+}
+
+fn exactly(graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+    let (tape, slots) = evaluate::<Exact>(graph, exprs, |l| exact.get(&l).cloned().map(Exact));
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().map(|e| e.0.clone())).collect()
+}
+
+/// The value of a rational, with its rounding.
+fn rounded(r: &Rational) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    Number::rational(&mut out, &(), r).ok()?;
+    Some(out)
+}
+
+type Values = FastMap<Leaf, Bounded>;
+
+impl Scene<'_> {
+    /// Tries one point.
+    pub(super) fn attempt(&self, number: u32, draws: &mut Draws) -> Option<Found> {
+        let mut exact: FastMap<Leaf, Rational> = FastMap::default();
+        let mut values = Values::default();
+        let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
+        let all: Vec<Expr> = self.everything();
+        let given = self.graph.leaves(all.iter().copied());
+        let wanted: Vec<Leaf> = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
+        self.angles(number, draws, &mut values, &mut circles);
+        let declared: FastSet<Leaf> = self
+            .positive
+            .iter()
+            .filter_map(|&e| match self.graph.node(e) {
+                Node::Leaf(l) => Some(*l),
+                _ => None,
+            })
+            .collect();
+        for &leaf in &wanted {
+            if self.generators.get(leaf).is_some()
+                || values.contains_key(&leaf)
+                || self.explicit.contains_key(&leaf)
+                || self.defined.contains_key(&leaf)
+                || self.awaited(leaf)
+            {
+                continue;
+            }
+            let mut r = if number % 3 == 2 && !declared.contains(&leaf) {
+                ratio(SMALL[draws.below(10) as usize])
+            } else {
+                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
+            };
+            if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
+                r = -r;
+            }
+            values.insert(leaf, rounded(&r)?);
+            exact.insert(leaf, r);
+        }
+        self.signs(draws, &mut values, &mut exact);
+        // What is solved for may depend on generators, whose arguments may depend on what is solved for.
+        loop {
+            let before = values.len();
+            self.generate(&mut values, &mut exact, &circles)?;
+            self.define(self.defined, &mut values, &mut exact)?;
+            self.invert_solved(&mut values, &exact, &mut circles)?;
+            self.define(self.explicit, &mut values, &mut exact)?;
+            if values.len() == before {
+                break;
+            }
+        }
+        if given.iter().any(|l| !values.contains_key(l)) {
+            return None;
+        }
+        if !self.admits(&values) {
+            return None;
+        }
+        let mut found = self.sides(&values, &exact)?;
+        let point = given
+            .iter()
+            .filter(|l| self.generators.get(**l).is_none())
+            .filter_map(|&l| {
+                let value = PointValue {
+                    exact: exact.get(&l).cloned(),
+                    circle: circles.get(&l).cloned(),
+                    decimal: values.get(&l)?.value,
+                };
+                Some((l, value))
+            })
+            .collect();
+        found.point = Point { values: point };
+        Some(found)
+    }
+
+    fn everything(&self) -> Vec<Expr> {
+        let sides = self.claim.iter().chain(self.premises).flat_map(|&(l, r)| [l, r]);
+        sides.chain(self.nonzero.iter().copied()).chain(self.positive.iter().copied()).collect()
+    }
+
+    fn lowered_exprs(&self) -> Vec<Expr> {
+        let sides = self.lowered.iter().flat_map(|&(l, r)| [l, r]);
+        let arguments = self.generators.list.iter().filter_map(|g| match *g {
+            Generator::Cosine(e) | Generator::Sine(e) | Generator::Exponential(e) | Generator::Opaque(e) => Some(e),
+            Generator::Sign | Generator::Half => None,
+        });
+        sides.chain(self.defined.values().copied()).chain(self.explicit.values().copied()).chain(arguments).collect()
+    }
+
+    /// q and leaf when e = q·leaf.
+    fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
+        let mut combinations = super::linear::Combinations::default();
+        let combination = combinations.of(self.graph, e);
+        let mut terms = combination.into_iter();
+        let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
+        match m.as_slice() {
+            &[(base, 1)] => match self.graph.node(base) {
+                Node::Leaf(leaf) => Some((q, *leaf)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn generator_leaf(&self, at: usize) -> Option<Leaf> {
+        self.generators.leaf(at)
+    }
+
+    /// Whether a leaf gets its value from a generator that is solved for.
+    fn awaited(&self, leaf: Leaf) -> bool {
+        (0..self.generators.list.len()).any(|at| {
+            let argument = match self.generators.list[at] {
+                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) => a,
+                _ => return false,
+            };
+            self.generator_leaf(at).is_some_and(|g| self.defined.contains_key(&g))
+                && self.multiple_of_leaf(argument).is_some_and(|(_, l)| l == leaf)
+        })
+    }
+
+    /// Angles that occur only as such: half-angle tangents are rational.
+    fn angles(
+        &self,
+        number: u32,
+        draws: &mut Draws,
+        values: &mut Values,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
+    ) {
+        for at in 0..self.generators.list.len() {
+            let Generator::Cosine(argument) = self.generators.list[at] else { continue };
+            let Some((q, leaf)) = self.multiple_of_leaf(argument) else { continue };
+            if self.awaited(leaf) || self.explicit.contains_key(&leaf) || self.defined.contains_key(&leaf) {
+                continue;
+            }
+            let others = self.generators.list.iter().enumerate().any(|(i, g)| match *g {
+                Generator::Cosine(a) | Generator::Exponential(a) | Generator::Opaque(a) if i != at => {
+                    self.graph.leaves([a]).contains(&leaf)
+                }
+                _ => false,
+            });
+            let outside = self.lowered.iter().flat_map(|&(l, r)| [l, r]).chain(self.defined.values().copied());
+            if others || self.graph.leaves(outside).contains(&leaf) {
+                continue;
+            }
+            let t = ratio(TANGENTS[draws.below(if number < 24 { 4 } else { 8 }) as usize]);
+            let square = &t * &t;
+            let under = Rational::ONE + &square;
+            circles.insert(leaf, ((Rational::ONE - &square) / &under, (&t + &t) / &under));
+            let angle = rounded(&t).and_then(|t| function(|out| Number::arctan(out, &(), &t)));
+            let factor = rounded(&(Rational::from(2) / q));
+            if let (Some(angle), Some(factor)) = (angle, factor) {
+                values.extend(function(|out| Number::mul(out, &(), &angle, &factor)).map(|v| (leaf, v)));
+            }
+        }
+    }
+
+    fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut FastMap<Leaf, Rational>) {
+        for at in 0..self.generators.list.len() {
+            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
+                let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
+                values.insert(leaf, Bounded::exact(f64::from(sign)));
+                exact.insert(leaf, Rational::from(sign));
+            }
+        }
+    }
+
+    /// Definitions whose leaves have values; `None` when one of them has no real value.
+    fn define(
+        &self,
+        definitions: &FastMap<Leaf, Expr>,
+        values: &mut Values,
+        exact: &mut FastMap<Leaf, Rational>,
+    ) -> Option<()> {
+        let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
+        open.retain(|&(l, e)| {
+            !values.contains_key(&l) && self.graph.leaves([e]).iter().all(|l| values.contains_key(l))
+        });
+        open.sort_unstable();
+        let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
+        let decimal = decimals(self.graph, &exprs, values);
+        let precise = exactly(self.graph, &exprs, exact);
+        for ((&(leaf, _), decimal), precise) in open.iter().zip(decimal).zip(precise) {
+            values.insert(leaf, decimal?);
+            exact.extend(precise.map(|r| (leaf, r)));
+        }
+        Some(())
+    }
+
+    /// Values of the generators that are not solved for and whose arguments have values.
+    fn generate(
+        &self,
+        values: &mut Values,
+        exact: &mut FastMap<Leaf, Rational>,
+        circles: &FastMap<Leaf, (Rational, Rational)>,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            if self.defined.contains_key(&leaf) || values.contains_key(&leaf) {
+                continue;
+            }
+            let argument = match self.generators.list[at] {
+                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
+                Generator::Sign | Generator::Half => continue,
+            };
+            if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                continue;
+            }
+            let value = decimals(self.graph, &[argument], values)[0]?;
+            let value = match self.generators.list[at] {
+                Generator::Cosine(_) => function(|out| Number::cos(out, &(), &value)),
+                Generator::Sine(_) => function(|out| Number::sin(out, &(), &value)),
+                Generator::Exponential(_) => function(|out| Number::exp(out, &(), &value)),
+                _ => Some(value),
+            };
+            values.insert(leaf, value?);
+            let rational = self.multiple_of_leaf(argument).and_then(|(_, l)| circles.get(&l));
+            match (&self.generators.list[at], rational) {
+                (Generator::Cosine(_), Some((c, _))) => drop(exact.insert(leaf, c.clone())),
+                (Generator::Sine(_), Some((_, s))) => drop(exact.insert(leaf, s.clone())),
+                _ => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Angles whose cosine and sine, and exponents whose exponential, were solved for.
+    fn invert_solved(
+        &self,
+        values: &mut Values,
+        exact: &FastMap<Leaf, Rational>,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            let (argument, circle) = match self.generators.list[at] {
+                Generator::Cosine(a) => (a, true),
+                Generator::Exponential(a) => (a, false),
+                _ => continue,
+            };
+            let sine = self.generators.leaf(at + 1);
+            let solved = |l: Option<Leaf>| l.is_some_and(|l| self.defined.contains_key(&l));
+            if !(solved(Some(leaf)) || circle && solved(sine)) {
+                continue;
+            }
+            let (q, target) = self.multiple_of_leaf(argument)?;
+            if values.contains_key(&target) {
+                continue;
+            }
+            let inverse = if circle {
+                let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
+                if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
+                    circles.insert(target, (c.clone(), s.clone()));
+                }
+                // Either end of the cut is an angle with this cosine and sine.
+                function(|out| Number::arctan2(out, &(), &s, &c))
+            } else {
+                let Some(e) = values.get(&leaf) else { continue };
+                function(|out| Number::ln(out, &(), e))
+            };
+            let (inverse, q) = (inverse?, rounded(&q)?);
+            values.insert(target, function(|out| Number::div(out, &(), &inverse, &q))?);
+        }
+        Some(())
+    }
+
+    /// Whether the premises hold at a point, as far as the bounds tell, and these are small.
+    fn admits(&self, values: &Values) -> bool {
+        let sides: Vec<Expr> = self.premises.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let equal = decimals(self.graph, &sides, values).chunks(2).all(|pair| match pair {
+            &[Some(l), Some(r)] => {
+                let error = l.error + r.error;
+                (l.value - r.value).abs() <= error && error <= 1e-6 * l.value.abs().max(1.0)
+            }
+            _ => false,
+        });
+        let nonzero = decimals(self.graph, self.nonzero, values);
+        let positive = decimals(self.graph, self.positive, values);
+        equal
+            && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
+            && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
+    }
+
+    fn sides(&self, values: &Values, exact: &FastMap<Leaf, Rational>) -> Option<Found> {
+        let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let given = decimals(self.graph, &exprs, values);
+        let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let precise = exactly(self.graph, &exprs, exact);
+        let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
+        for (at, pair) in given.chunks(2).enumerate() {
+            let &[Some(left), Some(right)] = pair else { return None };
+            let (l, r) = (precise[2 * at].clone(), precise[2 * at + 1].clone());
+            // The exact value of the lowered formula must be one that the formula as given may have.
+            let fits = |e: &Option<Rational>, d: Bounded| {
+                e.as_ref()
+                    .is_none_or(|e| rounded(e).is_some_and(|e| (e.value - d.value).abs() <= 2.0 * (e.error + d.error)))
+            };
+            if !fits(&l, left) || !fits(&r, right) {
+                return None;
+            }
+            let error = left.error + right.error;
+            let apart = (left.value - right.value).abs() > 4.0 * error;
+            let differs = match (&l, &r) {
+                (Some(l), Some(r)) => l != r,
+                _ => apart,
+            };
+            if differs && found.differs.is_none() {
+                found.differs = Some(at);
+            }
+            found.agrees &= !differs && error <= 1e-6 * left.value.abs().max(1.0);
+            found.sides.push((Side { exact: l, decimal: left.value }, Side { exact: r, decimal: right.value }));
+        }
+        Some(found)
+    }
+}
+
+/// The result of an operation, if it has one.
+fn function(f: impl FnOnce(&mut Bounded) -> Result<(), NoValue>) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    f(&mut out).ok()?;
+    Some(out)
+}
+
+/// The refutation from points found: the first exact one, or the first; with a second point whose sides differ otherwise.
+pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
+    let refuting = || found.iter().filter(|f| f.differs.is_some());
+    let is_exact =
+        |f: &&Found| f.differs.is_some_and(|at| f.sides[at].0.exact.is_some() && f.sides[at].1.exact.is_some());
+    let best = refuting().find(is_exact).or_else(|| refuting().next())?;
+    let equation = best.differs?;
+    let gap = |f: &Found| f.sides[equation].0.decimal - f.sides[equation].1.decimal;
+    let second = found
+        .iter()
+        .find(|f| (gap(f) - gap(best)).abs() > 1e-6 * gap(best).abs())
+        .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
+    let (left, right) = best.sides[equation].clone();
+    Some(Refutation { equation, point: best.point.clone(), left, right, second })
+}
