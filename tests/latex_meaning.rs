@@ -253,6 +253,7 @@ fn times_and_rates() {
         (r"\dot{\bf u}_2", &|p| p.vector(r"{\bf u}", 1, "")[1]),
         (r"\dot{u_2}", &|p| p.vector(r"{\bf u}", 1, "")[1]),
         (r"\dot h", &|p| p.rate("x") * p.at("x", &[], 2, "") - p.s(r"\theta").sin() * p.rate(r"\theta")),
+        (r"\frac{d}{dt}(a+b)", &|_| 0.0),
         (r"h(0)", &|p| 0.5 * p.at("x", &[], 1, "0").powi(2) + p.at(r"\theta", &[], 0, "0").cos()),
         (r"\frac{dx}{dt}", &|p| p.rate("x")),
         (r"\frac{\mathrm{d}x}{\mathrm{d}t}", &|p| p.rate("x")),

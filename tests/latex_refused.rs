@@ -296,8 +296,8 @@ fn times() {
     refused(r"x=x(2y)", AMBIGUOUS);
     refused(r"{\bf u}={\bf v}({\bf u})", AMBIGUOUS);
     refused("x=h(0)", AMBIGUOUS);
+    refused(r"\frac{d^2a}{dt^2}=0", "latex::dot");
     refused(r"\dot a=0", "latex::dot");
-    refused(r"\dot h=0", "latex::dot");
     refused(r"\dot t=1", "latex::dot");
     refused(r"\dot{x y}=0", "latex::dot");
     refused(r"\dot{(x)}=0", "latex::dot");

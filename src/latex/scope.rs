@@ -305,6 +305,12 @@ impl Scope {
         named.is_some_and(|e| matches!(e.role, Role::Time | Role::State | Role::Observable))
     }
 
+    /// Whether a symbol, as it is written, is a matrix.
+    pub(super) fn is_matrix(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let found = self.find(name, sub, None).filter(|f| f.indices.is_empty());
+        found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.rank == 2)
+    }
+
     /// Whether a symbol is the time, a state or an observable, not merely a name for a formula.
     pub(super) fn is_variable(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         let role = self.find(name, sub, None).map(|f| f.role);

@@ -83,8 +83,11 @@ impl<'a> Elaborator<'a> {
         if !formal.is_empty() {
             base = self.apply(base, &formal, s.arguments.as_deref().unwrap_or(&[]), span)?;
         }
-        if s.dots > 0 && role == Role::Time {
-            return refuse("latex::dot", "the time has no rate", span, "");
+        if s.dots > 0 {
+            self.has_rate(role, span)?;
+            if role == Role::Time {
+                return refuse("latex::dot", "the rate of the time is 1", span, "leave it out");
+            }
         }
         for _ in 0..s.dots {
             base = self.time_derivative(base, span)?;
@@ -130,6 +133,18 @@ impl<'a> Elaborator<'a> {
             return tensor::diagonal(self.graph, &components);
         }
         Tensor { shape: self.graph.shape(symbol).clone(), components }
+    }
+
+    /// Refuses the rate of a parameter: it is a constant by declaration, so the dot is a slip. What an abbreviation stands
+    /// for may happen not to move.
+    pub(super) fn has_rate(&self, role: Role, span: &Range<usize>) -> Elaborated<()> {
+        match role {
+            Role::Parameter | Role::Argument => {
+                let hint = "a parameter has no rate; leave the derivative out";
+                refuse("latex::dot", "this does not depend on time", span, hint)
+            }
+            Role::Time | Role::State | Role::Observable | Role::Abbreviation => Ok(()),
+        }
     }
 
     fn apply(

@@ -374,6 +374,10 @@ impl Elaborator<'_> {
     // ---- derivatives ---------------------------------------------------------------------------------------------
 
     fn derivative(&mut self, of: &Node, by: &Node, order: u8, span: &Range<usize>) -> Elaborated<Tensor> {
+        if let NodeKind::Symbol(s) = &of.kind {
+            let role = self.resolve(s, &of.span)?.role;
+            self.has_rate(role, &of.span)?;
+        }
         let value = self.tensor(of)?;
         let by_value = self.scalar(by)?;
         let Some(time) = self.scope.time() else {
@@ -415,14 +419,6 @@ impl Elaborator<'_> {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
         };
-        if !t.components.iter().any(|&e| self.moves(e)) {
-            return refuse(
-                "latex::dot",
-                "this does not depend on time",
-                span,
-                "it has no rate; leave the derivative out",
-            );
-        }
         let mut components = Vec::new();
         for e in t.components {
             let scope = self.scope;

@@ -115,6 +115,10 @@ impl Parser<'_> {
         let ambiguous = |message: String, hint: &str| refuse("latex::ambiguous", message, span.clone(), hint);
         if self.scope.is_moving(&symbol.name, sub) {
             if content.tuple {
+                // A matrix before the components of a vector.
+                if self.scope.is_matrix(&symbol.name, sub) {
+                    return Ok(false);
+                }
                 let hint = r"a value is taken at one time; write `\cdot` for a product";
                 return ambiguous(format!("`{shown}` is not declared with these arguments"), hint);
             }
