@@ -1,6 +1,5 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-
 use super::{FastMap, Op, Rational, Shape};
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
