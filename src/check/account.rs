@@ -57,6 +57,46 @@ impl PairAccount {
     }
 }
 
+/// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IdentityAccount {
+    /// `proved`, `refuted` or `undecided`.
+    pub verdict: &'static str,
+    /// log₂ of the bound for the probability that a proof is wrong.
+    pub log2_error: Option<f64>,
+    /// What was given beside definitions and assumptions: ids of claims and systems.
+    pub from: Vec<String>,
+    /// What has to hold for the formulas to have values, and for the proof to reach a point.
+    pub conditions: Vec<String>,
+    /// Whether the proof leaves out special cases of what is given.
+    pub generic: bool,
+    /// Why undecided; a remark on a proof.
+    pub reason: Option<String>,
+    /// A point at which everything given holds and the claim does not.
+    pub witness: Option<String>,
+}
+
+impl IdentityAccount {
+    /// The verdict in one sentence.
+    pub fn sentence(&self) -> String {
+        let given = if self.from.is_empty() {
+            "the definitions and assumptions".to_owned()
+        } else {
+            format!("the definitions, the assumptions and {}", self.from.join(", "))
+        };
+        let reason = self.reason.as_deref().unwrap_or("no reason is known");
+        match (self.verdict, self.log2_error) {
+            ("proved", Some(bound)) => format!(
+                "Follows for all values from {given}: proved by random evaluation, with an error probability of at most \
+                 2^{}.",
+                bound.ceil()
+            ),
+            ("refuted", _) => format!("Does not follow from {given} alone: refuted by a point."),
+            _ => format!("Whether it follows from {given} is undecided: {reason}."),
+        }
+    }
+}
+
 /// One claim, or one reading of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClaimAccount {
@@ -74,6 +114,8 @@ pub struct ClaimAccount {
     pub assumptions: Vec<String>,
     /// The remark of the file on it: what a reader should know.
     pub remark: Option<String>,
+    /// Whether it holds for all values, where it is a claim of that kind.
+    pub identity: Option<IdentityAccount>,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
 }

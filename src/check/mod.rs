@@ -19,20 +19,23 @@ mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
 mod stage;
+mod step;
 mod trial;
 mod verdict;
 mod weigh;
 
-pub use account::{Account, ClaimAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
+use crate::latex::RelationKind;
 use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
+use step::Step;
 use trial::{Course, Events};
 
 /// What to check.
@@ -160,7 +163,11 @@ pub fn check(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    Ok(assemble(derivation, &stage, &claimed, &tried, columns))
+    let identities: Vec<Option<IdentityAccount>> =
+        claimed.par_iter().map(|&c| Step::of(derivation, &derivation.claims[c]).and_then(Step::decide)).collect();
+    let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    Ok(account)
 }
 
 /// The verdict of one claim on one motion.
@@ -204,6 +211,67 @@ fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
 }
 
+/// Gives verdicts the strength of the proofs behind them, and compares the two.
+///
+/// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
+/// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
+/// `sampled`, and so do proofs that leave out special cases.
+///
+/// # Errors
+/// A description of a claim that is proved and fails.
+fn strengthen(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    claimed: &[usize],
+    tried: &[usize],
+) -> Result<(), String> {
+    // Each round may prove claims that follow from those of the round before.
+    loop {
+        let mut ready: Vec<(usize, usize)> = Vec::new();
+        for (k, &c) in claimed.iter().enumerate() {
+            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+                continue;
+            };
+            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
+            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
+                continue;
+            }
+            for (at, pair) in claims[k].results.iter().enumerate() {
+                let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
+                    continue;
+                };
+                let given = |name: &String| {
+                    let system = derivation.systems.iter().position(|s| s.id == *name);
+                    if let Some(system) = system {
+                        let motion = &derivation.trajectories[t].motion;
+                        return matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system);
+                    }
+                    claims.iter().filter(|c| c.id == *name).any(|c| {
+                        let pair = c.results.iter().find(|p| p.trajectory == pair.trajectory);
+                        pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
+                    })
+                };
+                if !identity.from.iter().all(given) {
+                    continue;
+                }
+                match pair.verdict.outcome() {
+                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
+                    Outcome::Fails(_) => {
+                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if ready.is_empty() {
+            return Ok(());
+        }
+        for (k, at) in ready {
+            claims[k].results[at].verdict.proved();
+        }
+    }
+}
+
 /// Puts the columns together into the account.
 fn assemble(
     derivation: &Derivation,
@@ -211,9 +279,10 @@ fn assemble(
     claimed: &[usize],
     tried: &[usize],
     columns: Vec<(Vec<Option<Verdict>>, Vec<Measurement>)>,
+    identities: Vec<Option<IdentityAccount>>,
 ) -> Account {
     let mut claims = Vec::new();
-    for (k, &c) in claimed.iter().enumerate() {
+    for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
         let claim = &derivation.claims[c];
         let pair = |(column, &t): (&(Vec<Option<Verdict>>, Vec<Measurement>), &usize)| {
             let verdict = column.0[k].clone()?;
@@ -228,6 +297,7 @@ fn assemble(
             formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
+            identity,
             results: columns.iter().zip(tried).filter_map(pair).collect(),
         });
     }

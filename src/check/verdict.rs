@@ -125,6 +125,13 @@ impl Verdict {
         Verdict { outcome: Outcome::Undecided, evidence: Evidence { reason: Some(reason), ..evidence } }
     }
 
+    /// The same verdict with a proof behind it.
+    pub(super) fn proved(&mut self) {
+        if let Outcome::Holds(_) = self.outcome {
+            self.outcome = Outcome::Holds(Strength::Proved);
+        }
+    }
+
     /// What was found.
     pub fn outcome(&self) -> Outcome {
         self.outcome

@@ -1,4 +1,4 @@
-//! GF(p²) = GF(p)[i] with a prime p ≡ 3 (mod 4) chosen at run time: the arithmetic of identity tests.
+//! GF(p²) = GF(p)(i) with a prime p ≡ 3 (mod 4) chosen at run time: the arithmetic of identity tests.
 //!
 //! **In:** a prime of 61 or 62 bits. **Out:** [`Finite`], a [`Number`] with exact +, −, ·, ÷, integer powers and square roots.
 //!

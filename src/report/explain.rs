@@ -46,6 +46,12 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> S
         out.push_str(&list("Where", &definitions(derivation, claim)));
         out.push_str(&format!("\n  Precision asked for: {}\n", size(claim.precision)));
     }
+    if let Some(identity) = &claim.identity {
+        out.push('\n');
+        out.push_str(&paragraph(&identity.sentence(), 2));
+        out.push_str(&list("Under the conditions", &identity.conditions));
+        out.push_str(&list("Refuting point", identity.witness.as_slice()));
+    }
     out.push('\n');
     out
 }

@@ -82,7 +82,15 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "follows_from": declared.map(|d| d.follows_from.clone()),
         "precision": declared.map(|d| number(d.precision)),
         "remark": claim.remark,
-        "identity": Value::Null,
+        "identity": claim.identity.as_ref().map(|i| json!({
+            "verdict": i.verdict,
+            "log2_error": i.log2_error.map(number),
+            "from": i.from,
+            "conditions": i.conditions,
+            "generic": i.generic,
+            "reason": i.reason,
+            "witness": i.witness,
+        })),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }

@@ -233,6 +233,19 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
         if let Some(remark) = &claim.remark {
             out.push_str(&format!("> {}\n\n", prose(remark)));
         }
+        if let Some(identity) = &claim.identity {
+            out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
+            if identity.generic {
+                out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+            }
+            if !identity.conditions.is_empty() {
+                let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
+                out.push_str(&format!("<details><summary>Conditions</summary>\n\n{list}\n</details>\n\n"));
+            }
+            if let Some(witness) = &identity.witness {
+                out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
+            }
+        }
         for group in groups(claim) {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }

@@ -1,15 +1,15 @@
 //! Degree and height bounds, propagated through the tape.
 //!
 //! [`Growth`] is a number type: the same loop that evaluates a formula bounds it. A value stands for a fraction N/D of
-//! elements of ℤ[x, r], x the free leaves and r roots (rⱼ² ∈ ℤ[x, r₁ … rⱼ₋₁]). It bounds, for N and for D,
+//! elements of ℤ\[x, r\], x the free leaves and r roots (rⱼ² ∈ ℤ\[x, r₁ … rⱼ₋₁\]). It bounds, for N and for D,
 //!
 //! * the degree in x, where a root counts half of the degree of its square;
-//! * log₂ of the largest |value| for |xᵢ| = 1 and every choice of roots; every coefficient of a polynomial in ℤ[x] is at most
+//! * log₂ of the largest |value| for |xᵢ| = 1 and every choice of roots; every coefficient of a polynomial in ℤ\[x\] is at most
 //!   that (Cauchy's bound on the torus).
 //!
 //! Both are subadditive under products and the same for all choices of the signs of roots; hence the norm of N, the product
 //! over at most 2ᵏ choices, has at most 2ᵏ times of each. Fractions are never reduced, so the bounds hold for what is
-//! evaluated. √(n/d) is treated as √(n·d)/d, whose numerator is integral over ℤ[x].
+//! evaluated. √(n/d) is treated as √(n·d)/d, whose numerator is integral over ℤ\[x\].
 
 use crate::number::{NoValue, Number, Rational};
 use dashu_int::ops::BitTest;

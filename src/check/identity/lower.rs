@@ -398,7 +398,8 @@ impl<'g> Lowering<'g> {
         let &[(base, 1)] = m.as_slice() else { return Ok(None) };
         let &Node::Unary(Op::Ln, u) = self.graph.node(base) else { return Ok(None) };
         let Ok(halves) = i64::try_from(q * Rational::from(2)) else { return Ok(None) };
-        let u = self.lower_inner(u)?;
+        // The argument may have been made while lowering: the logarithm of a power's base.
+        let u = self.lower(u)?;
         if halves % 2 == 0 {
             let n = integer(&Rational::from(halves / 2))?;
             return Ok(Some(self.graph.powi(u, n)));
@@ -406,23 +407,5 @@ impl<'g> Lowering<'g> {
         let root = self.graph.unary(Op::Sqrt, u);
         let n = integer(&Rational::from(halves))?;
         Ok(Some(self.graph.powi(root, n)))
-    }
-
-    /// An argument that may have been made while lowering (the logarithm of a power's base).
-    fn lower_inner(&mut self, e: Expr) -> Result<Expr, TooLarge> {
-        match self.image.get(&e) {
-            Some(&image) => Ok(image),
-            None => self.step_all(e),
-        }
-    }
-
-    fn step_all(&mut self, e: Expr) -> Result<Expr, TooLarge> {
-        for node in self.graph.reachable([e]) {
-            if !self.image.contains_key(&node) {
-                let image = self.step(node)?;
-                self.image.insert(node, image);
-            }
-        }
-        self.image.get(&e).copied().ok_or(TooLarge)
     }
 }

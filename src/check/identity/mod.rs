@@ -23,19 +23,19 @@
 //!
 //! Let x be the free leaves, r = (r₁ … r_k) the roots of a case with rⱼ² = ρⱼ(x, r₁ … rⱼ₋₁), V the set of all (x, r), and
 //! N/D a residual as the tape computes it, N and D polynomials in x and r with integer coefficients. (A division rewrites a
-//! root √(n/d) as √(nd)/d, so that every r is integral over ℤ[x].)
+//! root √(n/d) as √(nd)/d, so that every r is integral over ℤ\[x\].)
 //!
 //! **Theorem.** If N does not vanish on an irreducible component C of V on which the premises hold, the probability that one
 //! trial does not show it is at most h/61 · 2⁻⁵⁴ + 64·33·d · 2⁻⁶¹, with d and h the degree and the height (log₂ of the largest
 //! coefficient) of the norm of N.
 //!
-//! *Proof.* V is finite over the space of x and no component lies over a proper subset of it, as ℤ[x, r] is free over ℤ[x].
+//! *Proof.* V is finite over the space of x and no component lies over a proper subset of it, as ℤ\[x, r\] is free over ℤ\[x\].
 //! So the norm N_C of N from the function field of C to ℚ(x) is not 0; it is a polynomial with integer coefficients, because
-//! N is integral over ℤ[x], which is integrally closed. It is a product of at most 2ᵏ conjugates of N, each of degree at most
+//! N is integral over ℤ\[x\], which is integrally closed. It is a product of at most 2ᵏ conjugates of N, each of degree at most
 //! deg N (counting a root as half the degree of its square) and, for |xᵢ| = 1, of absolute value at most 2^{bits N}; so its
 //! degree is at most d = 2ᵏ·deg N, and its coefficients are at most 2ʰ with h = 2ᵏ·bits N, by Cauchy's estimate. These two
 //! numbers are propagated through the tape (`growth`), fractions never being reduced. Now let p be a prime and x a point over
-//! GF(p). C is integral over ℤ[x], so some point (x, r) of C lies over x (lying over), with r in GF(p²) or the draw is
+//! GF(p). C is integral over ℤ\[x\], so some point (x, r) of C lies over x (lying over), with r in GF(p²) or the draw is
 //! discarded. At it the premises hold, so this choice of signs is among those admitted; and if N = 0 there, N_C(x) = 0 mod p,
 //! since N is a zero of its characteristic polynomial, whose last coefficient is ±N_C. So a trial that sees only zeros has
 //! drawn a prime that divides all coefficients of N_C, or a zero of N_C mod p. At most h/61 primes above 2⁶¹ divide

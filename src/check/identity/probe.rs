@@ -17,12 +17,23 @@ pub(super) enum Sight {
     Nowhere,
 }
 
+/// Coefficients of a polynomial in one leaf, and those above that vanish at the random points.
+pub(super) type InPowers = (Vec<Expr>, Vec<Expr>);
+
 /// A random point of the space of leaves, kept so that all expressions are seen at the same points.
 pub(super) struct Probe {
     pub(super) field: FiniteField,
     draws: Draws,
     /// One map for each point.
     points: Vec<FastMap<Leaf, Finite>>,
+    /// What was seen: the points stay, so it does not change.
+    sights: FastMap<Expr, Sight>,
+    /// Expression → numerator.
+    pub(super) tops: FastMap<Expr, Expr>,
+    /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
+    pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
+    /// Whether an expression is known to be ≠ 0 from the facts of the problem.
+    pub(super) nonzero: FastMap<Expr, bool>,
 }
 
 /// Number of points at which [`Probe::sight`] must see 0.
@@ -36,7 +47,15 @@ impl Probe {
     pub(super) fn new(draws: &mut Draws) -> Probe {
         let field = FiniteField::draw(draws);
         let draws = Draws::new(draws.bits());
-        Probe { field, draws, points: vec![FastMap::default(); TRIES] }
+        Probe {
+            field,
+            draws,
+            points: vec![FastMap::default(); TRIES],
+            sights: FastMap::default(),
+            tops: FastMap::default(),
+            nonzero: FastMap::default(),
+            solvable: FastMap::default(),
+        }
     }
 
     /// The value of a leaf at a point: on the circle for cosine and sine, ±1 for a sign, random otherwise.
@@ -82,6 +101,15 @@ impl Probe {
 
     /// Whether an expression is identically zero, see [`Sight`].
     pub(super) fn sight(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> Sight {
+        if let Some(&known) = self.sights.get(&e) {
+            return known;
+        }
+        let seen = self.look(graph, generators, e);
+        self.sights.insert(e, seen);
+        seen
+    }
+
+    fn look(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> Sight {
         if let Node::Constant(_) = graph.node(e) {
             return if graph.is_zero(e) { Sight::Zero } else { Sight::Nonzero };
         }

@@ -163,7 +163,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
 }
 
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
-const MOST_SPECIAL_NODES: usize = 6000;
+const MOST_SPECIAL_NODES: usize = 2000;
 
 /// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
 fn is_simple(graph: &Graph, pivot: Expr) -> bool {

@@ -14,7 +14,7 @@
 
 use super::lower::{Generator, Generators};
 use super::polynomial::{coefficients, factors, fraction, product};
-use super::probe::{Probe, Sight};
+use super::probe::{InPowers, Probe, Sight};
 use super::sign::Facts;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::expr::{FastMap, FastSet};
@@ -183,7 +183,14 @@ impl Solver<'_> {
         let mut split = None;
         let mut seen = FastSet::default();
         for one in pending {
-            let (top, _) = fraction(self.graph, one.e);
+            let top = match self.probe.tops.get(&one.e) {
+                Some(&top) => top,
+                None => {
+                    let (top, _) = fraction(self.graph, one.e);
+                    self.probe.tops.insert(one.e, top);
+                    top
+                }
+            };
             if !seen.insert(top) {
                 continue;
             }
@@ -193,11 +200,8 @@ impl Solver<'_> {
                 Sight::Nonzero => {}
             }
             let (_, parts) = factors(self.graph, top);
-            let mut parts: Vec<Expr> = parts
-                .into_iter()
-                .filter(|&(base, k)| k > 0 && !self.facts.sign(self.graph, self.generators, base).nonzero)
-                .map(|(base, _)| base)
-                .collect();
+            let mut parts: Vec<Expr> =
+                parts.into_iter().filter(|&(base, k)| k > 0 && !self.is_known(base)).map(|(base, _)| base).collect();
             if parts.len() > 1 {
                 // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
                 let free = |base: &Expr| match self.graph.node(*base) {
@@ -302,9 +306,18 @@ impl Solver<'_> {
             let raised = self.graph.mul_structural(quotient, x);
             quotient = self.graph.add(raised, c);
         }
-        let known = |this: &Self, e: Expr| this.facts.sign(this.graph, this.generators, e).nonzero;
-        let parts = [x, quotient].into_iter().filter(|&e| !known(self, e)).collect();
+        let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
         Some(Next::Split(candidate.equation, parts))
+    }
+
+    /// Whether an expression is known to be ≠ 0.
+    fn is_known(&mut self, e: Expr) -> bool {
+        if let Some(&known) = self.probe.nonzero.get(&e) {
+            return known;
+        }
+        let known = self.facts.sign(self.graph, self.generators, e).nonzero;
+        self.probe.nonzero.insert(e, known);
+        known
     }
 
     fn class(&self, leaf: Leaf) -> Option<u8> {
@@ -332,22 +345,11 @@ impl Solver<'_> {
             if out.iter().any(|c: &Candidate| c.class < class) {
                 break;
             }
-            let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) else { continue };
-            let mut vanishing = Vec::new();
-            while let Some(&last) = all.last()
-                && all.len() > 1
-                && self.probe.sight(self.graph, self.generators, last) != Sight::Nonzero
-            {
-                vanishing.push(last);
-                all.pop();
-            }
-            if all.len() != 2 && all.len() != 3 {
-                continue;
-            }
+            let Some((all, vanishing)) = self.in_powers(e, unknown) else { continue };
             let Some(&pivot) = all.last() else { continue };
             let quality = if self.graph.as_constant(pivot).is_some() {
                 0
-            } else if self.facts.sign(self.graph, self.generators, pivot).nonzero {
+            } else if self.is_known(pivot) {
                 1
             } else {
                 2
@@ -370,6 +372,29 @@ impl Solver<'_> {
             });
         }
         out
+    }
+
+    /// Coefficients of an equation of degree 1 or 2 in an unknown, and those above that vanish at the random points.
+    fn in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<InPowers> {
+        if let Some(known) = self.probe.solvable.get(&(e, unknown)) {
+            return known.clone();
+        }
+        let mut found = None;
+        if let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) {
+            let mut vanishing = Vec::new();
+            while let Some(&last) = all.last()
+                && all.len() > 1
+                && self.probe.sight(self.graph, self.generators, last) != Sight::Nonzero
+            {
+                vanishing.push(last);
+                all.pop();
+            }
+            if all.len() == 2 || all.len() == 3 {
+                found = Some((all, vanishing));
+            }
+        }
+        self.probe.solvable.insert((e, unknown), found.clone());
+        found
     }
 
     /// Solves one equation for one unknown and inserts the result everywhere.
