@@ -58,7 +58,7 @@ pub(super) struct Group {
 }
 
 /// `e` with observables replaced by their definitions, at fixed times too; rates stay.
-fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+pub(super) fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let mut e = e;
     // Definitions are acyclic: each is written in terms of earlier symbols.
     loop {

@@ -3,12 +3,12 @@
 //! **In:** the forms and assumptions of a claim. **Out:** a [`Program`] that measures every comparison at a point of any
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
-use super::comparison::{Comparison, Group, at_instant};
+use super::comparison::{Comparison, Group, at_instant, traced};
 use super::trial::{Course, slack};
 use super::weigh::Measured;
 use crate::derivation::{Derivation, Form, Written};
-use crate::expr::{Expr, Graph, Leaf, Shape, Tensor};
-use crate::latex::{LimitPoint, Relation, RelationKind, Scope, Statement};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
+use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
 use crate::number::{Bounded, NoValue, Rational};
 use crate::tape::{Slots, Tape};
 
@@ -104,6 +104,57 @@ fn vanishing(graph: &mut Graph, relation: &Relation) -> Option<Expr> {
     Some(sum)
 }
 
+/// The relation that holds where another does not.
+fn opposite(kind: RelationKind) -> Option<RelationKind> {
+    Some(match kind {
+        RelationKind::Equal => RelationKind::NotEqual,
+        RelationKind::NotEqual => RelationKind::Equal,
+        RelationKind::Less => RelationKind::GreaterEqual,
+        RelationKind::LessEqual => RelationKind::Greater,
+        RelationKind::Greater => RelationKind::LessEqual,
+        RelationKind::GreaterEqual => RelationKind::Less,
+    })
+}
+
+/// Whether both sides are the same at every time: parameters, and values at fixed times.
+fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
+    let all = relation.left.components.iter().chain(&relation.right.components).copied();
+    graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
+}
+
+/// The conditions under which every operation of an expression has a value, observables traced back.
+fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
+    let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
+    let (zero, one) = (graph.integer(0), graph.integer(1));
+    let mut out = Vec::new();
+    for node in graph.reachable(traced) {
+        let conditions = match *graph.node(node) {
+            Node::Unary(Op::Sqrt, a) => vec![(a, RelationKind::GreaterEqual, zero)],
+            Node::Unary(Op::Ln, a) => vec![(a, RelationKind::Greater, zero)],
+            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
+                let size = graph.unary(Op::Abs, a);
+                vec![(size, RelationKind::LessEqual, one)]
+            }
+            Node::Binary(Op::Div, _, b) => vec![(b, RelationKind::NotEqual, zero)],
+            Node::Binary(Op::Arctan2, a, b) => {
+                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
+                let length = graph.add(aa, bb);
+                vec![(length, RelationKind::NotEqual, zero)]
+            }
+            _ => continue,
+        };
+        for (left, kind, right) in conditions {
+            // What does not depend on anything is settled by the value itself.
+            if graph.leaves([left]).is_empty() {
+                continue;
+            }
+            let label = format!("{} has a value", w.text);
+            out.push(Comparison::new(graph, scope, label, kind, left, right));
+        }
+    }
+    out
+}
+
 /// What vanishes where the first relation of a statement holds, for events.
 pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
     statement.relations.first().and_then(|r| vanishing(graph, r))
@@ -159,6 +210,9 @@ impl Program {
                 let label = label(&text, &[], &w.value.shape, component);
                 comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
             }
+            if let Use::Defined = how {
+                comparisons.extend(domain_conditions(graph, &claim.scope, w));
+            }
             groups.push((how, Group { comparisons, branching: false }));
         }
         for form in &claim.forms {
@@ -167,6 +221,24 @@ impl Program {
                 Form::Eventually(w) => (w, Use::Eventually),
                 _ => continue,
             };
+            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
+                && let (Some(limit), Some(kind)) = (&relation.limit, opposite(relation.kind))
+            {
+                // That a limit is never so is a statement about the limit.
+                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
+                groups.push((Use::Limit(limit.approaches.clone()), group));
+                continue;
+            }
+            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
+                && is_constant(graph, &claim.scope, relation)
+                && let Some(kind) = opposite(relation.kind)
+                && relation.left.shape.rank() == 0
+            {
+                // What does not move is never so if it is not so at the start.
+                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
+                groups.push((Use::Always, group));
+                continue;
+            }
             // A chain happens when all of its relations hold at once.
             let parts: Vec<Group> =
                 w.value.relations.iter().map(|r| relation_group(graph, &claim.scope, &w.text, r)).collect();

@@ -117,6 +117,8 @@ struct Built {
     known: Vec<Symbol>,
     /// Position of every wanted leaf in a point of the motion.
     places: Vec<Option<usize>>,
+    /// The part of its span that is asked for, as far as the motion reaches.
+    span: (f64, f64),
     /// Values of the parameters.
     given: Vec<(Symbol, Vec<Bounded>)>,
     /// For each claim that asks for events.
@@ -188,6 +190,11 @@ impl Stage {
         self.motions.get(trajectory).and_then(Option::as_ref)
     }
 
+    /// The times on which a motion is tried.
+    pub fn span(&self, trajectory: usize) -> (f64, f64) {
+        self.built(trajectory).map_or((f64::INFINITY, f64::NEG_INFINITY), |b| b.span)
+    }
+
     /// A motion, by the position of its trajectory.
     pub fn motion(&self, trajectory: usize) -> Option<&Motion> {
         self.built(trajectory).map(|b| b.motion.as_ref())
@@ -219,6 +226,14 @@ impl Stage {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
         let mut times = motion.sample_times(DENSITY);
+        // A derived motion may be tried on a part of the span of its source.
+        let (from, to) = built.span;
+        times.retain(|t| (from..=to).contains(t));
+        for end in [from, to] {
+            if let Err(at) = times.binary_search_by(|t| t.total_cmp(&end)) {
+                times.insert(at, end);
+            }
+        }
         if times.len() > MOST_SAMPLES {
             let step = times.len().div_ceil(MOST_SAMPLES);
             let last = times.last().copied();
@@ -288,7 +303,7 @@ impl Stage {
         Some(TrajectoryAccount {
             id: given.id.clone(),
             title: given.title.clone(),
-            span: motion.span(),
+            span: built.span,
             source: given.source(),
             given: values,
             steps: motion.steps(),
@@ -433,8 +448,14 @@ fn prepare(
         }
     }
     motion.prepare(graph, &asked).map_err(|e| CheckError::Defect(e.to_string()))?;
+    let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
+    let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
+    let inside = |t: &f64| (span.0..=span.1).contains(t);
     let mut zeros = |e: Expr| {
-        if all_known(graph, &known, &[e]) { motion.zeros(graph, e).ok() } else { None }
+        let mut found = if all_known(graph, &known, &[e]) { motion.zeros(graph, e).ok() } else { None }?;
+        found.times.retain(inside);
+        found.touching.retain(inside);
+        Some(found)
     };
     let mut events = BTreeMap::new();
     let mut measured = BTreeMap::new();
@@ -468,7 +489,7 @@ fn prepare(
     }
     let of = &derivation.trajectories[trajectory].parameters;
     let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
-    Ok(Built { motion: Arc::new(motion), known, places, given, events, measured })
+    Ok(Built { motion: Arc::new(motion), known, places, span, given, events, measured })
 }
 
 /// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal

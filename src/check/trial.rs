@@ -58,7 +58,7 @@ impl Course<'_> {
 
 /// How well the time of an event is known: the error of the expression that vanishes there, over its speed.
 pub(super) fn slack(tape: &Tape, output: usize, course: &Course, t: f64, slots: &mut Slots<Bounded>) -> f64 {
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     let step = 1e-6 * (to - from);
     let floor = 4.0 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
     let mut value = |t: f64| -> Option<Bounded> {
@@ -363,7 +363,7 @@ pub(super) fn settle(
 /// The verdict where the event of a claim is not found.
 fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
     let text = claim.at.as_ref().map_or("", |w| w.text.as_str());
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     let mut evidence = Evidence::default();
     match zeros.and_then(|z| z.incomplete.as_ref()) {
         Some(problem) => {
@@ -545,7 +545,7 @@ fn eventually(
         evidence.reason = Some(format!("happens first at t = {t:.12}"));
         return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
     }
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     evidence.reason = Some(format!(
         "not seen at {counted} samples between t = {from} and t = {to}; a longer motion may show it, an enclosure could \
          exclude it"
@@ -565,7 +565,7 @@ fn limit(
     course: &Course,
     point: &LimitPoint,
 ) -> Verdict {
-    let (from, to) = course.motion.span();
+    let (from, to) = course.stage.span(course.trajectory);
     let undecided =
         |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
     let (target, times): (String, Vec<f64>) = match point {
@@ -604,13 +604,18 @@ fn limit(
         };
         evidence.samples += valid.len();
         let size = last.difference.value.abs();
+        if !matches!(comparison.kind, RelationKind::Equal | RelationKind::NotEqual) {
+            return undecided("only `=` and `\\ne` can be tried of a limit".to_owned());
+        }
+        let claims_equal = comparison.kind == RelationKind::Equal;
         let settled = size <= last.difference.error.max(claim.precision * last.magnitude.max(f64::MIN_POSITIVE));
         let finite = matches!(point, LimitPoint::Finite(_));
-        if settled || (finite && comparison.kind == RelationKind::Equal && vanishes(&valid, &times)) {
+        let reached = settled || (finite && vanishes(&valid, &times));
+        if (claims_equal && reached) || (!claims_equal && finite && !reached) {
             evidence.residual = Some(Residual { max: size, bound: last.difference.error, at: times[i] });
             continue;
         }
-        if finite && !vanishes(&valid, &times) {
+        if (claims_equal && finite) || (!claims_equal && reached) {
             let setting = Setting {
                 times: &times,
                 left: vec![Left::In; times.len()],

@@ -4,14 +4,15 @@
 //!
 //! The rules, in their order: a point where an assumption is not met, or where a side has no value, is left out and named;
 //! when nothing is left the claim is not applicable. One violated point refutes. Points whose bound is too large to tell
-//! are named too; more than one in ten of them, and the verdict is `undecided`.
+//! are named too; more than two in a hundred of them, and the verdict is `undecided`.
 
 use super::comparison::{Comparison, Group, Standing, judge};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
-pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.1;
+pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
 
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
@@ -141,8 +142,11 @@ fn standings(
     definedness: bool,
     precision: f64,
 ) -> Vec<Standing> {
+    // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
+    let exists = definedness && comparison.kind == RelationKind::Equal;
     let at = |(m, &scale): (&Result<Measured, NoValue>, &f64)| match (m, definedness) {
-        (Ok(_), true) => Standing::Satisfied,
+        (Ok(_), true) if exists => Standing::Satisfied,
+        (Ok(m), true) => judge(comparison.kind, m.difference, scale, precision),
         (Err(NoValue::OutOfDomain), true) => Standing::Violated,
         (Err(_), true) => Standing::Inconclusive,
         (Ok(m), false) => judge(comparison.kind, m.difference, scale, precision),

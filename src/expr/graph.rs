@@ -262,10 +262,20 @@ impl Graph {
             Op::Sub if self.is_zero(a) => self.unary(Op::Neg, b),
             Op::Mul if self.is_one(a) => b,
             Op::Mul | Op::Div if self.is_one(b) => a,
-            Op::Pow => match self.as_constant(b).and_then(|r| i32::try_from(r.clone()).ok()) {
-                Some(n) => self.unary(Op::Powi(n), a),
-                None => self.intern(Node::Binary(op, a, b)),
-            },
+            Op::Pow => {
+                let exponent = |factor: u8| {
+                    self.as_constant(b).and_then(|r| i32::try_from(r.clone() * Rational::from(factor)).ok())
+                };
+                match (exponent(1), exponent(2)) {
+                    (Some(n), _) => self.unary(Op::Powi(n), a),
+                    // x^{n/2} by the root, which has derivatives where it should.
+                    (None, Some(n)) => {
+                        let root = self.unary(Op::Sqrt, a);
+                        self.unary(Op::Powi(n), root)
+                    }
+                    (None, None) => self.intern(Node::Binary(op, a, b)),
+                }
+            }
             _ => self.intern(Node::Binary(op, a, b)),
         }
     }

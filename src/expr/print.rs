@@ -1,68 +1,152 @@
 //! Expressions as LaTeX that reads back as the same expression.
+//!
+//! For the reader in the scope in which the symbols were declared: numbers, operations, rates up to the fourth, values at
+//! times, components and the sign ± come back as the same node.
+
+use std::collections::HashMap;
 
 use super::{Expr, Graph, Leaf, Node, Op, Rational};
 
 /// How tightly a printed expression holds together; from loose to tight.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Bond {
+    /// Begins with a sign or contains one.
     Sum,
     Product,
     Factor,
+    /// A symbol, which takes an exponent without parentheses.
+    Symbol,
+}
+
+/// Texts longer than this are cut: a shared expression is printed once for each of its uses.
+const LONGEST: usize = 1 << 16;
+
+/// The name of the sign that ± stands for.
+const BRANCH: &str = r"\pm";
+
+/// The parts of a declared name: `\psi` and `0`; `I` and `(n-k)`; `\Omega` and what stands in parentheses behind it.
+struct NameParts<'a> {
+    head: &'a str,
+    label: &'a str,
+    arguments: &'a str,
+}
+
+fn parts(name: &str) -> NameParts<'_> {
+    let split = |at: Option<usize>, text: &'_ str| at.unwrap_or(text.len());
+    let lowered = split(name.find('_'), name);
+    let (head, rest) = name.split_at(lowered.min(split(name.find('('), name)));
+    let Some(label) = rest.strip_prefix('_') else { return NameParts { head, label: "", arguments: rest } };
+    let end = match label.strip_prefix('{') {
+        None => label.chars().next().map_or(0, char::len_utf8),
+        Some(_) => {
+            let mut depth = 0;
+            let close = label.char_indices().find(|(_, c)| {
+                depth += i32::from(*c == '{') - i32::from(*c == '}');
+                depth == 0
+            });
+            close.map_or(label.len(), |(i, _)| i + 1)
+        }
+    };
+    // A command, as in `x_\alpha`, has more than one letter.
+    let end = match label.strip_prefix('\\') {
+        Some(command) => 1 + command.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(command.len()),
+        None => end,
+    };
+    let (label, arguments) = label.split_at(end);
+    let label = label.strip_prefix('{').and_then(|l| l.strip_suffix('}')).unwrap_or(label);
+    NameParts { head, label, arguments }
 }
 
 impl Graph {
     /// A leaf as a formula writes it: `\dot R_{12}`, `\psi(0)`.
     pub fn leaf_latex(&self, leaf: Leaf) -> String {
-        let name = self.name(leaf.symbol);
+        let NameParts { head, label, arguments } = parts(self.name(leaf.symbol));
+        let dots = usize::from(leaf.rate);
         let dotted = match leaf.rate {
-            0 => name.to_owned(),
-            1 => format!(r"\dot{{{name}}}"),
-            2 => format!(r"\ddot{{{name}}}"),
-            n => format!(r"\frac{{d^{n} {name}}}{{dt^{n}}}"),
+            0 => head.to_owned(),
+            1..=4 if head.starts_with('{') => format!(r"\{}ot{head}", "d".repeat(dots)),
+            1..=4 => format!(r"\{}ot{{{head}}}", "d".repeat(dots)),
+            n => format!(r"\frac{{d^{n}}}{{dt^{n}}}{head}"),
         };
-        let dotted = if leaf.rate > 0 && leaf.rate < 3 { self.dotted(name, leaf.rate) } else { dotted };
-        let indices = self.component_indices(leaf.symbol, leaf.component);
-        let indexed = if indices.is_empty() {
-            dotted
-        } else {
-            let list: String = indices.iter().map(u16::to_string).collect();
-            let base = if name.contains('_') { format!("({dotted})") } else { dotted };
-            match indices.as_slice() {
-                [single] if *single < 10 => format!("{base}_{single}"),
-                _ => format!("{base}_{{{list}}}"),
+        let indices: Vec<String> =
+            self.component_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
+        let sub = subscript(label, &indices);
+        let lowered = match sub.chars().count() {
+            0 => String::new(),
+            1 => format!("_{sub}"),
+            _ => format!("_{{{sub}}}"),
+        };
+        let at = match leaf.instant {
+            None => String::new(),
+            Some(e) => {
+                let (text, bond) = self.printed(e);
+                // A time with a sign that is no number could be taken for a factor.
+                if bond == Bond::Sum && self.as_constant(e).is_none() {
+                    format!("(({text}))")
+                } else {
+                    format!("({text})")
+                }
             }
         };
-        match leaf.instant {
-            None => indexed,
-            Some(e) => format!("{indexed}({})", self.to_latex(e)),
-        }
-    }
-
-    /// A name under dots; a label stays outside of them.
-    fn dotted(&self, name: &str, rate: u8) -> String {
-        let dot = if rate == 1 { r"\dot" } else { r"\ddot" };
-        match name.split_once('_') {
-            Some((head, label)) => format!("{dot}{{{head}}}_{label}"),
-            None if name.starts_with('{') => format!("{dot}{name}"),
-            None => format!("{dot}{{{name}}}"),
-        }
+        format!("{dotted}{lowered}{arguments}{at}")
     }
 
     /// An expression as LaTeX.
     pub fn to_latex(&self, e: Expr) -> String {
-        let mut printed: std::collections::HashMap<Expr, (String, Bond)> = std::collections::HashMap::new();
+        self.printed(e).0
+    }
+
+    fn is_branch(&self, e: Expr) -> bool {
+        matches!(self.node(e), Node::Leaf(leaf) if self.name(leaf.symbol) == BRANCH)
+    }
+
+    fn printed(&self, e: Expr) -> (String, Bond) {
+        let mut printed: HashMap<Expr, (String, Bond)> = HashMap::new();
         for node in self.reachable([e]) {
-            let text = match self.node(node) {
+            let mut text = match self.node(node) {
                 Node::Constant(r) => number(r),
                 Node::Pi => (r"\pi".to_owned(), Bond::Factor),
-                Node::Leaf(leaf) => (self.leaf_latex(*leaf), Bond::Factor),
+                Node::Leaf(_) if self.is_branch(node) => (r"(\pm1)".to_owned(), Bond::Factor),
+                Node::Leaf(leaf) => (self.leaf_latex(*leaf), Bond::Symbol),
                 Node::Unary(op, a) => unary(*op, &printed[a]),
+                Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b) => {
+                    (format!(r"\pm {}", wrapped(&printed[b], Bond::Product)), Bond::Sum)
+                }
+                Node::Binary(Op::Add, a, b) if self.is_signed(*b) => {
+                    (format!("{}{}", printed[a].0, printed[b].0), Bond::Sum)
+                }
                 Node::Binary(op, a, b) => binary(*op, &printed[a], &printed[b]),
             };
+            if text.0.len() > LONGEST {
+                text = (r"\ldots".to_owned(), Bond::Factor);
+            }
             printed.insert(node, text);
         }
-        printed.remove(&e).map_or_else(String::new, |(text, _)| text)
+        printed.remove(&e).unwrap_or_else(|| (String::new(), Bond::Factor))
     }
+
+    /// Whether the expression is printed with ± before it.
+    fn is_signed(&self, e: Expr) -> bool {
+        matches!(self.node(e), Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b))
+    }
+}
+
+/// The label of a name and the indices of a component in one subscript. In `(n-k)` the letters are places for indices.
+fn subscript(label: &str, indices: &[String]) -> String {
+    let letters = label.chars().filter(char::is_ascii_alphabetic).count();
+    if label.contains(['(', '-', '+']) && letters == indices.len() {
+        let mut next = indices.iter();
+        return label
+            .chars()
+            .map(|c| match c.is_ascii_alphabetic() {
+                true => next.next().cloned().unwrap_or_default(),
+                false => c.to_string(),
+            })
+            .collect();
+    }
+    let label =
+        if label.starts_with(r"\rm") && !indices.is_empty() { format!("{{{label}}}") } else { label.to_owned() };
+    format!("{label}{}", indices.concat())
 }
 
 fn number(r: &Rational) -> (String, Bond) {
@@ -85,6 +169,7 @@ fn unary(op: Op, a: &(String, Bond)) -> (String, Bond) {
         Op::Neg => (format!("-{}", wrapped(a, Bond::Product)), Bond::Sum),
         Op::Sqrt => (format!(r"\sqrt{{{}}}", a.0), Bond::Factor),
         Op::Abs => (format!(r"\left|{}\right|", a.0), Bond::Factor),
+        Op::Powi(n @ 2..=9) if a.1 == Bond::Symbol => (format!("{}^{n}", a.0), Bond::Factor),
         Op::Powi(n) => (format!("({})^{{{n}}}", a.0), Bond::Factor),
         _ => (format!("{}({})", op.spelling(), a.0), Bond::Factor),
     }
@@ -96,7 +181,11 @@ fn binary(op: Op, a: &(String, Bond), b: &(String, Bond)) -> (String, Bond) {
         Op::Sub => (format!("{}-{}", a.0, wrapped(b, Bond::Product)), Bond::Sum),
         Op::Mul => (format!(r"{}\cdot {}", wrapped(a, Bond::Product), wrapped(b, Bond::Factor)), Bond::Product),
         Op::Div => (format!(r"\frac{{{}}}{{{}}}", a.0, b.0), Bond::Factor),
-        Op::Pow => (format!("({})^{{{}}}", a.0, b.0), Bond::Factor),
+        Op::Pow => {
+            // An exponent needs no parentheses.
+            let exponent = if b.0 == r"(\pm1)" { r"\pm1" } else { &b.0 };
+            (format!("({})^{{{exponent}}}", a.0), Bond::Factor)
+        }
         _ => (format!("{}({},{})", op.spelling(), a.0, b.0), Bond::Factor),
     }
 }

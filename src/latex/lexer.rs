@@ -119,7 +119,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     };
                     at += symbol.len_utf8();
                     match symbol {
-                        ',' | ';' | ':' | '!' | ' ' | '/' => {}
+                        ',' | ';' | ':' | '>' | '!' | ' ' | '/' => {}
                         '\\' => push(Kind::Row, at),
                         '{' | '}' => push(Kind::Command(symbol.to_string()), at),
                         '|' => push(Kind::Command("|".into()), at),
@@ -136,7 +136,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 at += letters;
                 match name {
                     "cr" | "newline" => push(Kind::Row, at),
-                    "left" | "right" | "middle" => {
+                    "left" | "right" => {
                         // What follows is an ordinary delimiter; only bars need to know their side.
                         let next = text[at..].trim_start();
                         if next.starts_with('|') {

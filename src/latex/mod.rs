@@ -17,6 +17,7 @@ mod parse;
 mod scope;
 pub mod syntax;
 mod tensor;
+mod write;
 
 use std::ops::Range;
 
@@ -83,18 +84,19 @@ pub fn read(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Vec<Statemen
     let mut problems = Vec::new();
     for chain in &chains {
         match Elaborator::new(scope, graph).statement(chain) {
-            Ok(mut statement) => {
-                for relation in &mut statement.relations {
-                    for index in &mut relation.indices {
-                        *index = name::to_latex(index);
-                    }
-                }
-                statements.push(statement);
-            }
+            Ok(statement) => statements.push(statement),
             Err(problem) => problems.push(*problem),
         }
     }
     if problems.is_empty() { Ok(statements) } else { Err(problems) }
+}
+
+/// The syntax trees of the relations of a text, for printing variants of them: see [`syntax::to_latex`].
+///
+/// # Errors
+/// What is wrong with the text before its meaning is looked at.
+pub fn parse(text: &str, scope: &Scope) -> Result<Vec<syntax::Chain>, Vec<Problem>> {
+    parse::chains(text, scope)
 }
 
 /// Reads one expression.
@@ -102,12 +104,5 @@ pub fn read(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Vec<Statemen
 /// # Errors
 /// Everything that is wrong with the text.
 pub fn read_expression(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
-    let chain = elaborate::single(text, scope)?;
-    let mut elaborator = Elaborator::new(scope, graph);
-    let node = &chain.sides[0];
-    elaborator.prepare(&chain);
-    if let Some(stray) = elaborator.stray(node).map_err(|p| vec![*p])? {
-        return Err(vec![stray]);
-    }
-    elaborator.components(node, &[]).map_err(|p| vec![*p])
+    Elaborator::new(scope, graph).expression(text)
 }

@@ -49,6 +49,7 @@ pub(super) const NAMES: &[&str] = &[
     "jmath",
     "aleph",
     "wp",
+    "top",
 ];
 
 /// The style that a command gives to the name after it, in canonical spelling.
@@ -79,6 +80,14 @@ pub(super) fn marks_tensor(style: &str) -> bool {
     matches!(style, "bf" | "vec")
 }
 
+/// Whether a name can be an index that runs over components. Other letters, such as the x of `v_x` or the r of `v_r`, are
+/// labels in print.
+pub(super) fn is_index(name: &str) -> bool {
+    let base = name.trim_end_matches('\'');
+    let greek = ["\\alpha", "\\beta", "\\gamma", "\\delta", "\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\kappa"];
+    matches!(base.as_bytes(), [b'a'..=b'd' | b'f'..=b'n' | b'p' | b'q' | b's']) || greek.contains(&base)
+}
+
 /// The style and the rest of a canonical name.
 pub(super) fn split(name: &str) -> (Option<&str>, &str) {
     match name.split_once(':') {
@@ -90,13 +99,15 @@ pub(super) fn split(name: &str) -> (Option<&str>, &str) {
 /// The canonical spelling as LaTeX.
 pub(super) fn to_latex(name: &str) -> String {
     let (style, rest) = split(name);
-    let (base, primes) = rest.split_at(rest.find('\'').unwrap_or(rest.len()));
+    let base = rest.trim_end_matches('\'');
+    let primes = &rest[base.len()..];
     let styled = match style {
         None => base.to_owned(),
         Some("bf") if base.starts_with('\\') => format!(r"{{\boldsymbol{base}}}"),
-        Some(switch @ ("bf" | "rm" | "cal" | "sf" | "it" | "frak")) => format!(r"{{\{switch} {base}}}"),
+        Some(switch) if is_switch(switch) && !base.contains([':', '\'']) => format!(r"{{\{switch} {base}}}"),
+        Some(switch) if is_switch(switch) => format!(r"\math{switch}{{{}}}", to_latex(base)),
         Some("bb") => format!(r"\mathbb{{{base}}}"),
-        Some(accent) => format!(r"\{accent}{{{base}}}"),
+        Some(accent) => format!(r"\{accent}{{{}}}", to_latex(base)),
     };
     format!("{styled}{primes}")
 }

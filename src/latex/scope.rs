@@ -1,8 +1,8 @@
 //! Which symbols there are, and what a written symbol refers to.
 
-use super::elaborate::{self, Elaborator};
-use super::lexer::{Kind, tokens};
-use super::name::{self, NAMES, canonical};
+use super::elaborate::Elaborator;
+use super::name;
+use super::parse::{WrittenName, read_name};
 use super::syntax::{Name, SubItem};
 use crate::diag::Problem;
 use crate::expr::{Graph, Leaf, Shape, Symbol, Tensor};
@@ -94,14 +94,10 @@ pub(super) struct Found<'s> {
     pub formal: &'s [(Symbol, Shape)],
     /// What is left of the subscript: indices of components.
     pub indices: Vec<SubItem>,
+    /// How many of the indices stand in places between signs, as in `I_{(n-k)}`.
+    pub places: usize,
     /// Whether the parentheses behind it belong to its name.
     pub literal_arguments: bool,
-}
-
-struct Key {
-    name: Name,
-    sub: Vec<SubItem>,
-    arguments: Option<String>,
 }
 
 fn bad_key(message: impl Into<String>, key: &str, hint: &str) -> DeclareError {
@@ -114,78 +110,13 @@ fn bad_key(message: impl Into<String>, key: &str, hint: &str) -> DeclareError {
 }
 
 /// Takes a key apart.
-fn read_key(key: &str) -> Result<Key, DeclareError> {
-    let tokens = tokens(key).map_err(|mut p| DeclareError::Key(p.swap_remove(0)))?;
-    let open = tokens.iter().position(|t| t.kind == Kind::Sign('('));
-    let lowered = tokens.iter().position(|t| t.kind == Kind::Sign('_'));
-    let end = tokens.len() - 1;
-    // Parentheses inside the subscript belong to it.
-    let arguments_at = match (open, lowered) {
-        (Some(o), Some(l)) if o > l => {
-            let close = subscript_end(&tokens, l);
-            tokens.iter().enumerate().skip(close).find(|(_, t)| t.kind == Kind::Sign('(')).map(|(i, _)| i)
-        }
-        (o, _) => o,
-    };
-    let head_end = lowered.filter(|&l| arguments_at.is_none_or(|a| l < a)).or(arguments_at).unwrap_or(end);
-    let name = canonical(&tokens[..head_end]).trim_end().to_owned();
-    let bare = name::split(&name).1.trim_end_matches('\'');
-    let known = bare.strip_prefix('\\').map_or_else(
-        || bare.chars().count() == 1 && bare.chars().all(char::is_alphabetic),
-        |command| NAMES.contains(&command.trim_end()),
-    );
-    let word = name.starts_with("rm:") && bare.chars().all(char::is_alphabetic);
-    if !(known || word) {
-        return Err(bad_key(
-            format!("`{key}` is not the name of a symbol"),
-            key,
-            r"a name is one letter or Greek letter, perhaps styled, primed, with a label: `R`, `\Omega`, `{\bf m}`, `\psi_0`",
-        ));
+fn read_key(key: &str, scope: &Scope) -> Result<WrittenName, DeclareError> {
+    let hint = r"a name is one letter or Greek letter, perhaps styled, primed, with a label: `R`, `\Omega`, `{\bf m}`, `\psi_0`";
+    match read_name(key, scope) {
+        Ok(Some(name)) => Ok(name),
+        Ok(None) => Err(bad_key(format!("`{key}` is not the name of a symbol"), key, hint)),
+        Err(problem) => Err(DeclareError::Key(problem)),
     }
-    let sub = match lowered.filter(|&l| arguments_at.is_none_or(|a| l < a)) {
-        None => Vec::new(),
-        Some(l) => sub_items(&tokens[l + 1..arguments_at.unwrap_or(end)]),
-    };
-    let arguments = match arguments_at {
-        None => None,
-        Some(a) if tokens[end - 1].kind == Kind::Sign(')') => Some(canonical(&tokens[a + 1..end - 1])),
-        Some(_) => return Err(bad_key("the parentheses of the name are not closed", key, "")),
-    };
-    Ok(Key { name: name.replace(' ', ""), sub, arguments })
-}
-
-fn subscript_end(tokens: &[super::lexer::Token], lowered: usize) -> usize {
-    if tokens.get(lowered + 1).map(|t| &t.kind) != Some(&Kind::Sign('{')) {
-        return lowered + 2;
-    }
-    let mut depth = 0;
-    for (i, t) in tokens.iter().enumerate().skip(lowered + 1) {
-        match t.kind {
-            Kind::Sign('{') => depth += 1,
-            Kind::Sign('}') => {
-                depth -= 1;
-                if depth == 0 {
-                    return i + 1;
-                }
-            }
-            _ => {}
-        }
-    }
-    tokens.len()
-}
-
-fn sub_items(tokens: &[super::lexer::Token]) -> Vec<SubItem> {
-    let mut out = Vec::new();
-    for t in tokens {
-        match &t.kind {
-            Kind::Letter(c) => out.push(SubItem::Name(c.to_string())),
-            Kind::Command(c) => out.push(SubItem::Name(format!("\\{c}"))),
-            Kind::Number(n) => out.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0'))))),
-            Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) => out.push(SubItem::Other(*c)),
-            _ => {}
-        }
-    }
-    out
 }
 
 impl Scope {
@@ -203,7 +134,7 @@ impl Scope {
     /// # Errors
     /// [`DeclareError`], with the place in the key or in the formula.
     pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
-        let Key { name, sub, arguments } = read_key(key)?;
+        let WrittenName { name, sub, arguments } = read_key(key, self)?;
         if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
             return Err(bad_key("there is a time already", key, ""));
         }
@@ -221,49 +152,26 @@ impl Scope {
         if let Some(text) = d.formula {
             let letters: Vec<Name> =
                 sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
-            let mut elaborator = Elaborator::new(&inner, graph);
-            let (tensor, placed) =
-                elaborate::definition(&mut elaborator, text, &letters).map_err(DeclareError::Formula)?;
+            let elaborator = Elaborator::new(&inner, graph);
+            let (tensor, placed) = elaborator.definition(text, &letters).map_err(DeclareError::Formula)?;
             if placed {
                 for p in &mut pattern {
                     if matches!(p, Pattern::Literal(SubItem::Name(_))) {
                         *p = Pattern::Index;
                     }
                 }
-            } else if let Some(shape) = &d.shape
+            }
+            if let Some(shape) = &d.shape
                 && *shape != tensor.shape
             {
                 let message = format!("the formula is a {}, the symbol is declared as a {shape}", tensor.shape);
-                return Err(DeclareError::Formula(vec![Problem {
-                    code: "latex::shape",
-                    message,
-                    span: 0..text.len(),
-                    hint: None,
-                }]));
+                let span = 0..text.len();
+                return Err(DeclareError::Formula(vec![Problem { code: "latex::shape", message, span, hint: None }]));
             }
             definition = Some(tensor);
         }
         let shape = definition.as_ref().map(|t| t.shape.clone()).or(d.shape).unwrap_or_default();
-        // `x_1` beside a vector `x` would have two meanings.
-        let digits = !sub.is_empty() && sub.iter().all(|i| matches!(i, SubItem::Digit(_)));
-        let clash = self.entries.iter().find(|e| {
-            e.name == name
-                && match (digits, e.sub.is_empty()) {
-                    (true, true) => graph.shape(e.symbol).rank() == sub.len(),
-                    (false, false) if sub.is_empty() => {
-                        e.sub.len() == shape.rank()
-                            && e.sub.iter().all(|p| matches!(p, Pattern::Literal(SubItem::Digit(_))))
-                    }
-                    _ => false,
-                }
-        });
-        if let Some(clash) = clash {
-            return Err(bad_key(
-                format!("`{key}` would also be a component of, or have the component, `{}`", clash.key),
-                key,
-                "rename one of the two",
-            ));
-        }
+        self.no_clash(graph, key, &name, &pattern, &shape)?;
         let arguments = match (arguments, formal.is_empty()) {
             (None, true) => Arguments::None,
             (Some(_), false) => Arguments::Formal(formal),
@@ -278,7 +186,10 @@ impl Scope {
             Role::Abbreviation => definition.as_ref().is_some_and(|t| self.depends_on_time(graph, t)),
         };
         let rank = shape.rank();
-        let symbol = graph.declare(key, shape, d.diagonal);
+        // `L_i` with a formula in i is a vector; its components are written like those of any other.
+        let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
+        let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
+        let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
         let key = key.to_owned();
         let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
         // The same name again hides the earlier one.
@@ -286,6 +197,42 @@ impl Scope {
             .retain(|e| !(e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments)));
         self.entries.push(entry);
         Ok(symbol)
+    }
+
+    /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
+    fn no_clash(
+        &self,
+        graph: &Graph,
+        key: &str,
+        name: &str,
+        pattern: &[Pattern],
+        shape: &Shape,
+    ) -> Result<(), DeclareError> {
+        let unmarked = |n: &str| match name::split(n) {
+            (Some(style), bare) if name::marks_tensor(style) => bare.to_owned(),
+            _ => n.to_owned(),
+        };
+        let like_indices = |sub: &[Pattern]| {
+            !sub.is_empty()
+                && sub.iter().all(|p| match p {
+                    Pattern::Literal(SubItem::Digit(_)) => true,
+                    Pattern::Literal(SubItem::Name(letter)) => name::is_index(letter),
+                    Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
+                })
+        };
+        let clash = self.entries.iter().find(|e| {
+            let labelled_beside = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
+            unmarked(&e.name) == unmarked(name)
+                && ((e.sub.is_empty() && labelled_beside(pattern, graph.shape(e.symbol).rank()))
+                    || (pattern.is_empty() && labelled_beside(&e.sub, shape.rank())))
+        });
+        match clash {
+            None => Ok(()),
+            Some(clash) => {
+                let message = format!("`{key}` would also be a component of, or have the component, `{}`", clash.key);
+                Err(bad_key(message, key, "rename one of the two"))
+            }
+        }
     }
 
     fn depends_on_time(&self, graph: &Graph, t: &Tensor) -> bool {
@@ -300,7 +247,7 @@ impl Scope {
 
     /// The symbol declared under a key, in any spelling of it.
     pub fn symbol(&self, key: &str) -> Option<Symbol> {
-        let wanted = read_key(key).ok()?;
+        let wanted = read_key(key, self).ok()?;
         let sub: Vec<Pattern> = wanted.sub.iter().cloned().map(Pattern::Literal).collect();
         let entry = self.entries.iter().rev().find(|e| {
             e.key == key
@@ -352,10 +299,37 @@ impl Scope {
         self.find(name, sub, Some(text)).is_some_and(|f| f.literal_arguments || !f.formal.is_empty())
     }
 
+    /// Whether a letter is the time, a state or an observable: then it is no index.
+    pub(super) fn is_time_or_moving(&self, letter: &str) -> bool {
+        let named = self.entries.iter().rev().find(|e| e.name == letter && e.sub.is_empty());
+        named.is_some_and(|e| matches!(e.role, Role::Time | Role::State | Role::Observable))
+    }
+
+    /// Whether a symbol is the time, a state or an observable, not merely a name for a formula.
+    pub(super) fn is_variable(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        let role = self.find(name, sub, None).map(|f| f.role);
+        matches!(role, Some(Role::Time | Role::State | Role::Observable))
+    }
+
     /// Whether a symbol depends on time.
     pub(super) fn is_moving(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         let found = self.find(name, sub, None);
         found.and_then(|f| self.by_symbol(f.symbol)).is_some_and(|e| e.moving && e.role != Role::Time)
+    }
+
+    /// Whether something is declared that this could be.
+    pub(super) fn is_known(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.find(name, sub, None).is_some()
+    }
+
+    /// Whether any symbol of this name, in any style, depends on time; and whether any is a vector or a matrix. With
+    /// `lowered`, only symbols that can have a subscript count, and their components are numbers.
+    pub(super) fn kinds_of(&self, base: &str, lowered: bool) -> (bool, bool) {
+        let named = |e: &&Entry| name::split(&e.name).1.trim_end_matches('\'') == base && e.role != Role::Time;
+        let fitting = |e: &&Entry| if lowered { e.rank > 0 || !e.sub.is_empty() } else { e.sub.is_empty() };
+        let mut of_name = self.entries.iter().filter(named).filter(fitting);
+        let moves = of_name.clone().any(|e| e.moving);
+        (moves, of_name.any(|e| !lowered && e.rank > 0))
     }
 
     /// What a written symbol refers to.
@@ -434,6 +408,11 @@ impl Scope {
             definition: entry.definition.as_ref(),
             formal,
             indices,
+            places: if entry.sub.iter().any(|p| matches!(p, Pattern::Literal(_))) {
+                entry.sub.iter().filter(|p| **p == Pattern::Index).count()
+            } else {
+                0
+            },
             literal_arguments: literal && formal.is_empty(),
         })
     }

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use crate::number::Rational;
+use crate::expr::Rational;
+
+pub use super::write::to_latex;
 
 /// A node of the tree with its bytes in the formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,6 +61,15 @@ pub enum Sign {
     MinusPlus,
 }
 
+/// How a group is bracketed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bracket {
+    /// `( )`.
+    Round,
+    /// `[ ]`.
+    Square,
+}
+
 /// Kinds of nodes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NodeKind {
@@ -70,7 +81,9 @@ pub enum NodeKind {
     Identity,
     /// A symbol.
     Symbol(SymbolNode),
-    /// Something in brackets, with scripts: subscript, superscript, and which came first.
+    /// Something in brackets of its own.
+    Group(Box<Node>, Bracket),
+    /// Something other than a symbol, with scripts: subscript, superscript, and which came first.
     Scripted {
         /// What the scripts belong to.
         base: Box<Node>,
@@ -87,14 +100,33 @@ pub enum NodeKind {
     Product(Vec<Node>),
     /// Factors joined by `\cdot`.
     Dot(Vec<Node>),
-    /// Two factors joined by `\times`, or `[a,b]`.
-    Cross(Box<Node>, Box<Node>),
+    /// A vector product.
+    Cross {
+        /// The first factor.
+        left: Box<Node>,
+        /// The second factor.
+        right: Box<Node>,
+        /// Written `[a,b]`, not with `\times`.
+        bracket: bool,
+    },
     /// A quotient.
-    Quotient(Box<Node>, Box<Node>),
+    Quotient {
+        /// The numerator.
+        top: Box<Node>,
+        /// The denominator.
+        bottom: Box<Node>,
+        /// Written with `/`, not as a fraction.
+        slash: bool,
+    },
     /// A root: radicand, degree.
     Root(Box<Node>, u16),
     /// Euler's e to a power.
-    Exponential(Box<Node>),
+    Exponential {
+        /// The power.
+        exponent: Box<Node>,
+        /// Written `\mathrm{e}`.
+        upright: bool,
+    },
     /// A named function, its power as in `\sin^2`, its arguments.
     Function(String, Option<i32>, Vec<Node>),
     /// An absolute value or norm.
@@ -107,6 +139,10 @@ pub enum NodeKind {
         by: Box<Node>,
         /// How often.
         order: u8,
+        /// Written `\frac{d}{dt}` before what is derived.
+        operator: bool,
+        /// Written `\mathrm{d}`.
+        upright: bool,
     },
     /// A vector, by components.
     Tuple(Vec<Node>),
@@ -153,26 +189,38 @@ pub struct Chain {
     pub relations: Vec<RelationKind>,
     /// Its bytes.
     pub span: Range<usize>,
+    /// The name of the time, which a limit goes along.
+    pub time: Option<Name>,
 }
 
 impl Node {
-    /// The nodes below this one, arguments and exponents included.
+    /// A node at a place.
+    pub fn new(kind: NodeKind, span: Range<usize>) -> Node {
+        Node { kind, span }
+    }
+
+    /// Whether this is the number 0.
+    pub fn is_zero(&self) -> bool {
+        matches!(&self.kind, NodeKind::Number(r) if *r == Rational::ZERO)
+    }
+
+    /// The parts of a node, in the order in which they are written.
     pub fn children(&self) -> Vec<&Node> {
         match &self.kind {
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
             NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
-            NodeKind::Scripted { base, sup, .. } => [base.as_ref()].into_iter().chain(sup.as_deref()).collect(),
-            NodeKind::Sum(terms) => terms.iter().map(|(_, t)| t).collect(),
-            NodeKind::Product(parts)
-            | NodeKind::Dot(parts)
-            | NodeKind::Tuple(parts)
-            | NodeKind::Function(_, _, parts) => parts.iter().collect(),
-            NodeKind::Cross(a, b) | NodeKind::Quotient(a, b) => vec![a, b],
-            NodeKind::Root(a, _) | NodeKind::Exponential(a) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::Scripted { base, sup, .. } => std::iter::once(&**base).chain(sup.as_deref()).collect(),
+            NodeKind::Sum(terms) => terms.iter().map(|(_, n)| n).collect(),
+            NodeKind::Product(parts) | NodeKind::Dot(parts) | NodeKind::Tuple(parts) => parts.iter().collect(),
+            NodeKind::Function(_, _, arguments) => arguments.iter().collect(),
+            NodeKind::Cross { left, right, .. } => vec![left, right],
+            NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
             NodeKind::Derivative { of, by, .. } => vec![of, by],
+            NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::Exponential { exponent, .. } => vec![exponent],
             NodeKind::Matrix(rows) => rows.iter().flatten().collect(),
             NodeKind::Limit(body, target) => match target {
-                Target::Finite(t) => vec![body, t],
+                Target::Finite(at) => vec![at, body],
                 Target::PlusInfinity | Target::MinusInfinity => vec![body],
             },
         }

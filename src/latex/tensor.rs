@@ -51,19 +51,22 @@ pub(super) fn cross(graph: &mut Graph, a: &Tensor, b: &Tensor, span: &Range<usiz
     Ok(Tensor { shape: Shape::vector(3), components })
 }
 
-/// Juxtaposed factors: scalars, matrices, and at most one vector at the end (a row vector at the beginning).
+/// Juxtaposed factors: scalars, matrices, and at most one vector at the end (a row vector at the beginning). With
+/// `written_zero` a factor 0 was written by hand; the other factors then stay, since they may have no value.
 pub(super) fn product(
     graph: &mut Graph,
     factors: Vec<(Tensor, Range<usize>)>,
+    written_zero: bool,
     span: &Range<usize>,
 ) -> Elaborated<Tensor> {
+    let times = |g: &mut Graph, a: Expr, b: Expr| if written_zero { g.mul(a, b) } else { g.mul_structural(a, b) };
     let mut scalar: Option<Expr> = None;
     let mut chain: Vec<(Tensor, Range<usize>)> = Vec::new();
     for (t, at) in factors {
         match t.as_scalar() {
             Some(e) => {
                 scalar = Some(match scalar {
-                    Some(s) => graph.mul_structural(s, e),
+                    Some(s) => times(graph, s, e),
                     None => e,
                 });
             }
@@ -80,7 +83,7 @@ pub(super) fn product(
     }
     match (scalar, acc) {
         (Some(s), Some(t)) => {
-            let components = t.components.into_iter().map(|e| graph.mul_structural(s, e)).collect();
+            let components = t.components.into_iter().map(|e| times(graph, s, e)).collect();
             Ok(Tensor { shape: t.shape, components })
         }
         (Some(s), None) => Ok(Tensor::scalar(s)),

@@ -295,7 +295,15 @@ impl Number for Bounded {
     /// Below the centre √ falls by e/(√a + √(a − e)), or by √a where the ball reaches 0; above, it rises by less than
     /// e/(√a + √(a + e)).
     fn sqrt(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
-        let Ok(value) = centre(|x| x.sqrt(&(), &a.value)) else { return Err(a.outside(a.value + a.error >= 0.0)) };
+        let Ok(value) = centre(|x| x.sqrt(&(), &a.value)) else {
+            // Rounding has moved a small value across 0: its root lies between 0 and that of the largest value.
+            let largest = a.value + a.error;
+            if !(largest >= 0.0 && a.error.is_finite()) {
+                return Err(a.outside(false));
+            }
+            *self = Bounded { value: 0.0, error: (largest * UP).sqrt() * UP };
+            return Ok(());
+        };
         let low = (a.value - a.error) * DOWN;
         let deviation = if a.error == 0.0 {
             0.0

@@ -1,0 +1,189 @@
+//! Symbols: what they refer to, at which time, with which rates.
+
+use std::ops::Range;
+
+use super::super::name;
+use super::super::scope::{Found, Role};
+use super::super::syntax::{Node, SubItem, SymbolNode};
+use super::super::tensor;
+use super::{Elaborated, Elaborator, Value, refuse, stray};
+use crate::expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
+
+impl<'a> Elaborator<'a> {
+    /// ε and δ, unless they are declared, with the right number of indices: to where their indices run, if that is known.
+    pub(super) fn builtin(&self, s: &SymbolNode) -> Option<Option<u16>> {
+        let count = s.sub.as_ref()?.len();
+        if self.scope.declares(&s.name) || s.dots > 0 || s.arguments.is_some() {
+            return None;
+        }
+        match s.name.as_str() {
+            "\\epsilon" | "\\varepsilon" if count == 3 => Some(Some(3)),
+            "\\delta" if count == 2 => Some(None),
+            _ => None,
+        }
+    }
+
+    pub(super) fn resolve(&self, s: &SymbolNode, span: &Range<usize>) -> Elaborated<Found<'a>> {
+        let arguments = s.arguments.as_ref().map(|_| s.arguments_text.as_str());
+        if let Some(found) = self.scope.find(&s.name, s.sub.as_deref(), arguments) {
+            return Ok(found);
+        }
+        let shown = name::to_latex(&s.name);
+        if self.scope.declares(&s.name) {
+            let message = format!("`{shown}` is not declared with this subscript or these arguments");
+            return refuse("latex::unknown-symbol", message, span, "declare it under [symbols] as it is written here");
+        }
+        let hint = match self.scope.nearest(&s.name) {
+            Some(near) => format!("declare it under [symbols], or did you mean `{near}`?"),
+            None => "declare it under [symbols]".to_owned(),
+        };
+        refuse("latex::unknown-symbol", format!("`{shown}` is not declared"), span, hint)
+    }
+
+    pub(super) fn index_values(&self, items: &[SubItem], span: &Range<usize>) -> Elaborated<Vec<u16>> {
+        let mut out = Vec::new();
+        for item in items {
+            out.push(match item {
+                SubItem::Digit(d) => *d,
+                SubItem::Name(letter) => match self.value_of(letter) {
+                    Some(v) => v,
+                    None => return stray(letter, span),
+                },
+                SubItem::Other(c) => {
+                    let hint = "declare a symbol with this subscript";
+                    return refuse("latex::index", format!("`{c}` is not an index"), span, hint);
+                }
+            });
+        }
+        Ok(out)
+    }
+
+    pub(super) fn symbol(&mut self, s: &SymbolNode, span: &Range<usize>) -> Elaborated<Tensor> {
+        if let Some(extent) = self.builtin(s) {
+            let values = self.index_values(s.sub.as_deref().unwrap_or(&[]), span)?;
+            if values.iter().any(|&v| v == 0 || extent.is_some_and(|n| v > n)) {
+                return refuse("latex::index", "an index out of range", span, "indices are counted from 1");
+            }
+            let e = self.graph.integer(match values.as_slice() {
+                [i, j] => i64::from(i == j),
+                [i, j, k] => levi_civita(*i, *j, *k),
+                _ => 0,
+            });
+            return self.scripted_tensor(Tensor::scalar(e), None, s.sup.as_deref(), false, span);
+        }
+        let found = self.resolve(s, span)?;
+        let (symbol, role) = (found.symbol, found.role);
+        let items = found.indices.clone();
+        let literal = found.literal_arguments;
+        let formal: Vec<(Symbol, Shape)> = found.formal.to_vec();
+        let mut base = match found.definition {
+            Some(t) if role == Role::Abbreviation => t.clone(),
+            _ => self.components_of(symbol),
+        };
+        if !formal.is_empty() {
+            base = self.apply(base, &formal, s.arguments.as_deref().unwrap_or(&[]), span)?;
+        }
+        if s.dots > 0 && role == Role::Time {
+            return refuse("latex::dot", "the time has no rate", span, "");
+        }
+        for _ in 0..s.dots {
+            base = self.time_derivative(base, span)?;
+        }
+        match s.arguments.as_deref() {
+            Some([argument]) if !literal && formal.is_empty() => {
+                let instant = self.scalar(argument)?;
+                base = self.at_instant(base, instant, &argument.span)?;
+            }
+            Some([_, _, ..]) if !literal && formal.is_empty() => {
+                return refuse("latex::arity", "a value is taken at one time", span, "");
+            }
+            _ => {}
+        }
+        let sub = (!items.is_empty()).then_some(items.as_slice());
+        // One index on a diagonal matrix is its diagonal.
+        if let (Some([_]), true, &[n, _]) = (sub, self.graph.is_diagonal(symbol), base.shape.extents()) {
+            let diagonal = (0..usize::from(n)).filter_map(|i| base.components.get(i * (usize::from(n) + 1)).copied());
+            base = Tensor { shape: Shape::vector(n), components: diagonal.collect() };
+        }
+        self.scripted_tensor(base, sub, s.sup.as_deref(), s.sup_first, span)
+    }
+
+    fn scripted_tensor(
+        &mut self,
+        base: Tensor,
+        sub: Option<&[SubItem]>,
+        sup: Option<&Node>,
+        sup_first: bool,
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        match self.scripted(Value::Tensor(base), sub, sup, sup_first, span)? {
+            Value::Tensor(t) => Ok(t),
+            Value::Identity(_) => refuse("latex::shape", "a matrix of unknown size", span, ""),
+        }
+    }
+
+    /// The stored components of a symbol as a tensor: off the diagonal of a diagonal matrix there are zeros.
+    fn components_of(&mut self, symbol: Symbol) -> Tensor {
+        let count = self.graph.component_count(symbol);
+        let components: Vec<Expr> = (0..count).map(|c| self.graph.component(symbol, c as u16)).collect();
+        if self.graph.is_diagonal(symbol) {
+            return tensor::diagonal(self.graph, &components);
+        }
+        Tensor { shape: self.graph.shape(symbol).clone(), components }
+    }
+
+    fn apply(
+        &mut self,
+        body: Tensor,
+        formal: &[(Symbol, Shape)],
+        arguments: &[Node],
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        if arguments.len() != formal.len() {
+            let message = format!("the function has {} arguments, not {}", formal.len(), arguments.len());
+            return refuse("latex::arity", message, span, "");
+        }
+        let mut values = Vec::new();
+        for argument in arguments {
+            values.push(self.scalar(argument)?);
+        }
+        let place = |leaf: Leaf| formal.iter().position(|(s, _)| *s == leaf.symbol);
+        let components = body
+            .components
+            .into_iter()
+            .map(|e| self.graph.substitute(e, |_, leaf| place(leaf).and_then(|i| values.get(i).copied())))
+            .collect();
+        Ok(Tensor { shape: body.shape, components })
+    }
+
+    /// The value at a time: the present one for the time itself.
+    fn at_instant(&mut self, t: Tensor, instant: Expr, span: &Range<usize>) -> Elaborated<Tensor> {
+        let time = self.scope.time();
+        if let Some(time) = time
+            && self.graph.leaf(time) == instant
+        {
+            return Ok(t);
+        }
+        if self.moves(instant) {
+            let hint = "write a number, a parameter, or the time";
+            return refuse("latex::instant", "this time depends on time itself", span, hint);
+        }
+        let scope = self.scope;
+        let moving = |leaf: &Leaf| {
+            leaf.instant.is_none() && matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable))
+        };
+        let fixed = |graph: &mut Graph, leaf: Leaf| {
+            if Some(leaf) == time {
+                return Some(instant);
+            }
+            moving(&leaf).then(|| graph.leaf(Leaf { instant: Some(instant), ..leaf }))
+        };
+        let components = t.components.into_iter().map(|e| self.graph.substitute(e, fixed)).collect();
+        Ok(Tensor { shape: t.shape, components })
+    }
+}
+
+fn levi_civita(i: u16, j: u16, k: u16) -> i64 {
+    let (i, j, k) = (i64::from(i), i64::from(j), i64::from(k));
+    (j - i) * (k - j) * (k - i) / 2
+}

@@ -1,0 +1,443 @@
+//! Values of nodes: sums, products, functions, derivatives.
+
+use std::ops::Range;
+
+use super::super::scope::Role;
+use super::super::syntax::{Name, Node, NodeKind, Sign};
+use super::super::tensor;
+use super::{Elaborated, Elaborator, MOST_WORK, refuse};
+use crate::expr::{Expr, Graph, Leaf, Op, Shape, Tensor};
+
+/// What a part of a formula stands for.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// An array of expressions.
+    Tensor(Tensor),
+    /// A multiple of the identity matrix, whose size follows from what it is compared with or added to.
+    Identity(Expr),
+}
+
+impl Value {
+    fn scalar(e: Expr) -> Value {
+        Value::Tensor(Tensor::scalar(e))
+    }
+
+    fn is_absent(&self, graph: &Graph) -> bool {
+        match self {
+            Value::Tensor(t) => t.components.iter().all(|&e| graph.is_zero(e)),
+            Value::Identity(s) => graph.is_zero(*s),
+        }
+    }
+}
+
+impl Elaborator<'_> {
+    /// The value of a node; every index that it leaves free has a value.
+    pub(super) fn value(&mut self, node: &Node) -> Elaborated<Value> {
+        self.work += 1;
+        if self.work > MOST_WORK {
+            let hint = "use abbreviations, or fewer indices";
+            return refuse("latex::too-large", "this formula stands for too many terms", &node.span, hint);
+        }
+        match self.sums.get(&std::ptr::from_ref(node)).cloned() {
+            Some(letters) => self.summed(node, &letters),
+            None => self.term(node),
+        }
+    }
+
+    /// Sum over the letters.
+    fn summed(&mut self, node: &Node, letters: &[Name]) -> Elaborated<Value> {
+        let Some((letter, rest)) = letters.split_first() else { return self.term(node) };
+        let extent = self.extent(letter, &node.span)?;
+        let mut sum: Option<Value> = None;
+        for value in 1..=extent {
+            self.values.push((letter.clone(), value));
+            let term = self.summed(node, rest);
+            self.values.pop();
+            let term = term?;
+            // A term with a structural zero, such as an entry of ε, is not there.
+            sum = Some(match sum {
+                None => term,
+                Some(s) if term.is_absent(self.graph) => s,
+                Some(s) if s.is_absent(self.graph) => term,
+                Some(s) => self.plus(s, term, &node.span)?,
+            });
+        }
+        sum.map_or_else(|| refuse("latex::index", "an index without values", &node.span, ""), Ok)
+    }
+
+    /// x + y, written as a difference where y is negated.
+    fn plus(&mut self, x: Value, y: Value, span: &Range<usize>) -> Elaborated<Value> {
+        self.combine(x, y, span, |g, x, y| match *g.node(y) {
+            crate::expr::Node::Unary(Op::Neg, inner) => g.sub(x, inner),
+            _ => g.add(x, y),
+        })
+    }
+
+    fn combine(
+        &mut self,
+        x: Value,
+        y: Value,
+        span: &Range<usize>,
+        f: impl Fn(&mut Graph, Expr, Expr) -> Expr,
+    ) -> Elaborated<Value> {
+        if let (Value::Identity(a), Value::Identity(b)) = (&x, &y) {
+            return Ok(Value::Identity(f(self.graph, *a, *b)));
+        }
+        let zero = |v: &Value, g: &Graph| matches!(v, Value::Tensor(t) if t.as_scalar().is_some_and(|e| g.is_zero(e)));
+        match (&x, &y) {
+            (Value::Identity(_), _) if zero(&y, self.graph) => return Ok(x),
+            (_, Value::Identity(_)) if zero(&x, self.graph) => {
+                return Ok(self.map(y, |g, e| {
+                    let z = g.integer(0);
+                    f(g, z, e)
+                }));
+            }
+            _ => {}
+        }
+        let (a, b) = self.same_shape(&x, &y, span).map_err(|mut p| {
+            let message = p.message.replace("the left side is", "the terms before are");
+            p.message = message.replace("the right side", "this term is");
+            p
+        })?;
+        let pairs = a.components.iter().zip(&b.components);
+        let components = pairs.map(|(&x, &y)| f(self.graph, x, y)).collect();
+        Ok(Value::Tensor(Tensor { shape: a.shape, components }))
+    }
+
+    fn sum(&mut self, terms: &[(Sign, Node)], span: &Range<usize>) -> Elaborated<Value> {
+        let mut sum: Option<Value> = None;
+        for (sign, term) in terms {
+            let mut value = self.value(term)?;
+            if matches!(sign, Sign::PlusMinus | Sign::MinusPlus) {
+                let (leaf, written_zero) = (self.scope.branch_sign(), term.is_zero());
+                value = self.map(value, |g, e| {
+                    let s = g.leaf(leaf);
+                    if written_zero { g.mul(s, e) } else { g.mul_structural(s, e) }
+                });
+            }
+            let negative = matches!(sign, Sign::Minus | Sign::MinusPlus);
+            sum = Some(match (sum, negative) {
+                (None, false) => value,
+                (None, true) => self.map(value, |g, e| g.neg(e)),
+                (Some(s), false) => self.combine(s, value, &term.span, |g, x, y| g.add(x, y))?,
+                (Some(s), true) => self.combine(s, value, &term.span, |g, x, y| g.sub(x, y))?,
+            });
+        }
+        sum.map_or_else(|| refuse("latex::empty", "an empty sum", span, ""), Ok)
+    }
+
+    pub(super) fn map(&mut self, value: Value, f: impl Fn(&mut Graph, Expr) -> Expr) -> Value {
+        match value {
+            Value::Identity(s) => Value::Identity(f(self.graph, s)),
+            Value::Tensor(t) => {
+                let components = t.components.into_iter().map(|e| f(self.graph, e)).collect();
+                Value::Tensor(Tensor { shape: t.shape, components })
+            }
+        }
+    }
+
+    /// s·1 in the shape of a square matrix.
+    pub(super) fn identity_like(&mut self, s: Expr, shape: &Shape, span: &Range<usize>) -> Elaborated<Tensor> {
+        match *shape.extents() {
+            [n, m] if n == m => Ok(tensor::diagonal(self.graph, &vec![s; usize::from(n)])),
+            _ => {
+                let message = format!("the identity matrix stands beside a {shape}");
+                refuse(
+                    "latex::shape",
+                    message,
+                    span,
+                    r"the components of the identity matrix are written `\delta_{ij}`",
+                )
+            }
+        }
+    }
+
+    /// The value of a node whose indices all have values, without the sums that belong to the node itself.
+    fn term(&mut self, node: &Node) -> Elaborated<Value> {
+        match &node.kind {
+            NodeKind::Number(r) => Ok(Value::scalar(self.graph.constant(r.clone()))),
+            NodeKind::Pi => Ok(Value::scalar(self.graph.pi())),
+            NodeKind::Identity => Ok(Value::Identity(self.graph.integer(1))),
+            NodeKind::Symbol(s) => self.symbol(s, &node.span).map(Value::Tensor),
+            NodeKind::Group(inner, _) => self.value(inner),
+            NodeKind::Scripted { base, sub, sup, sup_first } => {
+                let base_value = self.value(base)?;
+                self.scripted(base_value, sub.as_deref(), sup.as_deref(), *sup_first, &node.span)
+            }
+            NodeKind::Sum(terms) => self.sum(terms, &node.span),
+            NodeKind::Product(parts) => {
+                let mut values = Vec::new();
+                for part in parts {
+                    values.push((self.value(part)?, part.span.clone()));
+                }
+                let written_zero = parts.iter().any(Node::is_zero);
+                self.product(values, written_zero, &node.span)
+            }
+            NodeKind::Dot(parts) => self.dot(parts, &node.span),
+            NodeKind::Cross { left, right, .. } => {
+                let (a, b) = (self.tensor(left)?, self.tensor(right)?);
+                tensor::cross(self.graph, &a, &b, &node.span).map(Value::Tensor)
+            }
+            NodeKind::Quotient { top, bottom, .. } => {
+                let value = self.value(top)?;
+                let under = self.scalar(bottom)?;
+                let written_zero = top.is_zero();
+                Ok(self.map(value, |g, e| {
+                    if g.is_zero(e) && !written_zero && g.as_constant(under).is_none() { e } else { g.div(e, under) }
+                }))
+            }
+            NodeKind::Root(a, degree) => {
+                let e = self.scalar(a)?;
+                if *degree == 2 {
+                    return Ok(Value::scalar(self.graph.unary(Op::Sqrt, e)));
+                }
+                let one = self.graph.integer(1);
+                let degree = self.graph.integer(i64::from(*degree));
+                let exponent = self.graph.div(one, degree);
+                Ok(Value::scalar(self.graph.binary(Op::Pow, e, exponent)))
+            }
+            NodeKind::Exponential { exponent: a, .. } => {
+                let e = self.scalar(a)?;
+                Ok(Value::scalar(self.graph.unary(Op::Exp, e)))
+            }
+            NodeKind::Absolute(a) => {
+                let t = self.tensor(a)?;
+                match t.shape.rank() {
+                    0 => Ok(self.map(Value::Tensor(t), |g, e| g.unary(Op::Abs, e))),
+                    1 => {
+                        let square = tensor::dot(self.graph, &t, &t, &node.span)?;
+                        Ok(self.map(Value::Tensor(square), |g, e| g.unary(Op::Sqrt, e)))
+                    }
+                    _ => {
+                        let hint = r"write `\det`, or a norm by components";
+                        refuse("latex::shape", "a matrix has no absolute value", &node.span, hint)
+                    }
+                }
+            }
+            NodeKind::Function(function, power, arguments) => {
+                let value = self.function(function, arguments, &node.span)?;
+                match power {
+                    Some(n) if value.shape.rank() == 0 => Ok(self.map(Value::Tensor(value), |g, e| g.powi(e, *n))),
+                    Some(_) => refuse("latex::shape", "a power of something that is no number", &node.span, ""),
+                    None => Ok(Value::Tensor(value)),
+                }
+            }
+            NodeKind::Derivative { of, by, order, .. } => {
+                self.derivative(of, by, *order, &node.span).map(Value::Tensor)
+            }
+            NodeKind::Tuple(parts) => {
+                let components = self.scalars(parts)?;
+                let Some(n) = u16::try_from(components.len()).ok().filter(|n| usize::from(*n) <= LONGEST_TUPLE) else {
+                    let message = format!("a vector of more than {LONGEST_TUPLE} components");
+                    return refuse("latex::too-large", message, &node.span, "");
+                };
+                Ok(Value::Tensor(Tensor { shape: Shape::vector(n), components }))
+            }
+            NodeKind::Matrix(rows) => {
+                let mut components = Vec::new();
+                for row in rows {
+                    components.extend(self.scalars(row)?);
+                }
+                let columns = rows.first().map_or(0, Vec::len);
+                // One column is a vector.
+                let shape = match (rows.len() as u16, columns as u16) {
+                    (1, 1) => Shape::scalar(),
+                    (n, 1) => Shape::vector(n),
+                    (n, m) => Shape::matrix(n, m),
+                };
+                Ok(Value::Tensor(Tensor { shape, components }))
+            }
+            NodeKind::Limit(..) => refuse("latex::limit", "a limit stands alone on the left side", &node.span, ""),
+        }
+    }
+
+    fn scalars(&mut self, nodes: &[Node]) -> Elaborated<Vec<Expr>> {
+        nodes.iter().map(|n| self.scalar(n)).collect()
+    }
+
+    /// Juxtaposed factors. A 0 that is written keeps its factors: they may have no value.
+    fn product(
+        &mut self,
+        factors: Vec<(Value, Range<usize>)>,
+        written_zero: bool,
+        span: &Range<usize>,
+    ) -> Elaborated<Value> {
+        let mut identity = false;
+        let mut tensors = Vec::new();
+        for (value, at) in factors {
+            match value {
+                Value::Tensor(t) => tensors.push((t, at)),
+                Value::Identity(s) => {
+                    identity = true;
+                    let row = tensors.last().is_some_and(|(t, _)| t.shape.rank() == 1);
+                    if row {
+                        let hint = "write the matrix before the vector";
+                        return refuse("latex::shape", "no product of a vector and a matrix", span, hint);
+                    }
+                    // As a factor the identity matrix is a number.
+                    if !self.graph.is_one(s) || tensors.is_empty() {
+                        tensors.push((Tensor::scalar(s), at));
+                    }
+                }
+            }
+        }
+        let scalars = tensors.iter().all(|(t, _)| t.shape.rank() == 0);
+        let t = tensor::product(self.graph, tensors, written_zero, span)?;
+        Ok(match (identity && scalars, t.as_scalar()) {
+            (true, Some(s)) => Value::Identity(s),
+            _ => Value::Tensor(t),
+        })
+    }
+
+    fn dot(&mut self, parts: &[Node], span: &Range<usize>) -> Elaborated<Value> {
+        let mut acc: Option<(Value, Range<usize>)> = None;
+        let mut vectors = 0;
+        let mut written_zero = false;
+        for part in parts {
+            let value = self.value(part)?;
+            let rank = |v: &Value| if let Value::Tensor(t) = v { t.shape.rank() } else { 2 };
+            vectors += usize::from(rank(&value) == 1);
+            if vectors > 2 {
+                let hint = "put parentheses around two of the factors";
+                return refuse("latex::ambiguous", "a scalar product of three vectors", span, hint);
+            }
+            written_zero |= part.is_zero();
+            acc = Some(match acc {
+                None => (value, part.span.clone()),
+                Some((Value::Tensor(a), at)) if a.shape.rank() == 1 && rank(&value) == 1 => {
+                    let Value::Tensor(b) = value else { return self.value(part) };
+                    let whole = at.start..part.span.end;
+                    (Value::Tensor(tensor::dot(self.graph, &a, &b, &whole)?), whole)
+                }
+                Some((a, at)) => {
+                    let whole = at.start..part.span.end;
+                    let factors = vec![(a, at), (value, part.span.clone())];
+                    (self.product(factors, written_zero, &whole)?, whole)
+                }
+            });
+        }
+        acc.map_or_else(|| refuse("latex::empty", "an empty product", span, ""), |(v, _)| Ok(v))
+    }
+
+    fn function(&mut self, function: &str, arguments: &[Node], span: &Range<usize>) -> Elaborated<Tensor> {
+        if function == "diag" || function == "diagonal" {
+            let entries = self.scalars(arguments)?;
+            if entries.len() > LONGEST_DIAGONAL {
+                let message = format!("a diagonal of more than {LONGEST_DIAGONAL} entries");
+                return refuse("latex::too-large", message, span, "");
+            }
+            return Ok(tensor::diagonal(self.graph, &entries));
+        }
+        if let ("det" | "tr", [argument]) = (function, arguments) {
+            let t = self.tensor(argument)?;
+            return match function {
+                "det" => tensor::determinant(self.graph, &t, span),
+                _ => tensor::trace(self.graph, &t, span),
+            };
+        }
+        let values = self.scalars(arguments)?;
+        let g = &mut *self.graph;
+        let op = match function {
+            "sin" => Op::Sin,
+            "cos" | "sec" => Op::Cos,
+            "tan" | "cot" => Op::Tan,
+            "csc" => Op::Sin,
+            "arcsin" => Op::Arcsin,
+            "arccos" => Op::Arccos,
+            "arctan" => Op::Arctan,
+            "sinh" => Op::Sinh,
+            "cosh" => Op::Cosh,
+            "tanh" => Op::Tanh,
+            "exp" => Op::Exp,
+            "ln" => Op::Ln,
+            "atan2" => Op::Arctan2,
+            "agm" => Op::Agm,
+            "log" => return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, r"write `\ln`"),
+            _ => return refuse("latex::unknown-function", format!("`{function}` is not known"), span, ""),
+        };
+        let e = match (function, values.as_slice()) {
+            ("cot", &[x]) => {
+                let (c, s) = (g.unary(Op::Cos, x), g.unary(Op::Sin, x));
+                g.div(c, s)
+            }
+            ("sec" | "csc", &[x]) => {
+                let (one, below) = (g.integer(1), g.unary(op, x));
+                g.div(one, below)
+            }
+            (_, &[x]) if op.arity() == 1 => g.unary(op, x),
+            (_, &[a, b]) if op.arity() == 2 => g.binary(op, a, b),
+            _ => return refuse("latex::arity", format!("`{function}` has another number of arguments"), span, ""),
+        };
+        Ok(Tensor::scalar(e))
+    }
+
+    // ---- derivatives ---------------------------------------------------------------------------------------------
+
+    fn derivative(&mut self, of: &Node, by: &Node, order: u8, span: &Range<usize>) -> Elaborated<Tensor> {
+        let value = self.tensor(of)?;
+        let by_value = self.scalar(by)?;
+        let Some(time) = self.scope.time() else {
+            let hint = "give one the role `time`";
+            return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
+        };
+        let time_node = self.graph.leaf(time);
+        if by_value == time_node {
+            let mut t = value;
+            for _ in 0..order {
+                t = self.time_derivative(t, span)?;
+            }
+            return Ok(t);
+        }
+        if order > 1 {
+            let message = "a higher derivative by something other than time";
+            return refuse("latex::derivative", message, span, "write it out");
+        }
+        if !self.moves(by_value) {
+            let message = "what stands in the denominator does not depend on time";
+            let hint = "derivatives are taken along a motion, by the time or by something that moves";
+            return refuse("latex::derivative", message, &by.span, hint);
+        }
+        let top = self.time_derivative(value, span)?;
+        let below = self.time_derivative(Tensor::scalar(by_value), &by.span)?;
+        let below = below.as_scalar().unwrap_or(by_value);
+        let components = top.components.into_iter().map(|x| self.graph.div(x, below)).collect();
+        Ok(Tensor { shape: top.shape, components })
+    }
+
+    /// Whether a leaf has rates.
+    pub(super) fn is_moving(&self, leaf: Leaf) -> bool {
+        leaf.instant.is_none()
+            && matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Observable | Role::Time))
+    }
+
+    pub(super) fn time_derivative(&mut self, t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
+        let Some(time) = self.scope.time() else {
+            let hint = "give one the role `time`";
+            return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
+        };
+        if !t.components.iter().any(|&e| self.moves(e)) {
+            return refuse(
+                "latex::dot",
+                "this does not depend on time",
+                span,
+                "it has no rate; leave the derivative out",
+            );
+        }
+        let mut components = Vec::new();
+        for e in t.components {
+            let scope = self.scope;
+            let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+            match self.graph.time_derivative(e, time, moves) {
+                Ok(d) => components.push(d),
+                Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
+            }
+        }
+        Ok(Tensor { shape: t.shape, components })
+    }
+}
+
+/// Most components of a vector that is written out.
+const LONGEST_TUPLE: usize = 1024;
+
+/// Most entries of a diagonal that is written out.
+const LONGEST_DIAGONAL: usize = 32;

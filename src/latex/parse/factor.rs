@@ -1,0 +1,440 @@
+//! Factors: numbers, symbols, brackets, absolute values, and what a command begins.
+
+use super::super::lexer::Kind;
+use super::super::name::{self, NAMES};
+use super::super::syntax::{Bracket, Node, NodeKind};
+use super::function::{FUNCTIONS, OPERATORS, WORDS};
+use super::{Open, Parsed, Parser, decimal, refuse};
+
+impl Parser<'_> {
+    /// π, unless it is declared as something else.
+    pub(super) fn is_pi(&self) -> bool {
+        self.is_command("pi") && !self.scope.declares("\\pi")
+    }
+
+    /// Whether a factor can begin here.
+    pub(super) fn begins_factor(&self) -> bool {
+        match self.kind() {
+            Kind::Number(_) | Kind::Letter(_) | Kind::Sign('{' | '(' | '[') | Kind::OpenBar => true,
+            Kind::Sign('|') => self.bars == 0,
+            Kind::Command(c) => !matches!(
+                c.as_str(),
+                "rightarrow"
+                    | "to"
+                    | "cdot"
+                    | "times"
+                    | "pm"
+                    | "mp"
+                    | "ne"
+                    | "neq"
+                    | "equiv"
+                    | "le"
+                    | "leq"
+                    | "ge"
+                    | "geq"
+                    | "lt"
+                    | "gt"
+                    | "leqslant"
+                    | "geqslant"
+                    | "end"
+                    | "infty"
+            ),
+            _ => false,
+        }
+    }
+
+    /// Whether a named function begins here.
+    pub(super) fn begins_function(&self) -> bool {
+        matches!(self.kind(), Kind::Command(c) if FUNCTIONS.contains(&c.as_str()) || c == "operatorname")
+    }
+
+    /// A factor with its scripts; `None` where no factor begins.
+    pub(super) fn factor(&mut self) -> Parsed<Option<Node>> {
+        self.deeper(|p| {
+            let Some(node) = p.primary()? else { return Ok(None) };
+            if !(p.is('_') || p.is('^')) {
+                return Ok(Some(node));
+            }
+            p.script_is_clear(&node)?;
+            let (sub, sup, sup_first) = p.script_pair()?;
+            let start = node.span.start;
+            Ok(Some(p.node(NodeKind::Scripted { base: Box::new(node), sub, sup, sup_first }, start)))
+        })
+    }
+
+    /// Refuses a script behind something that is not printed as one piece.
+    fn script_is_clear(&self, node: &Node) -> Parsed<()> {
+        let clear = match &node.kind {
+            NodeKind::Group(..) | NodeKind::Matrix(_) | NodeKind::Absolute(_) | NodeKind::Tuple(_) => true,
+            NodeKind::Cross { bracket, .. } => *bracket,
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => true,
+            // Behind its arguments, or behind braces as in `{\dot x}_1`.
+            NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
+            _ => false,
+        };
+        if clear {
+            return Ok(());
+        }
+        let message = format!("it is not clear what {} belongs to", self.shown());
+        refuse("latex::ambiguous", message, self.span(), "put parentheses around what it belongs to")
+    }
+
+    /// What a factor is made of; `None` where none begins.
+    pub(super) fn primary(&mut self) -> Parsed<Option<Node>> {
+        let start = self.span().start;
+        match self.kind().clone() {
+            Kind::Number(n) => {
+                self.bump();
+                Ok(Some(self.node(NodeKind::Number(decimal(&n)), start)))
+            }
+            Kind::Letter('e') if *self.kind_after(1) == Kind::Sign('^') && self.is_euler(2) => {
+                self.bump();
+                self.bump();
+                let exponent = self.raised()?;
+                Ok(Some(self.exponential(exponent, false, start)))
+            }
+            Kind::Letter(_) => {
+                if let Some(operator) = self.plain_word()? {
+                    return self.operator(operator, start).map(Some);
+                }
+                self.symbol(0).map(Some)
+            }
+            Kind::Sign('{') => self.braces(start),
+            Kind::Sign('(') => self.round(start).map(Some),
+            Kind::Sign('[') => self.square(start).map(Some),
+            Kind::OpenBar => {
+                self.bump();
+                let outer = std::mem::replace(&mut self.bars, 0);
+                let inner = self.sum()?;
+                self.bars = outer;
+                if *self.kind() != Kind::CloseBar {
+                    return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, "");
+                }
+                self.bump();
+                Ok(Some(self.node(NodeKind::Absolute(Box::new(inner)), start)))
+            }
+            Kind::Sign('|') if self.bars == 0 => self.bars(start).map(Some),
+            Kind::Command(c) => self.command(&c, start),
+            _ => Ok(None),
+        }
+    }
+
+    fn exponential(&self, exponent: Node, upright: bool, start: usize) -> Node {
+        self.node(NodeKind::Exponential { exponent: Box::new(exponent), upright }, start)
+    }
+
+    /// `e` with a superscript is Euler's number, unless `e` is declared; the superscript is `offset` tokens ahead.
+    fn is_euler(&self, offset: usize) -> bool {
+        let prime = matches!(self.kind_after(offset), Kind::Command(c) if c == "prime");
+        !prime && !self.scope.declares("e")
+    }
+
+    /// Letters without a backslash that spell a function: `sin x` would be printed as a product.
+    fn plain_word(&mut self) -> Parsed<Option<String>> {
+        let letter = |i: usize| match self.tokens.get(i).map(|t| (&t.kind, &t.span)) {
+            Some((Kind::Letter(c), span)) => Some((*c, span.clone())),
+            _ => None,
+        };
+        let adjacent = |i: usize| match (i.checked_sub(1).and_then(letter), letter(i)) {
+            (Some((_, before)), Some((_, here))) => before.end == here.start,
+            _ => false,
+        };
+        if adjacent(self.at) {
+            return Ok(None);
+        }
+        let mut word = String::new();
+        let mut i = self.at;
+        while let Some((c, _)) = letter(i)
+            && (i == self.at || adjacent(i))
+        {
+            word.push(c);
+            i += 1;
+        }
+        let span = self.span().start..self.tokens[i.saturating_sub(1)].span.end;
+        let known = word.chars().all(|c| self.scope.declares(&c.to_string()));
+        let spelled = |f: &str| word == f || (f.len() > 2 && word.starts_with(f));
+        if let Some(f) = FUNCTIONS.iter().filter(|f| f.len() > 1).find(|f| spelled(f)) {
+            let message = format!("`{f}` without a backslash is a product of letters");
+            return refuse("latex::ambiguous", message, span, format!(r"write `\{f}`, or spaces between the letters"));
+        }
+        let operator = OPERATORS.iter().map(|(name, _)| *name).find(|name| *name == word);
+        match operator {
+            Some(name) if WORDS.contains(&name) && !known && self.tokens[i].kind == Kind::Sign('(') => {
+                self.at = i;
+                Ok(Some(name.to_owned()))
+            }
+            Some(name) if name.len() > 2 || !known => {
+                let message = format!("`{name}` without a command is a product of letters");
+                let hint = format!(r"write `\operatorname{{{name}}}`, or spaces between the letters");
+                refuse("latex::ambiguous", message, span, hint)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// `{…}`: a name, an operator, or something that reads the same without braces.
+    fn braces(&mut self, start: usize) -> Parsed<Option<Node>> {
+        if let Some(operator) = self.switched_operator() {
+            return self.operator(operator, start).map(Some);
+        }
+        if self.braced_euler() {
+            self.bump();
+            let exponent = self.raised()?;
+            return Ok(Some(self.exponential(exponent, true, start)));
+        }
+        let back = self.at;
+        if let Some(name) = self.braced_word(false)? {
+            return self.symbol_named(name, 0, start).map(Some);
+        }
+        self.at = back;
+        if let Kind::Command(c) = self.kind_after(1).clone()
+            && matches!(c.as_str(), "bf" | "mathbf" | "mathbb")
+        {
+            self.bump();
+            if self.identity() && self.eat('}') {
+                return Ok(Some(self.node(NodeKind::Identity, start)));
+            }
+            self.at = back;
+        }
+        let opening = self.span();
+        self.bump();
+        let inner = self.sum()?;
+        if let NodeKind::Sum(_) = inner.kind {
+            let hint = "write parentheses: LaTeX does not print braces";
+            return refuse("latex::ambiguous", "a sum in braces", opening.start..inner.span.end, hint);
+        }
+        let open = self.open_here().cloned();
+        self.expect('}')?;
+        if let Some(open) = open {
+            self.open = Some((self.at, open));
+        }
+        Ok(Some(Node { span: start..self.last_end(), ..inner }))
+    }
+
+    /// `{\rm e}` before a superscript: eaten when it is there, up to the superscript's sign.
+    fn braced_euler(&mut self) -> bool {
+        let rm = matches!(self.kind_after(1), Kind::Command(c) if c == "rm");
+        let found = rm
+            && *self.kind_after(2) == Kind::Letter('e')
+            && *self.kind_after(3) == Kind::Sign('}')
+            && *self.kind_after(4) == Kind::Sign('^')
+            && !self.scope.declares("rm:e");
+        if found {
+            self.at += 4;
+        }
+        found
+    }
+
+    fn round(&mut self, start: usize) -> Parsed<Node> {
+        self.bump();
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let first = self.sum()?;
+        let kind = if self.is(',') {
+            let mut parts = vec![first];
+            while self.eat(',') {
+                parts.push(self.sum()?);
+            }
+            NodeKind::Tuple(parts)
+        } else {
+            match first.kind {
+                NodeKind::Matrix(_) => first.kind,
+                _ => NodeKind::Group(Box::new(first), Bracket::Round),
+            }
+        };
+        self.expect(')')?;
+        self.bars = outer;
+        Ok(self.node(kind, start))
+    }
+
+    fn square(&mut self, start: usize) -> Parsed<Node> {
+        self.bump();
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let first = self.sum()?;
+        let kind = if self.eat(',') {
+            let second = self.sum()?;
+            NodeKind::Cross { left: Box::new(first), right: Box::new(second), bracket: true }
+        } else {
+            match first.kind {
+                NodeKind::Matrix(_) => first.kind,
+                _ => NodeKind::Group(Box::new(first), Bracket::Square),
+            }
+        };
+        self.expect(']')?;
+        self.bars = outer;
+        Ok(self.node(kind, start))
+    }
+
+    /// `|…|` whose bars do not say which side they are on.
+    fn bars(&mut self, start: usize) -> Parsed<Node> {
+        self.bump();
+        self.bars += 1;
+        let inner = self.sum();
+        self.bars -= 1;
+        let inner = inner?;
+        let hint = r"write `\left|` and `\right|`";
+        if !self.eat('|') {
+            return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, hint);
+        }
+        // `|a|b|c|` is |a| b |c| or | a|b|c |.
+        let later = self.tokens[self.at..].iter().any(|t| t.kind == Kind::Sign('|'));
+        if later && self.begins_factor() && !self.is('|') {
+            return refuse("latex::ambiguous", "it is not clear which bars belong together", start..start + 1, hint);
+        }
+        Ok(self.node(NodeKind::Absolute(Box::new(inner)), start))
+    }
+
+    /// `{\rm tr}` and the like: an operator in a group of its own.
+    pub(super) fn switched_operator(&mut self) -> Option<String> {
+        let back = self.at;
+        let Kind::Command(c) = self.kind_after(1).clone() else { return None };
+        if c != "rm" {
+            return None;
+        }
+        self.bump();
+        self.bump();
+        let mut word = String::new();
+        loop {
+            match self.kind().clone() {
+                Kind::Letter(c) => word.push(c),
+                Kind::Number(n) => word.push_str(&n),
+                _ => break,
+            }
+            self.bump();
+        }
+        if self.is('}') && OPERATORS.iter().any(|(name, _)| *name == word) {
+            self.bump();
+            return Some(word);
+        }
+        self.at = back;
+        None
+    }
+
+    fn command(&mut self, c: &str, start: usize) -> Parsed<Option<Node>> {
+        match c {
+            "frac" | "tfrac" | "dfrac" => {
+                self.bump();
+                self.fraction(start).map(Some)
+            }
+            "sqrt" => {
+                self.bump();
+                self.root(start).map(Some)
+            }
+            "pi" if self.is_pi() => {
+                self.bump();
+                Ok(Some(self.node(NodeKind::Pi, start)))
+            }
+            "dot" | "ddot" | "dddot" | "ddddot" => self.dotted(c, start).map(Some),
+            "mathbb" | "mathbf" | "bf" if self.identity() => Ok(Some(self.node(NodeKind::Identity, start))),
+            "begin" => {
+                self.bump();
+                self.matrix(start).map(Some)
+            }
+            "operatorname" | "mathrm" | "mathop" => self.named_operator(start),
+            _ if FUNCTIONS.contains(&c) => {
+                self.bump();
+                self.function(c, start).map(Some)
+            }
+            "partial" | "nabla" | "int" | "sum" | "prod" => {
+                let message = format!("`\\{c}` is not part of the formula language");
+                let hint = "write the result of the operation, or an index sum";
+                refuse("latex::unsupported", message, self.span(), hint)
+            }
+            "lim" => {
+                let hint = "take the limit of the whole left side";
+                refuse("latex::limit", "a limit stands alone on the left side", self.span(), hint)
+            }
+            "infty" => refuse(
+                "latex::unsupported",
+                "infinity is not a number",
+                self.span(),
+                r"write a limit, `\lim_{t\to\infty}`",
+            ),
+            _ if name::is_switch(c) => {
+                let hint = format!(r"write `{{\{c} …}}` around the name");
+                refuse("latex::ambiguous", format!("`\\{c}` changes all that follows"), self.span(), hint)
+            }
+            _ if !self.begins_factor() => Ok(None),
+            _ => match self.single_name()? {
+                Some((name, _)) => self.symbol_named(name, 0, start).map(Some),
+                None if name::style(c).is_some() => {
+                    let hint = "write one name in the braces, and scripts or dots outside";
+                    refuse("latex::unexpected", format!("`\\{c}` stands before one name"), self.span(), hint)
+                }
+                None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
+            },
+        }
+    }
+
+    /// `\operatorname{…}` and `\mathrm{…}`: an operator, Euler's e, or a name.
+    fn named_operator(&mut self, start: usize) -> Parsed<Option<Node>> {
+        let back = self.at;
+        self.bump();
+        let mut word = self.word();
+        if word.is_none() && self.eat('{') {
+            // `\mathop{\rm tr}`
+            if self.is_command("rm") {
+                self.at -= 1;
+                word = self.switched_operator();
+            }
+        } else if word.is_none()
+            && let Kind::Letter(c) = *self.kind()
+        {
+            self.bump();
+            word = Some(c.to_string());
+        }
+        if let Some(word) = word {
+            if OPERATORS.iter().any(|(name, _)| *name == word) {
+                return self.operator(word, start).map(Some);
+            }
+            if word == "e" && self.is('^') && !self.scope.declares("rm:e") {
+                self.bump();
+                let exponent = self.raised()?;
+                return Ok(Some(self.exponential(exponent, true, start)));
+            }
+        }
+        self.at = back;
+        let span = self.span();
+        match self.single_name()? {
+            Some((name, _)) => self.symbol_named(name, 0, start).map(Some),
+            None => refuse("latex::unknown-function", "this function is not known", span, ""),
+        }
+    }
+
+    /// `\mathbb{1}`, `\mathbf{1}`, `\bf 1`: eaten when it is there.
+    fn identity(&mut self) -> bool {
+        let one = |k: &Kind| matches!(k, Kind::Number(n) if n == "1");
+        if one(self.kind_after(1)) {
+            self.bump();
+            self.bump();
+            return true;
+        }
+        if *self.kind_after(1) == Kind::Sign('{') && one(self.kind_after(2)) && *self.kind_after(3) == Kind::Sign('}') {
+            for _ in 0..4 {
+                self.bump();
+            }
+            return true;
+        }
+        false
+    }
+
+    /// Whether what stands here can be the argument of a function without parentheses.
+    pub(super) fn begins_bare_argument(&self) -> bool {
+        match self.kind() {
+            Kind::Number(_) | Kind::Letter(_) | Kind::Sign('{') => true,
+            Kind::Command(c) => {
+                let accent = matches!(
+                    c.as_str(),
+                    "frac" | "tfrac" | "dfrac" | "sqrt" | "pi" | "dot" | "ddot" | "dddot" | "ddddot" | "mathrm"
+                );
+                let styled = name::style(c).is_some_and(|s| s != "rm" && s != "bb") && !name::is_switch(c);
+                accent || NAMES.contains(&c.as_str()) || styled
+            }
+            _ => false,
+        }
+    }
+
+    /// Marks what was just read as having no visible end.
+    pub(super) fn leave_open(&mut self, open: Open) {
+        self.open = Some((self.at, open));
+    }
+}

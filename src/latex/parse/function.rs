@@ -1,0 +1,189 @@
+//! Named functions and operators, and where their arguments end.
+
+use super::super::lexer::Kind;
+use super::super::syntax::{Node, NodeKind};
+use super::{Open, Parsed, Parser, refuse};
+
+/// Functions of one argument that need no parentheses.
+pub(super) const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "log", "det", "cot", "sec",
+    "csc",
+];
+
+/// Functions written with `\operatorname` or `\rm`, and their number of arguments; 0 for any.
+pub(super) const OPERATORS: &[(&str, usize)] = &[("atan2", 2), ("agm", 2), ("tr", 1), ("diag", 0), ("diagonal", 0)];
+
+/// Operators that papers also write as plain words.
+pub(super) const WORDS: &[&str] = &["diag", "diagonal"];
+
+/// A function as a formula writes it.
+pub(in super::super) fn spelled(name: &str) -> String {
+    if FUNCTIONS.contains(&name) { format!(r"\{name}") } else { format!(r"\operatorname{{{name}}}") }
+}
+
+/// Whether the function may stand before its argument without parentheses.
+pub(in super::super) fn takes_bare_argument(name: &str) -> bool {
+    FUNCTIONS.contains(&name) || name == "tr"
+}
+
+impl Parser<'_> {
+    /// After an operator's name: its arguments in parentheses.
+    pub(super) fn operator(&mut self, word: String, start: usize) -> Parsed<Node> {
+        let arity = OPERATORS.iter().find(|(name, _)| *name == word).map_or(0, |(_, n)| *n);
+        if self.is('^') || self.is('_') {
+            let message = format!("a script behind `{word}`");
+            return refuse("latex::unexpected", message, self.span(), "put parentheses around the function");
+        }
+        if word == "tr" {
+            let argument = self.function_argument(&word)?;
+            return Ok(self.node(NodeKind::Function(word, None, vec![argument]), start));
+        }
+        let span = self.span();
+        if !self.eat('(') {
+            return refuse("latex::unexpected", format!("`{word}` needs its arguments in parentheses"), span, "");
+        }
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let mut arguments = vec![self.sum()?];
+        while self.eat(',') {
+            arguments.push(self.sum()?);
+        }
+        self.expect(')')?;
+        self.bars = outer;
+        if arity != 0 && arguments.len() != arity {
+            let message = format!("`{word}` has {arity} arguments, not {}", arguments.len());
+            return refuse("latex::arity", message, start..self.last_end(), "");
+        }
+        Ok(self.node(NodeKind::Function(word, None, arguments), start))
+    }
+
+    /// After `\sin` and the like: an optional power, then an argument.
+    pub(super) fn function(&mut self, name: &str, start: usize) -> Parsed<Node> {
+        let mut power = None;
+        if self.is('_') {
+            let hint = if name == "log" { r"write `\ln`, and divide by the logarithm of the base" } else { "" };
+            return refuse("latex::unexpected", format!("a subscript behind `\\{name}`"), self.span(), hint);
+        }
+        if self.eat('^') {
+            let span = self.span();
+            let exponent = self.superscript()?;
+            let integer = match &exponent.kind {
+                NodeKind::Number(r) => i32::try_from(r.clone()).ok(),
+                _ => None,
+            };
+            match integer {
+                Some(n @ 2..=64) => power = Some(n),
+                _ => {
+                    let inverse = format!("arc{name}");
+                    let other = if FUNCTIONS.contains(&inverse.as_str()) {
+                        format!(
+                            r"write `\{inverse}(…)` for the inverse function, `\frac{{1}}{{\{name}(…)}}` for the power"
+                        )
+                    } else {
+                        format!(r"write parentheses around the function, `(\{name}(…))^{{…}}`")
+                    };
+                    let message = format!("`\\{name}` to this power may mean a power or another function");
+                    return refuse("latex::ambiguous", message, span.start..self.last_end(), other);
+                }
+            }
+        }
+        let argument = self.function_argument(name)?;
+        Ok(self.node(NodeKind::Function(name.to_owned(), power, vec![argument]), start))
+    }
+
+    /// The argument of a function: in parentheses; or one factor; or a number or π and one factor; or a product of numbers
+    /// and constants that ends in the time.
+    fn function_argument(&mut self, name: &str) -> Parsed<Node> {
+        let shown = spelled(name);
+        let start = self.span().start;
+        let bar = *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0);
+        if self.is('(') || self.is('[') || bar {
+            let Some(argument) = self.primary()? else {
+                return refuse("latex::unexpected", format!("`{shown}` has no argument"), self.span(), "");
+            };
+            if self.is('^') || self.is('_') {
+                let hint = format!("write `{shown}^2(…)`, or another pair of parentheses");
+                let message = format!("does the script belong to `{shown}` or to its argument?");
+                return refuse("latex::ambiguous", message, self.span(), hint);
+            }
+            return Ok(argument);
+        }
+        if matches!(self.kind(), Kind::Sign('-' | '+')) || self.is_command("pm") || self.is_command("mp") {
+            let message = format!("a sign stands behind `{shown}`");
+            return refuse("latex::ambiguous", message, self.span(), "put the argument into parentheses");
+        }
+        let mut factors: Vec<Node> = Vec::new();
+        while self.begins_bare_argument() {
+            if !factors.is_empty() {
+                self.end_is_clear()?;
+            }
+            let Some(factor) = self.factor()? else { break };
+            match factor.kind {
+                NodeKind::Product(inner) => factors.extend(inner),
+                _ => factors.push(factor),
+            }
+        }
+        let clear = match factors.as_slice() {
+            [] => {
+                let hint = format!("put the argument into parentheses: `{shown}(…)`");
+                return refuse("latex::unexpected", format!("`{shown}` has no argument"), self.span(), hint);
+            }
+            [_] => true,
+            [Node { kind: NodeKind::Number(_) | NodeKind::Pi, .. }, last] => !matches!(last.kind, NodeKind::Group(..)),
+            [first, Node { kind: NodeKind::Pi, .. }, _] => matches!(first.kind, NodeKind::Number(_)),
+            [init @ .., last] => self.is_time(last) && init.iter().all(|n| self.is_steady(n)),
+        };
+        let followed =
+            self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0);
+        let grouped = matches!(factors.as_slice(), [Node { kind: NodeKind::Group(..), .. }]);
+        if !clear || (followed && !grouped) {
+            let message = format!("it is not clear where the argument of `{shown}` ends");
+            let hint = format!("put the argument into parentheses: `{shown}(…)`");
+            return refuse("latex::ambiguous", message, start..self.last_end(), hint);
+        }
+        if let Some(raised) = factors.iter().find(|n| has_superscript(n)) {
+            let message = format!("does the power belong to `{shown}` or to its argument?");
+            let hint = format!("write `{shown}^2 x`, or `{shown}(x^2)`");
+            return refuse("latex::ambiguous", message, raised.span.clone(), hint);
+        }
+        if grouped && (self.is('^') || self.is('_')) {
+            let message = format!("does the script belong to `{shown}` or to its argument?");
+            return refuse("latex::ambiguous", message, self.span(), "");
+        }
+        if !grouped {
+            let steady = !factors.last().is_some_and(|n| self.is_time(n)) && factors.iter().all(|n| self.is_steady(n));
+            self.leave_open(Open::Function { name: name.to_owned(), steady });
+        }
+        match (factors.len(), factors.pop()) {
+            (1, Some(only)) => Ok(only),
+            (_, last) => {
+                factors.extend(last);
+                Ok(self.node(NodeKind::Product(factors), start))
+            }
+        }
+    }
+
+    fn is_time(&self, node: &Node) -> bool {
+        matches!(&node.kind, NodeKind::Symbol(s) if s.sub.is_none() && self.scope.time_name() == Some(s.name.as_str()))
+    }
+
+    fn is_steady(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            NodeKind::Symbol(s) => s.dots == 0 && !self.scope.is_variable(&s.name, s.sub.as_deref()),
+            NodeKind::Group(inner, _) => self.is_steady(inner),
+            NodeKind::Sum(terms) => terms.iter().all(|(_, n)| self.is_steady(n)),
+            NodeKind::Product(parts) => parts.iter().all(|n| self.is_steady(n)),
+            NodeKind::Quotient { top, bottom, .. } => self.is_steady(top) && self.is_steady(bottom),
+            NodeKind::Root(inner, _) => self.is_steady(inner),
+            _ => false,
+        }
+    }
+}
+
+fn has_superscript(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Symbol(s) => s.sup.is_some(),
+        NodeKind::Scripted { sup, .. } => sup.is_some(),
+        _ => false,
+    }
+}

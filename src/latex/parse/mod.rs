@@ -1,0 +1,514 @@
+//! Tokens → syntax tree.
+//!
+//! A strict recursive-descent parser: what it does not understand it refuses, with the place and a way to write it. The
+//! scope is asked only where a text has two readings (is `f(x)` a value of f or a product?).
+//!
+//! What LaTeX does not print has no meaning here: braces group arguments of commands, but `{a+b}c` is printed as a + bc,
+//! so it is refused. What is printed without a clear end, `a/b`, `\sin x`, `\frac{d}{dt}x`, must not be followed by
+//! something that could belong to it.
+
+mod factor;
+mod fraction;
+mod function;
+mod names;
+mod symbol;
+
+use std::ops::Range;
+
+use super::lexer::{Kind, Token, tokens};
+use super::scope::Scope;
+use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
+use crate::diag::Problem;
+use crate::expr::Rational;
+
+pub(super) use function::{spelled, takes_bare_argument};
+pub(super) use names::{WrittenName, read_name};
+
+/// Deepest nesting of brackets, roots, fractions, accents and operators.
+const DEEPEST: usize = 100;
+
+type Parsed<T> = Result<T, Box<Problem>>;
+
+fn refuse<T>(code: &'static str, message: impl Into<String>, span: Range<usize>, hint: impl Into<String>) -> Parsed<T> {
+    let hint = hint.into();
+    Err(Box::new(Problem { code, message: message.into(), span, hint: (!hint.is_empty()).then_some(hint) }))
+}
+
+/// What was read last, if its end cannot be seen in print.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Open {
+    /// A denominator behind a slash.
+    Slash,
+    /// The argument of a function, without parentheses; whether it is nothing but constants.
+    Function { name: String, steady: bool },
+    /// What a derivative written as an operator acts on.
+    Operator,
+}
+
+pub(super) struct Parser<'a> {
+    text: &'a str,
+    scope: &'a Scope,
+    tokens: Vec<Token>,
+    at: usize,
+    depth: usize,
+    bars: usize,
+    /// Where something with an open end stopped.
+    open: Option<(usize, Open)>,
+}
+
+/// Reads all chains of relations of a text; a chain may be a single expression.
+pub(super) fn chains(text: &str, scope: &Scope) -> Result<Vec<Chain>, Vec<Problem>> {
+    let mut parser = Parser::new(text, scope)?;
+    parser.balanced().map_err(|p| vec![*p])?;
+    parser.all().map_err(|p| vec![*p])
+}
+
+/// Environments that hold displayed equations.
+const DISPLAYS: &[&str] = &["equation", "eqnarray", "align", "gather", "multline", "displaymath"];
+
+impl<'a> Parser<'a> {
+    fn new(text: &'a str, scope: &'a Scope) -> Result<Parser<'a>, Vec<Problem>> {
+        Ok(Parser { text, scope, tokens: tokens(text)?, at: 0, depth: 0, bars: 0, open: None })
+    }
+
+    /// Finds unbalanced delimiters before anything else, so that they are named at their opening.
+    fn balanced(&self) -> Parsed<()> {
+        let mut open: Vec<(char, Range<usize>)> = Vec::new();
+        let close = |c| match c {
+            '(' => ')',
+            '[' => ']',
+            _ => '}',
+        };
+        for token in &self.tokens {
+            match token.kind {
+                Kind::Sign(c @ ('(' | '[' | '{')) => open.push((c, token.span.clone())),
+                Kind::Sign(c @ (')' | ']' | '}')) => match open.pop() {
+                    Some((o, _)) if close(o) == c => {}
+                    Some((o, span)) => {
+                        let hint = format!("close it with `{}`", close(o));
+                        return refuse("latex::unbalanced", format!("`{o}` is closed by `{c}`"), span, hint);
+                    }
+                    None => {
+                        return refuse("latex::unbalanced", format!("`{c}` was never opened"), token.span.clone(), "");
+                    }
+                },
+                _ => {}
+            }
+            if open.len() > 4 * DEEPEST {
+                let hint = "use a declared abbreviation";
+                return refuse("latex::too-deep", "the nesting is too deep", token.span.clone(), hint);
+            }
+        }
+        match open.pop() {
+            Some((c, span)) => refuse("latex::unbalanced", format!("`{c}` is never closed"), span, ""),
+            None => Ok(()),
+        }
+    }
+
+    // ---- tokens --------------------------------------------------------------------------------------------------
+
+    fn kind(&self) -> &Kind {
+        self.kind_after(0)
+    }
+
+    fn kind_after(&self, n: usize) -> &Kind {
+        &self.tokens[(self.at + n).min(self.tokens.len() - 1)].kind
+    }
+
+    fn span(&self) -> Range<usize> {
+        self.tokens[self.at.min(self.tokens.len() - 1)].span.clone()
+    }
+
+    fn last_end(&self) -> usize {
+        if self.at == 0 { 0 } else { self.tokens[self.at - 1].span.end }
+    }
+
+    fn bump(&mut self) {
+        if self.at + 1 < self.tokens.len() {
+            self.at += 1;
+        }
+    }
+
+    fn is(&self, c: char) -> bool {
+        *self.kind() == Kind::Sign(c)
+    }
+
+    fn is_command(&self, name: &str) -> bool {
+        matches!(self.kind(), Kind::Command(c) if c == name)
+    }
+
+    fn eat(&mut self, c: char) -> bool {
+        let found = self.is(c);
+        if found {
+            self.bump();
+        }
+        found
+    }
+
+    fn shown(&self) -> String {
+        match self.kind() {
+            Kind::End => "the end of the formula".to_owned(),
+            _ => format!("`{}`", &self.text[self.span()]),
+        }
+    }
+
+    fn expect(&mut self, c: char) -> Parsed<()> {
+        if self.eat(c) {
+            return Ok(());
+        }
+        refuse("latex::unexpected", format!("{} stands where `{c}` is expected", self.shown()), self.span(), "")
+    }
+
+    fn deeper<T>(&mut self, inner: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if self.depth >= DEEPEST {
+            return refuse("latex::too-deep", "the nesting is too deep", self.span(), "use a declared abbreviation");
+        }
+        self.depth += 1;
+        let result = inner(self);
+        self.depth -= 1;
+        result
+    }
+
+    fn node(&self, kind: NodeKind, start: usize) -> Node {
+        Node { kind, span: start..self.last_end() }
+    }
+
+    /// What was read last, if it stops here with an open end.
+    fn open_here(&self) -> Option<&Open> {
+        self.open.as_ref().filter(|(at, _)| *at == self.at).map(|(_, open)| open)
+    }
+
+    // ---- statements ----------------------------------------------------------------------------------------------
+
+    /// Eats what stands between statements.
+    fn separators(&mut self) -> Parsed<usize> {
+        let mut eaten = 0;
+        loop {
+            match self.kind().clone() {
+                Kind::Sign('.') => {
+                    let next = self.kind_after(1);
+                    let adjacent = self.tokens[self.at + 1].span.start == self.span().end;
+                    if adjacent && !matches!(next, Kind::End | Kind::Row) {
+                        let hint = r"write `\cdot` for a product; a full stop is followed by a space";
+                        return refuse("latex::ambiguous", "a full stop inside the formula", self.span(), hint);
+                    }
+                    self.bump();
+                }
+                Kind::Sign(',' | ';') | Kind::Row => self.bump(),
+                Kind::Sign('&') if eaten > 0 => self.bump(),
+                Kind::Command(c) if c == "begin" || c == "end" => {
+                    let back = self.at;
+                    self.bump();
+                    let name = self.word();
+                    if !name.is_some_and(|n| DISPLAYS.contains(&n.trim_end_matches('*'))) {
+                        self.at = back;
+                        return Ok(eaten);
+                    }
+                }
+                _ => return Ok(eaten),
+            }
+            eaten += 1;
+        }
+    }
+
+    fn all(&mut self) -> Parsed<Vec<Chain>> {
+        let mut out = Vec::new();
+        self.separators()?;
+        if *self.kind() == Kind::End {
+            return refuse("latex::empty", "there is no formula here", 0..self.text.len(), "");
+        }
+        loop {
+            out.push(self.chain()?);
+            if self.separators()? == 0 && *self.kind() != Kind::End {
+                return refuse("latex::unexpected", format!("{} is not expected here", self.shown()), self.span(), "");
+            }
+            if *self.kind() == Kind::End {
+                return Ok(out);
+            }
+        }
+    }
+
+    fn relation(&self) -> Option<RelationKind> {
+        Some(match self.kind() {
+            Kind::Sign('=') => RelationKind::Equal,
+            Kind::Sign('<') => RelationKind::Less,
+            Kind::Sign('>') => RelationKind::Greater,
+            Kind::Command(c) => match c.as_str() {
+                "equiv" => RelationKind::Equal,
+                "ne" | "neq" => RelationKind::NotEqual,
+                "lt" => RelationKind::Less,
+                "gt" => RelationKind::Greater,
+                "le" | "leq" | "leqslant" => RelationKind::LessEqual,
+                "ge" | "geq" | "geqslant" => RelationKind::GreaterEqual,
+                _ => return None,
+            },
+            _ => return None,
+        })
+    }
+
+    fn chain(&mut self) -> Parsed<Chain> {
+        let start = self.span().start;
+        let mut sides = vec![self.side()?];
+        let mut relations = Vec::new();
+        loop {
+            let back = self.at;
+            while self.is('&') {
+                self.bump();
+            }
+            let Some(relation) = self.relation() else {
+                self.at = back;
+                break;
+            };
+            self.bump();
+            while self.is('&') {
+                self.bump();
+            }
+            relations.push(relation);
+            sides.push(self.side()?);
+        }
+        let time = self.scope.time_name().map(str::to_owned);
+        Ok(Chain { sides, relations, span: start..self.last_end(), time })
+    }
+
+    fn side(&mut self) -> Parsed<Node> {
+        if !self.is_command("lim") {
+            return self.sum();
+        }
+        let start = self.span().start;
+        self.bump();
+        self.expect('_')?;
+        self.expect('{')?;
+        let variable = self.span();
+        let name = self.single_name()?.map(|(name, _)| name);
+        if name.is_none() || self.scope.time_name() != name.as_deref() {
+            return refuse("latex::limit", "a limit goes along the time", variable, r"write `\lim_{t\rightarrow t_0}`");
+        }
+        if !(self.is_command("rightarrow") || self.is_command("to")) {
+            let message = format!("{} stands where `\\rightarrow` is expected", self.shown());
+            return refuse("latex::limit", message, self.span(), "");
+        }
+        self.bump();
+        let signed = matches!(self.kind(), Kind::Sign('+' | '-'));
+        let infinite = matches!(self.kind_after(usize::from(signed)), Kind::Command(c) if c == "infty");
+        let target = if infinite {
+            let minus = self.is('-');
+            if signed {
+                self.bump();
+            }
+            self.bump();
+            if minus { Target::MinusInfinity } else { Target::PlusInfinity }
+        } else {
+            Target::Finite(Box::new(self.sum()?))
+        };
+        if self.is('^') {
+            return refuse("latex::limit", "a limit from one side", self.span(), "limits are taken along the motion");
+        }
+        self.expect('}')?;
+        let body = self.sum()?;
+        Ok(Node { span: start..body.span.end, kind: NodeKind::Limit(Box::new(body), target) })
+    }
+
+    // ---- sums and products ---------------------------------------------------------------------------------------
+
+    fn sign(&mut self) -> Option<Sign> {
+        let sign = match self.kind() {
+            Kind::Sign('+') => Sign::Plus,
+            Kind::Sign('-') => Sign::Minus,
+            Kind::Command(c) if c == "pm" => Sign::PlusMinus,
+            Kind::Command(c) if c == "mp" => Sign::MinusPlus,
+            _ => return None,
+        };
+        self.bump();
+        Some(sign)
+    }
+
+    fn sum(&mut self) -> Parsed<Node> {
+        self.deeper(|p| {
+            let start = p.span().start;
+            let first = p.sign();
+            let term = p.term()?;
+            let mut terms = vec![(first.unwrap_or(Sign::Plus), term)];
+            while let Some(sign) = p.sign() {
+                terms.push((sign, p.term()?));
+            }
+            match (first, terms.len(), terms.pop()) {
+                (None, 1, Some((_, only))) => Ok(only),
+                (_, _, Some(last)) => {
+                    terms.push(last);
+                    Ok(p.node(NodeKind::Sum(terms), start))
+                }
+                (_, _, None) => refuse("latex::unexpected", "a term is expected", p.span(), ""),
+            }
+        })
+    }
+
+    /// Refuses `\cdot` and `\times` behind something whose end cannot be seen.
+    fn joint_is_clear(&self) -> Parsed<()> {
+        let hint = match self.open_here() {
+            Some(Open::Slash) => r"write `\frac{}{}`, or parentheses around the quotient",
+            Some(Open::Operator) => r"put what is derived into parentheses: `\frac{d}{dt}(…)`",
+            Some(Open::Function { steady: true, .. }) => "put the argument of the function into parentheses",
+            _ => return Ok(()),
+        };
+        let message = format!("it is not clear what {} belongs to", self.shown());
+        refuse("latex::ambiguous", message, self.span(), hint)
+    }
+
+    /// Factors joined by `\cdot`; `\times` binds closer.
+    fn term(&mut self) -> Parsed<Node> {
+        let start = self.span().start;
+        let first = self.crosses()?;
+        if self.is('*') {
+            let hint = r"write `\cdot`, or nothing";
+            return refuse("latex::unexpected", "`*` is not a product here", self.span(), hint);
+        }
+        if !self.is_command("cdot") {
+            return Ok(first);
+        }
+        let mut parts = vec![first];
+        while self.is_command("cdot") {
+            self.joint_is_clear()?;
+            self.bump();
+            parts.push(self.crosses()?);
+        }
+        Ok(self.node(NodeKind::Dot(parts), start))
+    }
+
+    fn crosses(&mut self) -> Parsed<Node> {
+        let start = self.span().start;
+        let left = Box::new(self.product()?);
+        if !self.is_command("times") {
+            return Ok(*left);
+        }
+        self.joint_is_clear()?;
+        self.bump();
+        let right = Box::new(self.product()?);
+        if self.is_command("times") {
+            let hint = "put parentheses around two of the factors";
+            return refuse("latex::ambiguous", "the product `\\times` is not associative", self.span(), hint);
+        }
+        Ok(self.node(NodeKind::Cross { left, right, bracket: false }, start))
+    }
+
+    /// Refuses a factor behind something whose end cannot be seen.
+    fn end_is_clear(&self) -> Parsed<()> {
+        let Some(open) = self.open_here() else { return Ok(()) };
+        let span = self.span();
+        match open {
+            Open::Slash => {
+                let hint = r"write `\frac{}{}`, or parentheses around the denominator";
+                refuse("latex::ambiguous", "it is not clear what belongs to the denominator", span, hint)
+            }
+            Open::Operator => {
+                let hint = r"put what is derived into parentheses: `\frac{d}{dt}(…)`";
+                refuse("latex::ambiguous", "it is not clear how far the derivative reaches", span, hint)
+            }
+            Open::Function { name, .. } => {
+                if self.begins_function() {
+                    return Ok(());
+                }
+                let message = format!("it is not clear where the argument of `{}` ends", function::spelled(name));
+                let hint = format!("put the argument into parentheses: `{}(…)`", function::spelled(name));
+                refuse("latex::ambiguous", message, span, hint)
+            }
+        }
+    }
+
+    /// Juxtaposed factors, at most one slash among them.
+    fn product(&mut self) -> Parsed<Node> {
+        let start = self.span().start;
+        let mut factors: Vec<Node> = Vec::new();
+        while self.begins_factor() {
+            if !factors.is_empty() {
+                self.end_is_clear()?;
+            }
+            let Some(factor) = self.factor()? else { break };
+            if let Some(last) = factors.last() {
+                side_by_side(last, &factor)?;
+            }
+            // `{ab}c` is printed as three factors.
+            match factor.kind {
+                NodeKind::Product(inner) => factors.extend(inner),
+                _ => factors.push(factor),
+            }
+        }
+        if factors.is_empty() {
+            // A factor that cannot begin here may have more to say about why.
+            self.factor()?;
+            let hint = if matches!(self.kind(), Kind::End) { "the formula stops too early" } else { "" };
+            let message = format!("{} stands where a factor is expected", self.shown());
+            return refuse("latex::unexpected", message, self.span(), hint);
+        }
+        let numerator = match (factors.len(), factors.pop()) {
+            (1, Some(only)) => only,
+            (_, last) => {
+                factors.extend(last);
+                self.node(NodeKind::Product(factors), start)
+            }
+        };
+        if !self.is('/') {
+            return Ok(numerator);
+        }
+        let slash = self.span();
+        if let Some(open) = self.open_here() {
+            let message = match open {
+                Open::Slash => "two `/` in one term".to_owned(),
+                Open::Operator => "it is not clear how far the derivative reaches".to_owned(),
+                Open::Function { name, .. } => {
+                    format!("does `/` divide `{}` or its argument?", function::spelled(name))
+                }
+            };
+            return refuse("latex::ambiguous", message, slash, r"write `\frac{}{}`, or parentheses");
+        }
+        self.bump();
+        let Some(denominator) = self.factor()? else {
+            return refuse("latex::unexpected", "nothing stands behind `/`", slash, "");
+        };
+        self.open = Some((self.at, Open::Slash));
+        if self.begins_factor() || self.is('/') {
+            let end = self.span().end;
+            let hint = r"write `\frac{}{}`, or parentheses around the denominator";
+            let span = denominator.span.start..end;
+            return refuse("latex::ambiguous", "it is not clear what belongs to the denominator", span, hint);
+        }
+        let kind = NodeKind::Quotient { top: Box::new(numerator), bottom: Box::new(denominator), slash: true };
+        Ok(self.node(kind, start))
+    }
+}
+
+/// Refuses numbers where they could be read as part of what stands before them.
+fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
+    let span = last.span.start..factor.span.end;
+    let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
+    let begins_with_number = match &factor.kind {
+        NodeKind::Number(_) => true,
+        NodeKind::Scripted { base, .. } => number(base),
+        NodeKind::Product(parts) => parts.first().is_some_and(number),
+        _ => false,
+    };
+    if begins_with_number {
+        return if number(last) {
+            refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
+        } else {
+            let hint = r"write the number first, or `\cdot` before it, or a subscript";
+            refuse("latex::ambiguous", "a number stands behind a factor", span, hint)
+        };
+    }
+    if let (true, NodeKind::Quotient { top, bottom, .. }) = (number(last), &factor.kind)
+        && number(top)
+        && number(bottom)
+    {
+        let hint = r"write `\cdot` between them, or one fraction";
+        return refuse("latex::ambiguous", "a number and a fraction: a product or a sum?", span, hint);
+    }
+    Ok(())
+}
+
+/// A decimal number, exactly.
+fn decimal(text: &str) -> Rational {
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    let digits = format!("{whole}{fraction}");
+    let numerator = digits.parse::<dashu_int::IBig>().unwrap_or(dashu_int::IBig::ZERO);
+    let denominator = dashu_int::UBig::from(10u8).pow(fraction.len());
+    Rational::from_parts(numerator, denominator)
+}

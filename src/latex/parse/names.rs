@@ -1,0 +1,324 @@
+//! Names, subscripts and superscripts.
+
+use std::ops::Range;
+
+use super::super::lexer::{Kind, Token};
+use super::super::name::{self, NAMES, canonical};
+use super::super::scope::Scope;
+use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
+use super::{Parsed, Parser, decimal, refuse};
+use crate::diag::Problem;
+
+/// The name of a symbol taken apart.
+pub(in super::super) struct WrittenName {
+    /// Base, style and primes.
+    pub name: Name,
+    /// Its subscript.
+    pub sub: Vec<SubItem>,
+    /// What stands in parentheses, in canonical spelling.
+    pub arguments: Option<String>,
+}
+
+/// Reads a text that is nothing but a name; `None` where it is something else.
+pub(in super::super) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>, Problem> {
+    let mut parser = Parser::new(text, scope).map_err(|mut p| p.swap_remove(0))?;
+    parser.balanced().map_err(|p| *p)?;
+    parser.whole_name().map_err(|p| *p)
+}
+
+/// The two scripts of a symbol, and whether the superscript came first.
+pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
+
+impl Parser<'_> {
+    fn whole_name(&mut self) -> Parsed<Option<WrittenName>> {
+        let Some((name, _)) = self.single_name()? else { return Ok(None) };
+        let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
+        let mut arguments = None;
+        if self.is('(')
+            && let Some(close) = self.closing()
+        {
+            arguments = Some(canonical(&self.tokens[self.at + 1..close]));
+            self.at = close;
+            self.bump();
+        }
+        Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments }))
+    }
+
+    pub(super) fn script_pair(&mut self) -> Parsed<Scripts> {
+        let (mut sub, mut sup, mut sup_first) = (None, None, false);
+        loop {
+            if self.is('_') {
+                if sub.is_some() {
+                    let hint = "put all indices into one pair of braces";
+                    return refuse("latex::double-script", "a second subscript", self.span(), hint);
+                }
+                self.bump();
+                sub = Some(self.subscript()?);
+            } else if self.is('^') {
+                if sup.is_some() {
+                    return refuse("latex::double-script", "a second superscript", self.span(), "use parentheses");
+                }
+                self.bump();
+                sup_first = sub.is_none();
+                sup = Some(Box::new(self.superscript()?));
+            } else {
+                return Ok((sub, sup, sup_first));
+            }
+        }
+    }
+
+    /// A superscript of something that could have labels.
+    pub(super) fn superscript(&mut self) -> Parsed<Node> {
+        let node = self.raised()?;
+        if let NodeKind::Group(..) = node.kind {
+            let hint = "write a power without parentheses; other meanings of `^{(…)}` are not known";
+            return refuse("latex::ambiguous", "a superscript in parentheses", node.span, hint);
+        }
+        Ok(node)
+    }
+
+    /// What stands behind `^`.
+    pub(super) fn raised(&mut self) -> Parsed<Node> {
+        let start = self.span().start;
+        if self.eat('{') {
+            let outer = std::mem::replace(&mut self.bars, 0);
+            let node = self.sum()?;
+            self.expect('}')?;
+            self.bars = outer;
+            return Ok(node);
+        }
+        // TeX takes one token: a single digit, letter or command.
+        if let Kind::Number(n) = self.kind().clone() {
+            if n.len() > 1 {
+                let hint = format!("write `^{{{n}}}`");
+                return refuse("latex::ambiguous", "LaTeX raises only the first digit", self.span(), hint);
+            }
+            self.bump();
+            return Ok(self.node(NodeKind::Number(decimal(&n)), start));
+        }
+        if self.is_pi() {
+            self.bump();
+            return Ok(self.node(NodeKind::Pi, start));
+        }
+        match self.single_name()? {
+            Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
+            None => {
+                let message = format!("{} stands where an exponent is expected", self.shown());
+                refuse("latex::unexpected", message, self.span(), "put the exponent into braces")
+            }
+        }
+    }
+
+    pub(super) fn subscript(&mut self) -> Parsed<Vec<SubItem>> {
+        let braced = self.eat('{');
+        let mut items = Vec::new();
+        if braced
+            && let Kind::Command(c) = self.kind().clone()
+            && name::is_switch(&c)
+        {
+            // `_{\rm max}`: the switch holds to the end of the braces.
+            self.bump();
+            let mut word = String::new();
+            while let Some((name, _)) = self.single_name()? {
+                word.push_str(&name);
+            }
+            if let (false, Some(style)) = (word.is_empty(), name::style(&c)) {
+                items.push(SubItem::Name(format!("{style}:{word}")));
+            }
+        }
+        loop {
+            match self.kind().clone() {
+                Kind::Number(n) => {
+                    if n.contains('.') {
+                        return refuse("latex::unexpected", "a decimal number as an index", self.span(), "");
+                    }
+                    if !braced && n.len() > 1 {
+                        let hint = format!("write `_{{{n}}}`");
+                        return refuse("latex::ambiguous", "LaTeX lowers only the first digit", self.span(), hint);
+                    }
+                    items.extend(n.bytes().map(|b| SubItem::Digit(u16::from(b.saturating_sub(b'0')))));
+                    self.bump();
+                }
+                Kind::Sign('}') if braced => break,
+                Kind::Sign(',') if braced => {
+                    if items.is_empty() || *self.kind_after(1) == Kind::Sign('}') {
+                        let hint = "write a derivative as a fraction";
+                        return refuse("latex::ambiguous", "a comma beside an index", self.span(), hint);
+                    }
+                    self.bump();
+                }
+                Kind::Sign(c @ ('(' | ')' | '-' | '+' | '*' | '/')) if braced => {
+                    items.push(SubItem::Other(c));
+                    self.bump();
+                }
+                _ => match self.single_name()? {
+                    Some((name, _)) => items.push(SubItem::Name(name)),
+                    None => {
+                        let message = format!("{} cannot stand in a subscript", self.shown());
+                        return refuse("latex::unexpected", message, self.span(), "");
+                    }
+                },
+            }
+            if !braced {
+                return Ok(items);
+            }
+        }
+        self.expect('}')?;
+        if items.is_empty() {
+            return refuse("latex::unexpected", "an empty subscript", self.span(), "");
+        }
+        Ok(items)
+    }
+
+    /// One name: a letter, a Greek letter, a styled or braced one; with its primes. Leaves its place where there is none.
+    pub(super) fn single_name(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
+        let start = self.span().start;
+        let mut name = match self.kind().clone() {
+            Kind::Letter(c) => {
+                self.bump();
+                c.to_string()
+            }
+            Kind::Command(c) if NAMES.contains(&c.as_str()) => {
+                self.bump();
+                format!("\\{c}")
+            }
+            Kind::Command(c) if !name::is_switch(&c) => {
+                let Some(style) = name::style(&c) else { return Ok(None) };
+                match self.styled(style)? {
+                    Some(inner) => inner,
+                    None => return Ok(None),
+                }
+            }
+            Kind::Sign('{') => {
+                let back = self.at;
+                match self.braced_word(false)? {
+                    Some(inner) => inner,
+                    None => {
+                        self.at = back;
+                        return Ok(None);
+                    }
+                }
+            }
+            _ => return Ok(None),
+        };
+        while let Some(tokens) = self.prime() {
+            for _ in 0..tokens {
+                self.bump();
+            }
+            name.push('\'');
+        }
+        Ok(Some((name, start..self.last_end())))
+    }
+
+    /// Number of tokens of a prime that stands here.
+    fn prime(&self) -> Option<usize> {
+        let prime = |k: &Kind| matches!(k, Kind::Command(c) if c == "prime");
+        if self.is('\'') {
+            return Some(1);
+        }
+        if !self.is('^') {
+            return None;
+        }
+        if prime(self.kind_after(1)) {
+            return Some(2);
+        }
+        let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
+        (braced && prime(self.kind_after(2))).then_some(4)
+    }
+
+    /// A name behind the command of a style; leaves its place where there is none.
+    fn styled(&mut self, style: &'static str) -> Parsed<Option<Name>> {
+        let back = self.at;
+        self.bump();
+        let inner = self
+            .deeper(|p| if p.is('{') { p.braced_word(style == "rm") } else { Ok(p.single_name()?.map(|(n, _)| n)) })?;
+        if inner.is_none() {
+            self.at = back;
+        }
+        Ok(inner.map(|inner| restyle(style, inner)))
+    }
+
+    /// `{…}` that contains nothing but one name, or a style switch and one name; a `word` may have several letters. Leaves
+    /// its place otherwise.
+    pub(super) fn braced_word(&mut self, word: bool) -> Parsed<Option<Name>> {
+        self.deeper(|p| {
+            let back = p.at;
+            p.bump();
+            let mut switch = None;
+            if let Kind::Command(c) = p.kind().clone()
+                && name::is_switch(&c)
+            {
+                switch = name::style(&c);
+                p.bump();
+            }
+            let several = word || switch == Some("rm");
+            let mut text = String::new();
+            while let Some((name, _)) = p.single_name()? {
+                text.push_str(&name);
+                if !several {
+                    break;
+                }
+            }
+            if text.is_empty() || !p.eat('}') {
+                p.at = back;
+                return Ok(None);
+            }
+            Ok(Some(match switch {
+                Some(style) => restyle(style, text),
+                None => text,
+            }))
+        })
+    }
+
+    /// A word in braces, such as the argument of `\operatorname`.
+    pub(super) fn word(&mut self) -> Option<String> {
+        let back = self.at;
+        if !self.eat('{') {
+            return None;
+        }
+        let mut word = String::new();
+        loop {
+            match self.kind().clone() {
+                Kind::Letter(c) => word.push(c),
+                Kind::Number(n) => word.push_str(&n),
+                Kind::Sign('*') => word.push('*'),
+                Kind::Sign('}') => break,
+                _ => {
+                    self.at = back;
+                    return None;
+                }
+            }
+            self.bump();
+        }
+        self.bump();
+        Some(word)
+    }
+
+    /// Position of the token that closes the parenthesis at the present place.
+    pub(super) fn closing(&self) -> Option<usize> {
+        let mut depth = 0usize;
+        for (i, Token { kind, .. }) in self.tokens.iter().enumerate().skip(self.at) {
+            match kind {
+                Kind::Sign('(') => depth += 1,
+                Kind::Sign(')') => {
+                    depth = depth.saturating_sub(1);
+                    if depth == 0 {
+                        return Some(i);
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+}
+
+fn restyle(style: &str, name: Name) -> Name {
+    // `{\bf {\bf m}}` is `{\bf m}`; other styles on top of one another are kept apart.
+    if name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
+}
+
+/// A symbol without anything attached to it.
+pub(super) fn plain(name: Name) -> SymbolNode {
+    SymbolNode { name, dots: 0, sub: None, sup: None, sup_first: false, arguments: None, arguments_text: String::new() }
+}

@@ -1,0 +1,313 @@
+//! Syntax trees as LaTeX, as near as possible to what was written.
+//!
+//! A tree that came from a text reads back as the same tree, up to places. A tree that was altered gets the parentheses
+//! that it needs; whether the result is clear enough to be read is for the reader to say.
+
+use super::name;
+use super::syntax::{Bracket, Chain, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target};
+use crate::expr::Rational;
+
+/// A chain of relations as LaTeX.
+pub fn to_latex(chain: &Chain) -> String {
+    let mut out = Text(String::new());
+    for (k, side) in chain.sides.iter().enumerate() {
+        if let Some(kind) = k.checked_sub(1).and_then(|before| chain.relations.get(before)) {
+            out.put(relation(*kind));
+        }
+        match &side.kind {
+            NodeKind::Limit(body, target) => {
+                out.put(r"\lim_{");
+                out.put(&chain.time.as_deref().map_or_else(|| "t".to_owned(), name::to_latex));
+                out.put(r"\rightarrow");
+                match target {
+                    Target::Finite(at) => out.node(at, Least::Sum),
+                    Target::PlusInfinity => out.put(r"+\infty"),
+                    Target::MinusInfinity => out.put(r"-\infty"),
+                }
+                out.put("}");
+                out.node(body, Least::Sum);
+            }
+            _ => out.node(side, Least::Sum),
+        }
+    }
+    out.0
+}
+
+fn relation(kind: RelationKind) -> &'static str {
+    match kind {
+        RelationKind::Equal => "=",
+        RelationKind::NotEqual => r"\ne",
+        RelationKind::Less => "<",
+        RelationKind::LessEqual => r"\le",
+        RelationKind::Greater => ">",
+        RelationKind::GreaterEqual => r"\ge",
+    }
+}
+
+/// What may stand at a place without parentheses; from loose to tight.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Least {
+    Sum,
+    Dot,
+    Cross,
+    Product,
+    Factor,
+}
+
+fn tightness(node: &Node) -> Least {
+    match &node.kind {
+        NodeKind::Sum(_) | NodeKind::Limit(..) => Least::Sum,
+        NodeKind::Number(r) if *r < Rational::ZERO => Least::Sum,
+        NodeKind::Dot(_) => Least::Dot,
+        NodeKind::Cross { bracket: false, .. } => Least::Cross,
+        NodeKind::Product(_) | NodeKind::Quotient { slash: true, .. } => Least::Product,
+        _ => Least::Factor,
+    }
+}
+
+/// Text to which pieces are added; commands and letters are kept apart.
+struct Text(String);
+
+impl Text {
+    fn put(&mut self, piece: &str) {
+        let command = self.0.rfind('\\').is_some_and(|at| {
+            let tail = &self.0[at + 1..];
+            !tail.is_empty() && tail.bytes().all(|b| b.is_ascii_alphabetic())
+        });
+        if command && piece.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            self.0.push(' ');
+        }
+        self.0.push_str(piece);
+    }
+
+    fn node(&mut self, node: &Node, least: Least) {
+        if tightness(node) < least {
+            self.put("(");
+            self.bare(node);
+            self.put(")");
+        } else {
+            self.bare(node);
+        }
+    }
+
+    fn joined(&mut self, nodes: &[Node], between: &str, least: Least) {
+        for (i, node) in nodes.iter().enumerate() {
+            if i > 0 {
+                self.put(between);
+            }
+            self.node(node, least);
+        }
+    }
+
+    fn braced(&mut self, node: &Node) {
+        self.put("{");
+        self.node(node, Least::Sum);
+        self.put("}");
+    }
+
+    fn bare(&mut self, node: &Node) {
+        match &node.kind {
+            NodeKind::Number(r) => self.put(&number(r)),
+            NodeKind::Pi => self.put(r"\pi"),
+            NodeKind::Identity => self.put(r"\mathbb{1}"),
+            NodeKind::Symbol(s) => self.symbol(s),
+            NodeKind::Group(inner, bracket) => {
+                let (open, close) = match bracket {
+                    Bracket::Round => ("(", ")"),
+                    Bracket::Square => ("[", "]"),
+                };
+                self.put(open);
+                self.node(inner, Least::Sum);
+                self.put(close);
+            }
+            NodeKind::Scripted { base, sub, sup, sup_first } => {
+                match &base.kind {
+                    NodeKind::Symbol(s) if s.arguments.is_none() => self.braced(base),
+                    _ => self.node(base, Least::Factor),
+                }
+                self.scripts(sub.as_deref(), sup.as_deref(), *sup_first);
+            }
+            NodeKind::Sum(terms) => {
+                for (i, (sign, term)) in terms.iter().enumerate() {
+                    match sign {
+                        Sign::Plus if i > 0 || terms.len() == 1 => self.put("+"),
+                        Sign::Plus => {}
+                        Sign::Minus => self.put("-"),
+                        Sign::PlusMinus => self.put(r"\pm"),
+                        Sign::MinusPlus => self.put(r"\mp"),
+                    }
+                    self.node(term, Least::Dot);
+                }
+            }
+            NodeKind::Product(parts) => self.joined(parts, "", Least::Factor),
+            NodeKind::Dot(parts) => self.joined(parts, r"\cdot", Least::Cross),
+            NodeKind::Cross { left, right, bracket } => {
+                let (open, middle, close, least) =
+                    if *bracket { ("[", ",", "]", Least::Sum) } else { ("", r"\times", "", Least::Product) };
+                self.put(open);
+                self.node(left, least);
+                self.put(middle);
+                self.node(right, least);
+                self.put(close);
+            }
+            NodeKind::Quotient { top, bottom, slash: false } => {
+                self.put(r"\frac");
+                self.braced(top);
+                self.braced(bottom);
+            }
+            NodeKind::Quotient { top, bottom, slash: true } => {
+                let slashed = matches!(top.kind, NodeKind::Quotient { slash: true, .. });
+                self.node(top, if slashed { Least::Factor } else { Least::Product });
+                self.put("/");
+                self.node(bottom, Least::Factor);
+            }
+            NodeKind::Root(inner, degree) => {
+                self.put(r"\sqrt");
+                if *degree != 2 {
+                    self.put(&format!("[{degree}]"));
+                }
+                self.braced(inner);
+            }
+            NodeKind::Exponential { exponent, upright } => {
+                self.put(if *upright { r"\mathrm{e}^" } else { "e^" });
+                self.braced(exponent);
+            }
+            NodeKind::Function(name, power, arguments) => self.function(name, *power, arguments),
+            NodeKind::Absolute(inner) => {
+                self.put(r"\left|");
+                self.node(inner, Least::Sum);
+                self.put(r"\right|");
+            }
+            NodeKind::Derivative { of, by, order, operator, upright } => {
+                let d = if *upright { r"\mathrm{d}" } else { "d" };
+                let power = if *order == 1 { String::new() } else { format!("^{order}") };
+                self.put(r"\frac{");
+                self.put(d);
+                self.put(&power);
+                if !operator {
+                    self.node(of, Least::Factor);
+                }
+                self.put("}{");
+                self.put(d);
+                self.node(by, Least::Factor);
+                self.put(&power);
+                self.put("}");
+                if *operator {
+                    self.node(of, Least::Factor);
+                }
+            }
+            NodeKind::Tuple(parts) => {
+                self.put("(");
+                self.joined(parts, ",", Least::Sum);
+                self.put(")");
+            }
+            NodeKind::Matrix(rows) => {
+                self.put(r"\begin{pmatrix}");
+                for (i, row) in rows.iter().enumerate() {
+                    if i > 0 {
+                        self.put(r"\\");
+                    }
+                    self.joined(row, "&", Least::Sum);
+                }
+                self.put(r"\end{pmatrix}");
+            }
+            NodeKind::Limit(body, _) => self.node(body, Least::Sum),
+        }
+    }
+
+    fn function(&mut self, function: &str, power: Option<i32>, arguments: &[Node]) {
+        let command = super::parse::spelled(function);
+        self.put(&command);
+        if let Some(n) = power {
+            self.put(&script('^', &n.to_string()));
+        }
+        match arguments {
+            [one] if super::parse::takes_bare_argument(function) => {
+                let as_it_is = match &one.kind {
+                    NodeKind::Symbol(s) => s.sup.is_none(),
+                    NodeKind::Scripted { sup, .. } => sup.is_none(),
+                    NodeKind::Function(..) | NodeKind::Matrix(_) | NodeKind::Cross { .. } => false,
+                    _ => {
+                        tightness(one) >= Least::Product && !matches!(one.kind, NodeKind::Quotient { slash: true, .. })
+                    }
+                };
+                if as_it_is {
+                    self.bare(one);
+                } else {
+                    self.put("(");
+                    self.bare(one);
+                    self.put(")");
+                }
+            }
+            _ => {
+                self.put("(");
+                self.joined(arguments, ",", Least::Sum);
+                self.put(")");
+            }
+        }
+    }
+
+    fn symbol(&mut self, s: &SymbolNode) {
+        if s.dots > 0 {
+            self.put(&format!(r"\{}ot", "d".repeat(usize::from(s.dots))));
+        }
+        self.put(&name::to_latex(&s.name));
+        self.scripts(s.sub.as_deref(), s.sup.as_deref(), s.sup_first);
+        if let Some(arguments) = &s.arguments {
+            self.put("(");
+            self.joined(arguments, ",", Least::Sum);
+            self.put(")");
+        }
+    }
+
+    fn scripts(&mut self, sub: Option<&[SubItem]>, sup: Option<&Node>, sup_first: bool) {
+        let lowered = sub.map(|items| {
+            let mut inner = Text(String::new());
+            for item in items {
+                match item {
+                    SubItem::Name(n) => inner.put(&name::to_latex(n)),
+                    SubItem::Digit(d) => inner.put(&d.to_string()),
+                    SubItem::Other(c) => inner.put(&c.to_string()),
+                }
+            }
+            script('_', &inner.0)
+        });
+        let raised = sup.map(|node| {
+            let mut inner = Text(String::new());
+            inner.node(node, Least::Sum);
+            script('^', &inner.0)
+        });
+        let (first, second) = if sup_first { (raised, lowered) } else { (lowered, raised) };
+        for text in first.iter().chain(&second) {
+            self.put(text);
+        }
+    }
+}
+
+fn script(sign: char, inner: &str) -> String {
+    if inner.chars().count() == 1 { format!("{sign}{inner}") } else { format!("{sign}{{{inner}}}") }
+}
+
+/// A number as decimals where that is exact, otherwise as a fraction.
+fn number(r: &Rational) -> String {
+    let ten = Rational::from(10);
+    let negative = *r < Rational::ZERO;
+    let mut scaled = if negative { -r.clone() } else { r.clone() };
+    let mut places = 0usize;
+    while !scaled.denominator().is_one() && places < 400 {
+        scaled *= &ten;
+        places += 1;
+    }
+    let sign = if negative { "-" } else { "" };
+    if !scaled.denominator().is_one() {
+        let (top, bottom) = (r.numerator().to_string(), r.denominator().to_string());
+        return format!(r"{sign}\frac{{{}}}{{{bottom}}}", top.trim_start_matches('-'));
+    }
+    let digits = scaled.numerator().to_string();
+    if places == 0 {
+        return format!("{sign}{digits}");
+    }
+    let padded = format!("{digits:0>width$}", width = places + 1);
+    let (whole, fraction) = padded.split_at(padded.len() - places);
+    format!("{sign}{whole}.{fraction}")
+}
