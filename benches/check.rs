@@ -49,7 +49,6 @@ fn whole_comment(bencher: Bencher) {
 /// One claim on one motion: what an author waits for who works on one equation.
 #[divan::bench(max_time = 3)]
 fn one_claim_on_one_motion(bencher: Bencher) {
-    let options =
-        Options { claims: vec!["t9-psi".into()], trajectories: vec!["racket-out".into()], ..Options::default() };
+    let options = Options { claims: vec!["t9-psi".into()], trajectories: vec!["racket-out".into()] };
     bencher.bench(|| account(&mut read(black_box("deriglazov-comment")), &options));
 }

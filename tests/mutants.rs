@@ -185,6 +185,12 @@ fn run(file: &str) -> (usize, Vec<String>) {
     let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
 
     let mut problems = Vec::new();
+    for claim in &account.claims {
+        let fails = claim.results.iter().find(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
+        if let (Some(pair), Some("proved")) = (fails, claim.identity.as_ref().map(|i| i.verdict)) {
+            problems.push(format!("{:?}\n    is proved, and fails on {}", claim.formulas, pair.trajectory));
+        }
+    }
     for (k, m) in mutants.iter().enumerate() {
         let name = format!(
             "{}{}: {} → {}",
