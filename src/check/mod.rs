@@ -167,11 +167,50 @@ pub fn check(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let identities: Vec<Option<IdentityAccount>> =
-        claimed.par_iter().map(|&c| Step::of(derivation, &derivation.claims[c]).and_then(Step::decide)).collect();
+    let identities: Vec<Option<IdentityAccount>> = (0..claimed.len())
+        .into_par_iter()
+        .map(|k| {
+            let claim = &derivation.claims[claimed[k]];
+            let step = Step::of(derivation, claim)?;
+            match counterexample(derivation, claim, k, &claimed, &tried, &columns) {
+                Some((t, witness)) => Some(step.refuted_by(&derivation.trajectories[t].id, witness)),
+                None => step.decide(),
+            }
+        })
+        .collect();
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     Ok(account)
+}
+
+/// A motion on which everything holds that a claim is said to follow from, and the claim fails.
+fn counterexample<'a>(
+    derivation: &Derivation,
+    claim: &Claim,
+    k: usize,
+    claimed: &[usize],
+    tried: &[usize],
+    columns: &'a [Column],
+) -> Option<(usize, &'a Witness)> {
+    let given = Step::given(derivation, claim);
+    columns.iter().zip(tried).find_map(|((verdicts, _), &t)| {
+        let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
+        let holds = |name: &String| match derivation.systems.iter().position(|s| s.id == *name) {
+            Some(system) => is_integrated_from(derivation, t, system),
+            None => claimed.iter().zip(verdicts).any(|(&c, v)| {
+                let other = &derivation.claims[c];
+                (other.id == *name || other.name() == *name)
+                    && v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)))
+            }),
+        };
+        if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
+    })
+}
+
+/// Whether a trajectory was integrated from a system: then its equations hold on it.
+fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize) -> bool {
+    let motion = &derivation.trajectories[trajectory].motion;
+    matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
 /// What was found on one motion: a verdict for every claim that is tried on it, and measurements.
@@ -250,8 +289,7 @@ fn strengthen(
                 let given = |name: &String| {
                     let system = derivation.systems.iter().position(|s| s.id == *name);
                     if let Some(system) = system {
-                        let motion = &derivation.trajectories[t].motion;
-                        return matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system);
+                        return is_integrated_from(derivation, t, system);
                     }
                     claims.iter().filter(|c| c.id == *name).any(|c| {
                         let pair = c.results.iter().find(|p| p.trajectory == pair.trajectory);

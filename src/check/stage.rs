@@ -23,7 +23,7 @@ use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
 /// Chebyshev points in each step of an integration.
-const DENSITY: usize = 6;
+const DENSITY: usize = 4;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
 const MOST_SAMPLES: usize = 1_500;
 /// Every how many samples dual numbers are compared with the bounds.
@@ -451,12 +451,15 @@ fn prepare(
     let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
     let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
     let inside = |t: &f64| (span.0..=span.1).contains(t);
-    let mut zeros = |e: Expr| {
+    // Claims and measures ask for the same events again and again.
+    let mut known_zeros: BTreeMap<Expr, Option<Zeros>> = BTreeMap::new();
+    let mut search = |e: Expr| {
         let mut found = if all_known(graph, &known, &[e]) { motion.zeros(graph, e).ok() } else { None }?;
         found.times.retain(inside);
         found.touching.retain(inside);
         Some(found)
     };
+    let mut zeros = |e: Expr| known_zeros.entry(e).or_insert_with(|| search(e)).clone();
     let mut events = BTreeMap::new();
     let mut measured = BTreeMap::new();
     if requests.tried.contains(&trajectory) {

@@ -13,6 +13,7 @@
 use super::account::IdentityAccount;
 use super::comparison::at_instant;
 use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
+use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
@@ -51,6 +52,31 @@ impl<'a> Step<'a> {
             claim,
             graph: derivation.graph.clone(),
         })
+    }
+
+    /// What a claim is said to follow from: the names that it gives, or all systems.
+    pub fn given(derivation: &Derivation, claim: &Claim) -> Vec<String> {
+        if claim.follows_from.is_empty() {
+            derivation.systems.iter().map(|s| s.id.clone()).collect()
+        } else {
+            claim.follows_from.clone()
+        }
+    }
+
+    /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
+    pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
+        IdentityAccount {
+            verdict: "refuted",
+            log2_error: None,
+            from: Step::given(self.derivation, self.claim),
+            conditions: Vec::new(),
+            generic: false,
+            reason: None,
+            witness: Some(format!(
+                "left {}, right {} on the trajectory {trajectory} at t = {}",
+                witness.left, witness.right, witness.t
+            )),
+        }
     }
 
     /// The rate of a first integral as an equation `… = 0`.
@@ -218,12 +244,8 @@ impl<'a> Step<'a> {
         let mut constant: Vec<Expr> = Vec::new();
         let mut complete = self.assume(claim, &mut premises);
         let mut from = Vec::new();
-        let named: Vec<&str> = if claim.follows_from.is_empty() {
-            derivation.systems.iter().map(|s| s.id.as_str()).collect()
-        } else {
-            claim.follows_from.iter().map(String::as_str).collect()
-        };
-        for name in named {
+        for name in Step::given(derivation, claim) {
+            let name = name.as_str();
             from.push(name.to_owned());
             if let Some(system) = derivation.systems.iter().find(|s| s.id == name) {
                 systems.extend(system.equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
