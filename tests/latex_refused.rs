@@ -130,7 +130,7 @@ fn numbers_side_by_side() {
         "x=‹2 3›",
         "x=‹a2›",
         "x=‹x2›",
-        "x=1 000",
+        "x=1 200",
         "x=2\\frac12",
         r"x=\frac12 3",
         r"x=\frac123",
@@ -312,6 +312,8 @@ fn times() {
     refused(r"0=\lim_{t\to t_0}\theta(t)", "latex::limit");
     refused(r"a\lim_{t\to t_0}\theta=0", "latex::limit");
     refused(r"\lim_{t\to x}\theta=0", "latex::limit");
+    refused(r"x=\theta^{-1}(0)", AMBIGUOUS);
+    assert!(refused(r"\theta(t)‹\rightarrow› 0", "latex::limit").contains(r"\lim"));
     refused(r"x=\infty", "latex::unsupported");
 }
 
