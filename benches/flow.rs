@@ -1,6 +1,8 @@
 //! Euler–Poisson equations, 12 unknowns, I = (1, 2, 3), Ω(0) = (0.01, 1, 0.01), R(0) = 1, t = 0 … 100, to 1e-15: the tape
 //! against the same method written by hand. Figures per trajectory; `cargo bench --bench flow`.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 #[path = "../tests/flow_support/mod.rs"]
 mod flow_support;
 

@@ -3,6 +3,8 @@
 //!
 //! `cargo bench --bench number`. Figures are comparable within one run only: quote ratios.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use num_dual::{Dual64, DualNum};

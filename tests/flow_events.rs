@@ -1,5 +1,7 @@
 //! Zeros and minima of expressions along a motion.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 mod flow_support;
 
 use flow_support::World;

@@ -1,5 +1,7 @@
 //! What a motion knows beside its states: observables, angles, values at fixed times, derived motions, formulas.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 mod flow_support;
 
 use flow_support::{UNIT, World, rigid_motion};

@@ -1,5 +1,7 @@
 //! The free rigid body against independent closed forms.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 mod flow_support;
 
 use flow_support::{UNIT, World, rigid_motion};

@@ -2,6 +2,8 @@
 //!
 //! `REDERIVE_CASES=10000 cargo test --release --test identity_random` for the long run.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 use rederive::check::identity::{Identity, Options, Premises, identity_test};
 use rederive::expr::{Expr, Graph, Node, Op, Rational, Shape};
 use rederive::number::Draws;

@@ -1,4 +1,6 @@
 //! Texts that could be misread: each means what LaTeX prints, as a physicist reads it.
+
+#![allow(clippy::type_complexity, reason = "tables of formulas and closures")]
 #![expect(clippy::disallowed_methods, reason = "the platform's functions are the independent second route")]
 
 mod latex_support;

@@ -280,7 +280,7 @@ fn short_texts_that_stand_for_much() {
         format!("R_{{{}}}=0", "1".repeat(1000)),
         format!("x={}", "x(0)".repeat(5000)),
         format!("x=|{}|", "a".repeat(5000)),
-        format!("{}", "x=0,".repeat(20_000)),
+        "x=0,".repeat(20_000),
         format!("x={}", "m_iR_{ij}m_j+".repeat(2000) + "1"),
     ] {
         let mut w = world();

@@ -3,6 +3,8 @@
 //! Each law counts what it really compared, per number type and operation, and a count of 0 fails: a law that skips all its
 //! cases proves nothing.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 use dashu_float::{FBig, round::mode::HalfEven};
 use num_dual::{Dual, Dual2, Dual2_64, Dual64};
 use rederive::expr::{Expr, Graph, Leaf, Shape};
@@ -403,7 +405,9 @@ fn balls_at_the_ends_of_domains() {
         let got = get(op, ball(at, 1e-10), zero).expect("a bound exists");
         assert!(got.error > 1e-6 && got.error < 3e-5, "{op:?}: {got:?}");
     }
-    assert_eq!(get(Op::Sqrt, ball(-1e-20, 1e-10), zero), Err(NoValue::Indeterminate));
+    // A centre that rounding has moved across 0: the root of whatever is in the ball lies within the bound.
+    let moved = get(Op::Sqrt, ball(-1e-20, 1e-10), zero).expect("a bound exists");
+    assert!(moved.value == 0.0 && moved.error >= 1e-10f64.sqrt() * (1.0 - 1e-9) && moved.error < 1.1e-5, "{moved:?}");
     assert_eq!(get(Op::Sqrt, ball(-1.0, 1e-10), zero), Err(NoValue::OutOfDomain));
     assert_eq!(get(Op::Arccos, ball(1.0 + 1e-12, 1e-10), zero), Err(NoValue::Indeterminate));
     assert_eq!(get(Op::Arccos, ball(1.1, 1e-10), zero), Err(NoValue::OutOfDomain));

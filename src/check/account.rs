@@ -87,12 +87,12 @@ impl IdentityAccount {
         let reason = self.reason.as_deref().unwrap_or("no reason is known");
         match (self.verdict, self.log2_error) {
             ("proved", Some(bound)) => format!(
-                "Follows for all values from {given}: proved by random evaluation, with an error probability of at most \
+                "An identity, given {given}: proved by random evaluation, with an error probability of at most \
                  2^{}.",
                 bound.ceil()
             ),
-            ("refuted", _) => format!("Does not follow from {given} alone: refuted by a point."),
-            _ => format!("Whether it follows from {given} is undecided: {reason}."),
+            ("refuted", _) => format!("Not an identity, given {given}: a point refutes it."),
+            _ => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
         }
     }
 }

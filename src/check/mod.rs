@@ -2,8 +2,9 @@
 //!
 //! **In:** a [`Derivation`]. **Out:** an [`Account`]: one verdict for every claim on every trajectory, with its evidence.
 //!
-//! The order of work: [`stage`] turns trajectories into motions; [`program`] turns every form of claim into comparisons;
-//! `trial` measures them at the points of a motion; [`weigh`] makes the verdict. Motions are independent of one another
+//! The order of work: `program` turns every form of claim into comparisons; `stage` turns trajectories into motions;
+//! `trial` measures the comparisons at the points of a motion; `weigh` makes the verdict; `step` asks what holds for all
+//! values, see [`identity`]. Motions are independent of one another
 //! and are tried in parallel; the result does not depend on how many threads there are.
 //!
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
@@ -11,9 +12,12 @@
 
 mod account;
 mod comparison;
+mod describe;
 pub mod identity;
 mod independence;
+mod limit;
 mod measure;
+mod occurrence;
 mod program;
 mod same_motion;
 #[cfg(test)]
@@ -144,7 +148,7 @@ pub fn check(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<(Vec<Option<Verdict>>, Vec<Measurement>), String>> = tried
+    let columns: Vec<Result<Column, String>> = tried
         .par_iter()
         .map(|&t| {
             let course = stage.course(&derivation.graph, t, &wanted)?;
@@ -169,6 +173,9 @@ pub fn check(
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     Ok(account)
 }
+
+/// What was found on one motion: a verdict for every claim that is tried on it, and measurements.
+type Column = (Vec<Option<Verdict>>, Vec<Measurement>);
 
 /// The verdict of one claim on one motion.
 fn one_pair(
@@ -278,13 +285,13 @@ fn assemble(
     stage: &Stage,
     claimed: &[usize],
     tried: &[usize],
-    columns: Vec<(Vec<Option<Verdict>>, Vec<Measurement>)>,
+    columns: Vec<Column>,
     identities: Vec<Option<IdentityAccount>>,
 ) -> Account {
     let mut claims = Vec::new();
     for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
         let claim = &derivation.claims[c];
-        let pair = |(column, &t): (&(Vec<Option<Verdict>>, Vec<Measurement>), &usize)| {
+        let pair = |(column, &t): (&Column, &usize)| {
             let verdict = column.0[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
             Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected })

@@ -280,7 +280,7 @@ impl Stage {
     /// A trajectory for the reports.
     pub fn account(&self, derivation: &Derivation, trajectory: usize) -> Option<TrajectoryAccount> {
         let given = &derivation.trajectories[trajectory];
-        let Some(built) = self.built(trajectory) else { return None };
+        let built = self.built(trajectory)?;
         let motion = &built.motion;
         let mut values = Vec::new();
         for (symbol, numbers) in &built.given {

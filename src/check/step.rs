@@ -195,12 +195,27 @@ impl<'a> Step<'a> {
         }
     }
 
+    /// What is given as constant has its present value at the fixed times that occur, too.
+    fn constants_at_instants(&mut self, constant: &[Expr], equations: &[(Expr, Expr)], premises: &mut Premises) {
+        let roots: Vec<Expr> = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]).collect();
+        let mut instants: Vec<Expr> = self.graph.leaves(roots).into_iter().filter_map(|l| l.instant).collect();
+        instants.sort_unstable();
+        instants.dedup();
+        for &e in constant {
+            for &instant in &instants {
+                let then = at_instant(&mut self.graph, &self.claim.scope, e, instant);
+                premises.equations.push((e, then));
+            }
+        }
+    }
+
     /// Decides the step.
     pub fn decide(mut self) -> Option<IdentityAccount> {
         let (derivation, claim) = (self.derivation, self.claim);
         let mut premises = Premises::default();
         self.roles(&mut premises);
         let mut systems: Vec<(Expr, Expr)> = Vec::new();
+        let mut constant: Vec<Expr> = Vec::new();
         let mut complete = self.assume(claim, &mut premises);
         let mut from = Vec::new();
         let named: Vec<&str> = if claim.follows_from.is_empty() {
@@ -216,6 +231,11 @@ impl<'a> Step<'a> {
             }
             // Of a claim with readings the first is meant.
             let Some(premise) = derivation.claims.iter().find(|c| c.name() == name || c.id == name) else { continue };
+            for form in &premise.forms {
+                if let Form::FirstIntegral(w) = form {
+                    constant.extend(w.value.components.iter().copied());
+                }
+            }
             match self.equations(premise) {
                 Some(equations) => premises.equations.extend(equations),
                 None => complete = false,
@@ -227,6 +247,7 @@ impl<'a> Step<'a> {
         if equations.is_empty() {
             return None;
         }
+        self.constants_at_instants(&constant, &equations, &mut premises);
         self.definitions(&equations, &systems, &mut premises);
         self.definitions_at_instants(&equations, &mut premises);
         self.positive_parameters(&equations, &mut premises);

@@ -3,19 +3,19 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
-use std::cell::RefCell;
-
 use super::comparison::{Comparison, Group, Standing};
+use super::describe::{Describer, short};
+use super::limit::limit;
+use super::occurrence::{eventually, never};
 use super::program::{Program, Use};
 use super::stage::Stage;
-use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
-use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, TOLERATED_INCONCLUSIVE, weigh, witness};
+use super::verdict::{Evidence, Outcome, Verdict};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
-use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots, Tape};
+use crate::tape::{Slots, Tape};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -87,13 +87,15 @@ pub(super) struct Events {
 }
 
 /// Everything measured for one claim at a list of times.
-struct Measurements {
-    assumptions: Vec<Vec<Vec<Series>>>,
-    groups: Vec<Vec<Vec<Series>>>,
+pub(super) struct Measurements {
+    /// Those of the assumptions: `[group][sign][comparison][time]`.
+    pub assumptions: Vec<Vec<Vec<Series>>>,
+    /// Those of the claim, likewise.
+    pub groups: Vec<Vec<Vec<Series>>>,
 }
 
 /// Measures all groups of a program at the given points: `[group][sign][comparison][time]`.
-fn measure(program: &Program, points: &[Values]) -> Measurements {
+pub(super) fn measure(program: &Program, points: &[Values]) -> Measurements {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
     let mut slots: Option<Slots<Bounded>> = None;
     let by_sign: Vec<Vec<Vec<_>>> =
@@ -109,69 +111,6 @@ fn measure(program: &Program, points: &[Values]) -> Measurements {
     let assumptions = program.assumptions.iter().map(|a| gather(&a.group)).collect();
     let groups = program.groups.iter().map(|(_, g)| gather(g)).collect();
     Measurements { assumptions, groups }
-}
-
-/// Describes points in words and numbers, for witnesses and reasons.
-struct Describer<'a> {
-    graph: &'a Graph,
-    program: &'a Program,
-    leaves: &'a [Leaf],
-    times: &'a [f64],
-    points: &'a [Values],
-    slots: RefCell<Option<Slots<Bounded>>>,
-}
-
-/// A number with as many digits as a reader wants.
-fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
-}
-
-impl<'a> Describer<'a> {
-    fn new(
-        graph: &'a Graph,
-        program: &'a Program,
-        course: &'a Course,
-        times: &'a [f64],
-        points: &'a [Values],
-    ) -> Describer<'a> {
-        Describer { graph, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
-    }
-
-    /// Values of the leaves that both sides depend on.
-    fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
-        let wanted = self.graph.leaves([comparison.left, comparison.right]);
-        let value = |leaf: Leaf| {
-            let at = self.leaves.iter().position(|&l| l == leaf)?;
-            let v = self.points[time][at].ok()?;
-            Some((self.graph.leaf_latex(leaf), v.value))
-        };
-        wanted.into_iter().filter_map(value).collect()
-    }
-
-    /// Why a comparison has no value.
-    fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
-        let Some(tape) = self.program.tape() else { return reason.to_string() };
-        let mut slots = self.slots.borrow_mut();
-        self.program.measure(&self.points[time], 1.0, &mut slots);
-        let Some(slots) = slots.as_ref() else { return reason.to_string() };
-        let position = self.program.position(comparison);
-        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
-        match fault {
-            Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
-                Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),
-                None => reason.to_string(),
-            },
-            Some(Fault::Instruction(step)) => {
-                let a = slots.value(step.a as usize).value;
-                let b = slots.value(step.b as usize).value;
-                match step.op.arity() {
-                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)),
-                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b)),
-                }
-            }
-            Some(Fault::Constant) | None => reason.to_string(),
-        }
-    }
 }
 
 /// Tries a claim on a motion.
@@ -394,7 +333,7 @@ fn apply_assumptions(
         let judged = Judged::new(&group, claim.precision);
         let mut unclear = None;
         let mut unclear_count = 0;
-        for i in 0..count {
+        for (i, left) in left.iter_mut().enumerate() {
             let Some(standing) = judged.best(i) else { continue };
             if standing == Standing::Satisfied {
                 continue;
@@ -415,8 +354,8 @@ fn apply_assumptions(
             match standing {
                 Standing::Satisfied => {}
                 Standing::NoValue(reason) => {
-                    if left[i] == Left::In {
-                        left[i] = Left::Out(describer.fault(comparison, i, reason));
+                    if *left == Left::In {
+                        *left = Left::Out(describer.fault(comparison, i, reason));
                     }
                 }
                 Standing::Violated if assumption.throughout => {
@@ -425,13 +364,13 @@ fn apply_assumptions(
                 Standing::Inconclusive if assumption.throughout => {
                     unclear.get_or_insert_with(|| sides("cannot be decided"));
                     unclear_count += 1;
-                    if left[i] == Left::In {
-                        left[i] = Left::Out(format!("the assumption `{}` cannot be decided", assumption.text));
+                    if *left == Left::In {
+                        *left = Left::Out(format!("the assumption `{}` cannot be decided", assumption.text));
                     }
                 }
                 Standing::Violated | Standing::Inconclusive => {
-                    if left[i] == Left::In {
-                        left[i] = Left::Out(format!("the assumption `{}` is not met", assumption.text));
+                    if *left == Left::In {
+                        *left = Left::Out(format!("the assumption `{}` is not met", assumption.text));
                     }
                 }
             }
@@ -450,203 +389,4 @@ fn apply_assumptions(
         return conclude(Outcome::NotApplicable, reason.unwrap_or_else(|| "there is no time to try it at".to_owned()));
     }
     Ok(left)
-}
-
-/// The times that count at which a group holds, with the sign that makes it hold.
-fn holding(setting: &Setting, judged: &Judged) -> Option<(usize, usize)> {
-    let standing = &judged.whole;
-    (0..setting.times.len())
-        .filter(|&i| setting.left[i] == Left::In)
-        .find_map(|i| (0..standing.len()).find(|&s| standing[s][i] == Standing::Satisfied).map(|s| (i, s)))
-}
-
-/// A claim that a relation holds at no time: samples can refute it, and never establish it.
-fn never(
-    claim: &Claim,
-    setting: &Setting,
-    group: &MeasuredGroup,
-    course: &Course,
-    describer: &Describer,
-    zeros: Option<&Zeros>,
-) -> Verdict {
-    let counted = setting.left.iter().filter(|l| **l == Left::In).count();
-    let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    let judged = Judged::new(group, claim.precision);
-    if let Some((i, s)) = holding(setting, &judged) {
-        let c = judged.deciding(s, i);
-        if let Ok(m) = &group.signs[s][c][i] {
-            evidence.witness = Some(witness(setting, &group.group.comparisons[c], i, m));
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
-        }
-    }
-    if let Some(&t) = zeros.and_then(|z| z.times.first()) {
-        let points = [course.values(t)];
-        let at_zero = Describer { times: &[t], points: &points, slots: RefCell::new(None), ..*describer };
-        let measured = measure(describer.program, &points);
-        let same =
-            describer.program.groups.iter().zip(&measured.groups).find(|((_, g), _)| std::ptr::eq(g, group.group));
-        if let Some((comparison, Ok(m))) =
-            same.and_then(|(_, signs)| Some((group.group.comparisons.first()?, signs.first()?.first()?.first()?)))
-        {
-            let only = Setting {
-                times: &[t],
-                left: vec![Left::In],
-                values: &|c: &Comparison, i: usize| at_zero.values(c, i),
-                ..*setting
-            };
-            evidence.witness = Some(witness(&only, comparison, 0, m));
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
-        }
-    }
-    // The closest approach, for the reader.
-    let mut closest: Option<Residual> = None;
-    for c in group.signs.iter().flatten() {
-        for (i, m) in c.iter().enumerate() {
-            if let (Ok(m), Left::In) = (m, &setting.left[i]) {
-                let size = m.difference.value.abs();
-                if closest.as_ref().is_none_or(|r| size < r.max) {
-                    closest = Some(Residual { max: size, bound: m.difference.error, at: setting.times[i] });
-                }
-            }
-        }
-    }
-    let approach = closest
-        .as_ref()
-        .map_or(String::new(), |r| format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at)));
-    evidence.residual = closest;
-    evidence.reason = Some(format!(
-        "not seen at {counted} samples, nor as a sign change between them{approach}; samples cannot show that something \
-         never happens, an enclosure would"
-    ));
-    Verdict::new(Outcome::Undecided, evidence)
-}
-
-/// A claim that a relation holds at some time: samples and zeros can establish it, and never refute it.
-fn eventually(
-    claim: &Claim,
-    setting: &Setting,
-    group: &MeasuredGroup,
-    course: &Course,
-    zeros: Option<&Zeros>,
-) -> Verdict {
-    let counted = setting.left.iter().filter(|l| **l == Left::In).count();
-    let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    let judged = Judged::new(group, claim.precision);
-    if let Some((i, s)) = holding(setting, &judged) {
-        let c = judged.deciding(s, i);
-        if let Ok(m) = &group.signs[s][c][i] {
-            evidence.reason = Some(format!("first seen at the sample t = {}", short(setting.times[i])));
-            evidence.residual =
-                Some(Residual { max: m.difference.value.abs(), bound: m.difference.error, at: setting.times[i] });
-            return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
-        }
-    }
-    if let Some(&t) = zeros.and_then(|z| z.times.first()) {
-        evidence.reason = Some(format!("happens first at t = {t:.12}"));
-        return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
-    }
-    let (from, to) = course.stage.span(course.trajectory);
-    evidence.reason = Some(format!(
-        "not seen at {counted} samples between t = {from} and t = {to}; a longer motion may show it, an enclosure could \
-         exclude it"
-    ));
-    Verdict::new(Outcome::Undecided, evidence)
-}
-
-/// Steps towards a limit point; the last few must agree with the limit within their bounds.
-const APPROACH: usize = 12;
-
-/// A claim about a limit, tried along times that approach the point.
-fn limit(
-    graph: &Graph,
-    claim: &Claim,
-    program: &Program,
-    position: usize,
-    course: &Course,
-    point: &LimitPoint,
-) -> Verdict {
-    let (from, to) = course.stage.span(course.trajectory);
-    let undecided =
-        |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
-    let (target, times): (String, Vec<f64>) = match point {
-        LimitPoint::Finite(e) => {
-            let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
-                return undecided("the point of the limit has no value on this motion".to_owned());
-            };
-            let t0 = t0.value;
-            if t0 < from || t0 > to {
-                return undecided(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
-            }
-            let reach = (t0 - from).max(to - t0);
-            let direction = if to - t0 >= t0 - from { 1.0 } else { -1.0 };
-            let steps = (0..=3 * APPROACH).map(|k| t0 + direction * reach * (0.1f64).powi(k as i32 / 3 + 1));
-            (format!("t → {}", short(t0)), steps.chain([t0]).collect())
-        }
-        LimitPoint::PlusInfinity | LimitPoint::MinusInfinity => {
-            let end = if matches!(point, LimitPoint::PlusInfinity) { to } else { from };
-            let start = if matches!(point, LimitPoint::PlusInfinity) { from } else { to };
-            let times =
-                (0..=3 * APPROACH).map(|k| start + (end - start) * k as f64 / (3.0 * APPROACH as f64)).collect();
-            ("t → ±∞".to_owned(), times)
-        }
-    };
-    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
-    let measured = measure(program, &points);
-    let (_, group) = &program.groups[position];
-    let series: Vec<&Series> = measured.groups[position].iter().flatten().collect();
-    let describer = Describer::new(graph, program, course, &times, &points);
-    let mut evidence = Evidence::default();
-    for (comparison, series) in group.comparisons.iter().zip(series) {
-        let valid: Vec<(usize, _)> =
-            series.iter().enumerate().filter_map(|(i, m)| Some((i, m.as_ref().ok()?))).collect();
-        let Some(&(i, last)) = valid.last() else {
-            return undecided(format!("no value near the limit {target}"));
-        };
-        evidence.samples += valid.len();
-        let size = last.difference.value.abs();
-        if !matches!(comparison.kind, RelationKind::Equal | RelationKind::NotEqual) {
-            return undecided("only `=` and `\\ne` can be tried of a limit".to_owned());
-        }
-        let claims_equal = comparison.kind == RelationKind::Equal;
-        let settled = size <= last.difference.error.max(claim.precision * last.magnitude.max(f64::MIN_POSITIVE));
-        let finite = matches!(point, LimitPoint::Finite(_));
-        let reached = settled || (finite && vanishes(&valid, &times));
-        if (claims_equal && reached) || (!claims_equal && finite && !reached) {
-            evidence.residual = Some(Residual { max: size, bound: last.difference.error, at: times[i] });
-            continue;
-        }
-        if (claims_equal && finite) || (!claims_equal && reached) {
-            let setting = Setting {
-                times: &times,
-                left: vec![Left::In; times.len()],
-                precision: claim.precision,
-                one_sign_throughout: false,
-                values: &|c: &Comparison, i: usize| describer.values(c, i),
-                fault: &|c: &Comparison, i: usize, r: NoValue| describer.fault(c, i, r),
-            };
-            evidence.witness = Some(witness(&setting, comparison, i, last));
-            evidence.reason = Some(format!("the difference tends to {} as {target}", short(last.difference.value)));
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
-        }
-        return undecided(format!(
-            "{} away from the limit at t = {}; a limit at infinity needs a bound for all later times",
-            short(size),
-            short(times[i])
-        ));
-    }
-    evidence.reason = Some(format!("followed towards {target}"));
-    Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
-}
-
-/// Whether differences shrink in proportion to the distance (or faster) as a finite point is approached.
-fn vanishes(valid: &[(usize, &super::weigh::Measured)], times: &[f64]) -> bool {
-    let Some(&t0) = times.last() else { return false };
-    let near: Vec<(f64, f64)> = valid
-        .iter()
-        .map(|(i, m)| ((times[*i] - t0).abs(), (m.difference.value.abs() - m.difference.error).max(0.0)))
-        .filter(|(distance, _)| *distance > 0.0)
-        .collect();
-    let (Some(first), Some(last)) = (near.first(), near.last()) else { return false };
-    // |difference| ≤ C·√distance with the C of the first point: continuous with a margin for square-root behaviour.
-    last.0 < 1e-6 * first.0 && last.1 <= 10.0 * first.1 * (last.0 / first.0).sqrt()
 }

@@ -52,6 +52,12 @@ pub(super) enum Left {
     Out(String),
 }
 
+/// Values, with their LaTeX names, that a comparison depends on at a time.
+pub(super) type Values<'a> = dyn Fn(&Comparison, usize) -> Vec<(String, f64)> + 'a;
+
+/// Why a comparison has no value at a time, in words.
+pub(super) type Fault<'a> = dyn Fn(&Comparison, usize, NoValue) -> String + 'a;
+
 /// What is known of each time before the claim itself is looked at, and how to describe a point.
 pub(super) struct Setting<'a> {
     /// The times, increasing.
@@ -63,9 +69,9 @@ pub(super) struct Setting<'a> {
     /// Whether one sign of ± must serve the whole motion.
     pub one_sign_throughout: bool,
     /// Values that a comparison depends on at a time, for a witness.
-    pub values: &'a dyn Fn(&Comparison, usize) -> Vec<(String, f64)>,
+    pub values: &'a Values<'a>,
     /// Why a comparison has no value at a time, in words.
-    pub fault: &'a dyn Fn(&Comparison, usize, NoValue) -> String,
+    pub fault: &'a Fault<'a>,
 }
 
 /// What a residual must be small against, for every comparison of a group and every time: the size of the terms at that

@@ -98,7 +98,7 @@ pub fn account(derivation: &mut Derivation, claims: &[String], trajectories: &[S
 fn exit_of(summary: &Summary) -> Exit {
     if summary.unexpected > 0 {
         Exit::Different
-    } else if summary.undecided > 0 {
+    } else if summary.open > 0 {
         Exit::Undecided
     } else {
         Exit::Good

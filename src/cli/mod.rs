@@ -23,7 +23,7 @@ enum Exit {
     Different,
     /// The command line or a file could not be read, or a report could not be written.
     BadInput,
-    /// Nothing differs, but some verdict is undecided, or nothing was checked.
+    /// Nothing differs, but some verdict is undecided without being expected so, or nothing was checked.
     Undecided,
     /// A defect of the program.
     Defect,
@@ -58,7 +58,7 @@ Exit codes:
   0   every verdict is as expected, and at least one claim was decided
   1   some verdict differs from what is expected (without an expectation: some claim fails)
   2   the command line or a file could not be read, or a report could not be written
-  3   nothing differs, but some verdict is undecided
+  3   nothing differs, but some verdict is undecided that the file does not expect to be
   70  a defect of rederive itself";
 
 /// Checks derivations: which claims of a paper hold along which motions, and how strongly.

@@ -1,7 +1,7 @@
 //! Formula text → expressions.
 //!
 //! **In:** LaTeX as a paper prints it, and a [`Scope`] of declared symbols. **Out:** [`Statement`]s (relations between
-//! tensors of expressions) or a single [`Tensor`](crate::expr::Tensor).
+//! tensors of expressions) or a single [`Tensor`].
 //!
 //! **Guaranteed:** a text is consumed whole, with one meaning, or refused with [`Problem`]s that name the place and how to
 //! write it. The reader never panics and never recurses without a limit. Nothing is guessed: an undeclared symbol, a

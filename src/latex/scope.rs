@@ -83,6 +83,8 @@ struct Entry {
 pub struct Scope {
     entries: Vec<Entry>,
     sign: Leaf,
+    /// No longer found by name; formulas read before still mean them.
+    hidden: Vec<Entry>,
 }
 
 /// What a written symbol refers to.
@@ -123,7 +125,7 @@ impl Scope {
     /// A scope without symbols; it knows the sign that ± stands for.
     pub fn new(graph: &mut Graph) -> Scope {
         let symbol = graph.declare(r"\pm", Shape::scalar(), false);
-        Scope { entries: Vec::new(), sign: Leaf { symbol, component: 0, rate: 0, instant: None } }
+        Scope { entries: Vec::new(), hidden: Vec::new(), sign: Leaf { symbol, component: 0, rate: 0, instant: None } }
     }
 
     /// Declares a symbol under its name as LaTeX writes it.
@@ -193,8 +195,10 @@ impl Scope {
         let key = key.to_owned();
         let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
         // The same name again hides the earlier one.
-        self.entries
-            .retain(|e| !(e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments)));
+        let same =
+            |e: &mut Entry| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
+        let hidden: Vec<Entry> = self.entries.extract_if(.., same).collect();
+        self.hidden.extend(hidden);
         self.entries.push(entry);
         Ok(symbol)
     }
@@ -242,7 +246,7 @@ impl Scope {
     }
 
     fn by_symbol(&self, symbol: Symbol) -> Option<&Entry> {
-        self.entries.iter().rev().find(|e| e.symbol == symbol)
+        self.entries.iter().rev().chain(&self.hidden).find(|e| e.symbol == symbol)
     }
 
     /// The symbol declared under a key, in any spelling of it.

@@ -298,8 +298,8 @@ impl Number for Bounded {
         let Ok(value) = centre(|x| x.sqrt(&(), &a.value)) else {
             // Rounding has moved a small value across 0: its root lies between 0 and that of the largest value.
             let largest = a.value + a.error;
-            if !(largest >= 0.0 && a.error.is_finite()) {
-                return Err(a.outside(false));
+            if !(a.value < 0.0 && largest >= 0.0 && largest.is_finite()) {
+                return Err(a.outside(a.value >= 0.0));
             }
             *self = Bounded { value: 0.0, error: (largest * UP).sqrt() * UP };
             return Ok(());

@@ -1,0 +1,82 @@
+//! Points in words and numbers, for witnesses and reasons.
+
+use std::cell::RefCell;
+
+use super::comparison::Comparison;
+use super::program::Program;
+use super::trial::{Course, Values};
+use crate::expr::{Graph, Leaf};
+use crate::number::{Bounded, NoValue};
+use crate::tape::{Fault, Slots};
+
+/// Describes points in words and numbers, for witnesses and reasons.
+pub(super) struct Describer<'a> {
+    graph: &'a Graph,
+    /// The claim.
+    pub program: &'a Program,
+    leaves: &'a [Leaf],
+    /// The times of the points.
+    pub times: &'a [f64],
+    points: &'a [Values],
+    slots: RefCell<Option<Slots<Bounded>>>,
+}
+
+/// A number with as many digits as a reader wants.
+pub(super) fn short(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
+}
+
+impl<'a> Describer<'a> {
+    /// A describer of these points.
+    pub fn new(
+        graph: &'a Graph,
+        program: &'a Program,
+        course: &'a Course,
+        times: &'a [f64],
+        points: &'a [Values],
+    ) -> Describer<'a> {
+        Describer { graph, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
+    }
+
+    /// The same for other points.
+    pub fn at<'b>(&'b self, times: &'b [f64], points: &'b [Values]) -> Describer<'b> {
+        let Describer { graph, program, leaves, .. } = *self;
+        Describer { graph, program, leaves, times, points, slots: RefCell::new(None) }
+    }
+
+    /// Values of the leaves that both sides depend on.
+    pub fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
+        let wanted = self.graph.leaves([comparison.left, comparison.right]);
+        let value = |leaf: Leaf| {
+            let at = self.leaves.iter().position(|&l| l == leaf)?;
+            let v = self.points[time][at].ok()?;
+            Some((self.graph.leaf_latex(leaf), v.value))
+        };
+        wanted.into_iter().filter_map(value).collect()
+    }
+
+    /// Why a comparison has no value.
+    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
+        let Some(tape) = self.program.tape() else { return reason.to_string() };
+        let mut slots = self.slots.borrow_mut();
+        self.program.measure(&self.points[time], 1.0, &mut slots);
+        let Some(slots) = slots.as_ref() else { return reason.to_string() };
+        let position = self.program.position(comparison);
+        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
+        match fault {
+            Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
+                Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),
+                None => reason.to_string(),
+            },
+            Some(Fault::Instruction(step)) => {
+                let a = slots.value(step.a as usize).value;
+                let b = slots.value(step.b as usize).value;
+                match step.op.arity() {
+                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)),
+                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b)),
+                }
+            }
+            Some(Fault::Constant) | None => reason.to_string(),
+        }
+    }
+}

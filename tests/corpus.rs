@@ -1,0 +1,222 @@
+//! Every derivation file reaches exactly the verdicts that it states.
+//!
+//! The files are those of `derivations/`, which a user sees, and those of `tests/corpus/`, which exercise every form of
+//! claim, every verdict and every kind of motion, and try to trick the program. `undecided` never stands for `holds`.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use rederive::check::{Account, Options, Outcome, PairAccount, check};
+use rederive::derivation::{Derivation, FormKind, load};
+use rederive::diag::render;
+
+/// Verdicts of `tests/corpus/` that are wrong in this version: file, claim, trajectory, the wrong verdict, the reason.
+///
+/// The files state the truth. A verdict that has become right must leave this list; a new wrong one fails the test.
+const KNOWN_WRONG: &[(&str, &str, &str, &str, &str)] = &[
+    (
+        "forms",
+        "rate-of-a-constant",
+        "formula",
+        "undecided",
+        "the size of a rate's terms is not looked for behind the dot",
+    ),
+    ("systems", "kink", "kink", "fails", "the error estimate does not notice a kink of the right side, here 2e-13"),
+    ("systems", "angle", "passing", "holds", "between two samples"),
+    ("precision", "cancellation-of-all-digits", "coarse", "holds", "the bound is compared with terms that cancel"),
+    ("traps", "not-equal-between-samples", "swing", "holds", "a zero between two samples"),
+    ("traps", "bound-between-samples", "swing", "holds", "an extremum between two samples"),
+    ("traps", "no-root-between-samples", "swing", "holds", "an extremum between two samples"),
+    ("traps", "pole-between-samples", "swing", "holds", "a pole between two samples"),
+    ("traps", "assumption-of-itself", "swing", "holds", "a crossing between two samples"),
+    ("traps", "limit-off-by-little", "swing", "holds", "the test of a limit has a margin for square roots"),
+    ("traps", "limit-at-a-zero", "ramp", "holds", "a limit at infinity is read off the last time"),
+    ("traps", "hidden-by-a-root", "swing", "holds", "times at which one formula has no value are left out for all"),
+    ("traps", "hidden-by-another-motion", "spike", "not-applicable", "not applicable goes before fails"),
+];
+
+/// Claims that are wrongly proved in this version. Two systems of their file move the same states in different ways; both
+/// are taken as given, and from a contradiction everything follows.
+const KNOWN_CONTRADICTIONS: &[&str] = &[
+    "forms: always-wrong",
+    "forms: first-integral-wrong",
+    "forms: frequency/of-turns",
+    "precision: asked-for-less",
+    "precision: energy",
+    "precision: equation",
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All `.toml` files below a folder, in the order of their names.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    for path in entries.map(|e| e.expect("an entry can be read").path()) {
+        if path.is_dir() {
+            found.extend(files_below(&path));
+        } else if path.extension().is_some_and(|e| e == "toml") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+fn run(path: &Path) -> (Derivation, Account) {
+    let mut derivation = load(path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&mut derivation, &Options::default(), &|_, _| {});
+    let account = account.unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+    (derivation, account)
+}
+
+/// What differs between the verdicts of a file and its expectations, one line for each pair.
+fn differences(file: &str, account: &Account, known: &[(&str, &str, &str, &str, &str)]) -> Vec<String> {
+    let mut found = Vec::new();
+    for claim in &account.claims {
+        let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+        for pair in &claim.results {
+            let word = pair.verdict.outcome().word();
+            let at = format!("{file}: {name} on {}", pair.trajectory);
+            let wrong = known.iter().find(|(f, c, t, ..)| *f == file && *c == name && *t == pair.trajectory);
+            let evidence = pair.verdict.evidence();
+            match (pair.expected, wrong) {
+                (None, _) => found.push(format!("{at}: no verdict is expected, found {word}")),
+                (Some(e), None) if e != word => {
+                    found.push(format!("{at}: expected {e}, found {word}\n    {:?}", evidence.reason));
+                }
+                (Some(e), Some(_)) if e == word => {
+                    found.push(format!("{at}: {word} is right now: take it out of KNOWN_WRONG"));
+                }
+                (Some(_), Some((.., listed, _))) if *listed != word => {
+                    found.push(format!("{at}: known to be wrong as {listed}, found {word}"));
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+/// Verdicts rest on what they must carry.
+fn incomplete(file: &str, account: &Account) -> Vec<String> {
+    let mut found = Vec::new();
+    for claim in &account.claims {
+        for pair in &claim.results {
+            let evidence = pair.verdict.evidence();
+            let complete = match pair.verdict.outcome() {
+                Outcome::Holds(_) => evidence.samples > 0 && evidence.witness.is_none(),
+                Outcome::Fails(_) => evidence.witness.is_some(),
+                Outcome::NotApplicable | Outcome::Undecided => {
+                    evidence.reason.as_ref().is_some_and(|r| !r.is_empty()) && evidence.witness.is_none()
+                }
+            };
+            if !complete {
+                found.push(format!("{file}: {} on {}: {:?}", claim.id, pair.trajectory, pair.verdict));
+            }
+        }
+    }
+    found
+}
+
+/// Claims that are proved, and fail on an integrated motion: one of the two is wrong.
+fn contradictions(file: &str, account: &Account) -> Vec<String> {
+    let integrated = |id: &str| account.trajectories.iter().any(|t| t.id == id && t.source == "integrated");
+    let proved = account.claims.iter().filter(|c| c.identity.as_ref().is_some_and(|i| i.verdict == "proved"));
+    let refuted = proved.filter(|c| {
+        let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_)) && integrated(&p.trajectory);
+        c.results.iter().any(fails)
+    });
+    refuted
+        .map(|c| format!("{file}: {}", c.reading.as_ref().map_or(c.id.clone(), |r| format!("{}/{r}", c.id))))
+        .collect()
+}
+
+fn decided(account: &Account) -> usize {
+    let summary = account.summary();
+    summary.holds + summary.fails
+}
+
+#[track_caller]
+fn assert_none(found: &[String]) {
+    assert!(found.is_empty(), "{} differences\n{}", found.len(), found.join("\n"));
+}
+
+#[test]
+fn derivations_reach_the_verdicts_that_they_state() {
+    let files = files_below(&root().join("derivations"));
+    assert!(files.len() >= 3, "{files:?}");
+    let mut found = Vec::new();
+    for path in &files {
+        let (_, account) = run(path);
+        let file = stem(path);
+        assert!(decided(&account) > 0, "{file}: nothing was decided");
+        found.extend(differences(&file, &account, &[]));
+        found.extend(incomplete(&file, &account));
+        found.extend(contradictions(&file, &account));
+    }
+    assert_none(&found);
+}
+
+#[test]
+fn the_corpus_reaches_the_verdicts_that_it_states() {
+    let files = files_below(&root().join("tests/corpus"));
+    let mut found = Vec::new();
+    let (mut forms, mut verdicts, mut sources) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let mut contradicted = BTreeSet::new();
+    for path in &files {
+        let (derivation, account) = run(path);
+        let file = stem(path);
+        assert!(decided(&account) > 0, "{file}: nothing was decided");
+        found.extend(differences(&file, &account, KNOWN_WRONG));
+        found.extend(incomplete(&file, &account));
+        contradicted.extend(contradictions(&file, &account));
+        forms.extend(derivation.claims.iter().flat_map(|c| &c.forms).map(|f| f.kind()));
+        verdicts.extend(account.claims.iter().flat_map(|c| &c.results).map(|p| p.verdict.outcome().word()));
+        sources.extend(account.trajectories.iter().map(|t| t.source));
+    }
+    assert_none(&found);
+    assert_eq!(contradicted, KNOWN_CONTRADICTIONS.iter().map(|&c| c.to_owned()).collect());
+    // The corpus is worth its name: every form, every verdict and every source of motions occurs.
+    let every = [
+        FormKind::Always,
+        FormKind::Never,
+        FormKind::Eventually,
+        FormKind::FirstIntegral,
+        FormKind::Defined,
+        FormKind::Solves,
+        FormKind::SameMotion,
+        FormKind::Independent,
+    ];
+    assert!(every.iter().all(|f| forms.contains(f)), "{forms:?}");
+    assert_eq!(verdicts.len(), 4, "{verdicts:?}");
+    assert_eq!(sources.len(), 3, "{sources:?}");
+}
+
+#[test]
+fn known_wrong_verdicts_are_verdicts_of_the_corpus() {
+    for (file, claim, trajectory, _, _) in KNOWN_WRONG {
+        let path = root().join(format!("tests/corpus/{file}.toml"));
+        let derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let tried = derivation.claims.iter().any(|c| {
+            let name = |&t: &usize| derivation.trajectories[t].id == *trajectory;
+            c.name() == *claim && c.trajectories.iter().any(name)
+        });
+        assert!(tried, "{file}: {claim} is not tried on {trajectory}");
+    }
+}
+
+#[test]
+fn a_difference_is_noticed() {
+    let (_, account) = run(&root().join("tests/corpus/traps.toml"));
+    let none = differences("traps", &account, &[]);
+    assert!(!none.is_empty());
+    let swapped: Vec<_> = KNOWN_WRONG.iter().map(|&(f, c, t, _, r)| (f, c, t, "fails", r)).collect();
+    assert!(!differences("traps", &account, &swapped).is_empty());
+}
