@@ -178,6 +178,7 @@ fn sums_over_indices() {
         (r"(u_iv_i+a)(u_iw_i+b)", &|p| (p.v(u).dot(&p.v(v)) + p.s("a")) * (p.v(u).dot(&p.v(r"\vec w")) + p.s("b"))),
         (r"a+u_i^2", &|p| p.s("a") + p.v(u).norm_squared()),
         (r"\frac12I_iu_i^2", &|p| 0.5 * sum(&|i| p.v("I")[i] * p.v(u)[i].powi(2))),
+        (r"I_i^2u_i^2", &|p| sum(&|i| (p.v("I")[i] * p.v(u)[i]).powi(2))),
         (r"\frac{u_i^2}{2I_i}", &|p| sum(&|i| p.v(u)[i].powi(2) / (2.0 * p.v("I")[i]))),
         (r"u_i(v_jw_j)v_i", &|p| p.v(u).dot(&p.v(v)) * p.v(v).dot(&p.v(r"\vec w"))),
         (r"A_{ii}", &|p| p.m("A").trace()),
@@ -358,7 +359,9 @@ fn declared_vectors_functions_and_labels() {
 #[test]
 fn a_written_zero_keeps_what_has_no_value() {
     let mut w = world();
-    for text in [r"0\cdot\frac{1}{a-a}", r"0\frac{1}{a-a}", r"\frac{0}{a-a}"] {
+    for text in
+        [r"0\cdot\frac{1}{a-a}", r"0\frac{1}{a-a}", r"\frac{0}{a-a}", r"(1-1)\frac{1}{a-a}", r"\frac02\frac{1}{a-a}"]
+    {
         let t = w.expression(text);
         assert_eq!(w.values(&t.components, &Point::new(1)), [None], "{text}");
     }

@@ -130,7 +130,7 @@ fn numbers_side_by_side() {
         "x=‹2 3›",
         "x=‹a2›",
         "x=‹x2›",
-        "x=1 000",
+        "x=1 200",
         "x=2\\frac12",
         r"x=\frac12 3",
         r"x=\frac123",
@@ -142,6 +142,8 @@ fn numbers_side_by_side() {
     refused("x=2^‹10›", AMBIGUOUS);
     refused("x=I_‹12›", AMBIGUOUS);
     refused(r"x=\frac‹1.5› 2", AMBIGUOUS);
+    refused("x=‹00›", "latex::unexpected");
+    refused("x=‹03›", "latex::unexpected");
     refused("x=1,5", "latex::not-a-relation");
     refused("x=a.b", AMBIGUOUS);
 }
@@ -220,6 +222,8 @@ fn delimiters() {
     refused("x=‹(›a+b]", "latex::unbalanced");
     refused(r"x=‹|›a+b", "latex::unbalanced");
     refused(r"x=\left|a\right.", "latex::invisible-delimiter");
+    refused(r"x=‹\left› a", "latex::unexpected");
+    refused(r"x=‹\right›(a)", "latex::unexpected");
     refused(r"x=‹|›a|b|c|", AMBIGUOUS);
     refused("x=||a||", "latex::unexpected");
     refused(r"{\bf u}=\begin{pmatrix}a\\b\\c\end{array}", "latex::unbalanced");
@@ -262,6 +266,8 @@ fn indices() {
     {
         refused(text, "latex::index");
     }
+    refused("u_i=A_{ij}v_jB_{ij}w_j", AMBIGUOUS);
+    refused("x=u_iv_iw_i‹u_i›", AMBIGUOUS);
     // An index of a sum inside that stands outside too.
     for text in [
         r"x=u_iv_i\sqrt{w_iw_i}",
@@ -306,6 +312,8 @@ fn times() {
     refused(r"0=\lim_{t\to t_0}\theta(t)", "latex::limit");
     refused(r"a\lim_{t\to t_0}\theta=0", "latex::limit");
     refused(r"\lim_{t\to x}\theta=0", "latex::limit");
+    refused(r"x=\theta^{-1}(0)", AMBIGUOUS);
+    assert!(refused(r"\theta(t)‹\rightarrow› 0", "latex::limit").contains(r"\lim"));
     refused(r"x=\infty", "latex::unsupported");
 }
 

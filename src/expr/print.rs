@@ -108,13 +108,17 @@ impl Graph {
                 Node::Pi => (r"\pi".to_owned(), Bond::Factor),
                 Node::Leaf(_) if self.is_branch(node) => (r"(\pm1)".to_owned(), Bond::Factor),
                 Node::Leaf(leaf) => (self.leaf_latex(*leaf), Bond::Symbol),
-                Node::Unary(op, a) => unary(*op, &printed[a]),
                 Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b) => {
                     (format!(r"\pm {}", wrapped(&printed[b], Bond::Product)), Bond::Sum)
                 }
                 Node::Binary(Op::Add, a, b) if self.is_signed(*b) => {
                     (format!("{}{}", printed[a].0, printed[b].0), Bond::Sum)
                 }
+                Node::Binary(Op::Sub, a, b) if self.is_signed(*b) => {
+                    (format!("{}{}", printed[a].0, printed[b].0.replacen(BRANCH, r"\mp", 1)), Bond::Sum)
+                }
+                Node::Unary(Op::Neg, a) if self.is_signed(*a) => (printed[a].0.replacen(BRANCH, r"\mp", 1), Bond::Sum),
+                Node::Unary(op, a) => unary(*op, &printed[a]),
                 Node::Binary(op, a, b) => binary(*op, &printed[a], &printed[b]),
             };
             if text.0.len() > LONGEST {

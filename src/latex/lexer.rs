@@ -139,7 +139,18 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     "left" | "right" => {
                         // What follows is an ordinary delimiter; only bars need to know their side.
                         let next = text[at..].trim_start();
-                        if next.starts_with('|') {
+                        let (signs, bar) = match name {
+                            "left" => (['(', '[', '|', '.'], r"\lvert"),
+                            _ => ([')', ']', '|', '.'], r"\rvert"),
+                        };
+                        if !next.starts_with(signs) && !next.starts_with(bar) {
+                            problems.push(problem(
+                                "latex::unexpected",
+                                format!("`\\{name}` stands before a bracket"),
+                                start..at,
+                                "",
+                            ));
+                        } else if next.starts_with('|') {
                             pending_bar = Some(name == "left");
                         } else if next.starts_with('.') {
                             problems.push(problem(
@@ -155,8 +166,14 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                     "label" | "tag" | "hspace" | "vspace" | "kern" => {
                         let group = text[at..].trim_start();
                         let offset = text.len() - group.len();
-                        match (group.starts_with('{'), group.find('}')) {
-                            (true, Some(end)) => at = offset + end + 1,
+                        let mut depth = 0usize;
+                        let end = group.bytes().position(|b| {
+                            depth += usize::from(b == b'{');
+                            depth = depth.saturating_sub(usize::from(b == b'}'));
+                            depth == 0
+                        });
+                        match end {
+                            Some(end) if end > 0 => at = offset + end + 1,
                             _ => problems.push(problem(
                                 "latex::unbalanced",
                                 format!("`\\{name}` needs an argument in braces"),

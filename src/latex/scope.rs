@@ -366,7 +366,6 @@ impl Scope {
     }
 
     fn find_exact(&self, name: &str, sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
-        let named = || self.entries.iter().rev().filter(|e| e.name == name);
         let sub = sub.unwrap_or(&[]);
         let fits = |e: &Entry| -> Option<Vec<SubItem>> {
             if e.sub.is_empty() {
@@ -388,8 +387,8 @@ impl Scope {
             indices.extend(sub[e.sub.len()..].iter().cloned());
             Some(indices)
         };
-        let mut best: Option<(usize, &Entry, Vec<SubItem>, bool)> = None;
-        for e in named() {
+        let mut best: Option<(usize, &Entry, Vec<SubItem>)> = None;
+        for e in self.entries.iter().rev().filter(|e| e.name == name) {
             let literal = match (&e.arguments, arguments) {
                 (Arguments::None, _) => false,
                 (Arguments::Literal(text), Some(given)) if text == given => true,
@@ -400,17 +399,16 @@ impl Scope {
             // The more of the written symbol belongs to the name, the better; among equals the latest.
             let weight = 2 * e.sub.len() + usize::from(literal);
             if best.as_ref().is_none_or(|(w, ..)| weight > *w) {
-                best = Some((weight, e, indices, literal));
+                best = Some((weight, e, indices));
             }
         }
-        let (_, entry, indices, literal) = best?;
-        let symbol = entry.symbol;
+        let (_, entry, indices) = best?;
         let formal: &[(Symbol, Shape)] = match &entry.arguments {
             Arguments::Formal(f) => f,
             _ => &[],
         };
         Some(Found {
-            symbol,
+            symbol: entry.symbol,
             role: entry.role,
             definition: entry.definition.as_ref(),
             formal,
@@ -420,7 +418,7 @@ impl Scope {
             } else {
                 0
             },
-            literal_arguments: literal && formal.is_empty(),
+            literal_arguments: matches!(entry.arguments, Arguments::Literal(_)),
         })
     }
 

@@ -204,6 +204,14 @@ impl Node {
         matches!(&self.kind, NodeKind::Number(r) if *r == Rational::ZERO)
     }
 
+    /// Whether this is made of numbers alone.
+    pub fn is_numeric(&self) -> bool {
+        match &self.kind {
+            NodeKind::Symbol(_) | NodeKind::Identity | NodeKind::Matrix(_) | NodeKind::Tuple(_) => false,
+            _ => self.children().into_iter().all(Node::is_numeric),
+        }
+    }
+
     /// The parts of a node, in the order in which they are written.
     pub fn children(&self) -> Vec<&Node> {
         match &self.kind {

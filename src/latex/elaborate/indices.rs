@@ -30,9 +30,9 @@ struct Usage {
 }
 
 impl Usage {
+    /// The same with every index counted twice, side by side.
     fn twice(mut self) -> Usage {
-        let again = self.open.clone();
-        self.open.extend(again);
+        self.open = self.open.into_iter().flat_map(|o| [o.clone(), o]).collect();
         self
     }
 
@@ -72,6 +72,9 @@ impl Elaborator<'_> {
                 summed.push(o.letter.clone());
             }
         }
+        for letter in &summed {
+            self.not_too_often(letter, &usage.open)?;
+        }
         usage.open.retain(|o| !summed.contains(&o.letter));
         let mut seen = BTreeSet::new();
         usage.open.retain(|o| seen.insert(o.letter.clone()));
@@ -82,6 +85,20 @@ impl Elaborator<'_> {
             self.sums.insert(std::ptr::from_ref(node), summed);
         }
         Ok(usage)
+    }
+
+    /// Refuses an index at four places of one piece: that could be the product of two sums.
+    fn not_too_often(&self, letter: &Name, open: &[Occurrence]) -> Elaborated<()> {
+        let mut spans: Vec<&Range<usize>> = open.iter().filter(|o| o.letter == *letter).map(|o| &o.span).collect();
+        spans.dedup();
+        match spans.get(3) {
+            Some(fourth) => {
+                let message = format!("the index `{}` stands at four places of one term", name::to_latex(letter));
+                let hint = "use different letters for different sums, or parentheses around a sum";
+                refuse("latex::ambiguous", message, fourth, hint)
+            }
+            None => Ok(()),
+        }
     }
 
     fn pieces<'n>(&mut self, nodes: impl IntoIterator<Item = &'n Node>) -> Elaborated<Usage> {

@@ -132,7 +132,7 @@ impl Elaborator<'_> {
     }
 }
 
-fn is_integer(node: &Node, n: i64) -> bool {
+pub(super) fn is_integer(node: &Node, n: i64) -> bool {
     match &node.kind {
         NodeKind::Number(r) => *r == Rational::from(n),
         NodeKind::Sum(terms) => match terms.as_slice() {

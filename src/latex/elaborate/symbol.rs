@@ -6,6 +6,7 @@ use super::super::name;
 use super::super::scope::{Found, Role};
 use super::super::syntax::{Node, SubItem, SymbolNode};
 use super::super::tensor;
+use super::scripts::is_integer;
 use super::{Elaborated, Elaborator, Value, refuse, stray};
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
@@ -101,6 +102,11 @@ impl<'a> Elaborator<'a> {
                 return refuse("latex::arity", "a value is taken at one time", span, "");
             }
             _ => {}
+        }
+        let applied = s.arguments.is_some() && !literal;
+        if applied && base.shape.rank() == 0 && s.sup.as_deref().is_some_and(|sup| is_integer(sup, -1)) {
+            let message = "is this the inverse function, or one over its value?";
+            return refuse("latex::ambiguous", message, span, r"write a fraction, `\frac{1}{f(x)}`");
         }
         let sub = (!items.is_empty()).then_some(items.as_slice());
         // One index on a diagonal matrix is its diagonal.

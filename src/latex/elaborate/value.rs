@@ -109,7 +109,7 @@ impl Elaborator<'_> {
         for (sign, term) in terms {
             let mut value = self.value(term)?;
             if matches!(sign, Sign::PlusMinus | Sign::MinusPlus) {
-                let (leaf, written_zero) = (self.scope.branch_sign(), term.is_zero());
+                let (leaf, written_zero) = (self.scope.branch_sign(), self.is_written_zero(term, &value));
                 value = self.map(value, |g, e| {
                     let s = g.leaf(leaf);
                     if written_zero { g.mul(s, e) } else { g.mul_structural(s, e) }
@@ -167,10 +167,12 @@ impl Elaborator<'_> {
             NodeKind::Sum(terms) => self.sum(terms, &node.span),
             NodeKind::Product(parts) => {
                 let mut values = Vec::new();
+                let mut written_zero = false;
                 for part in parts {
-                    values.push((self.value(part)?, part.span.clone()));
+                    let value = self.value(part)?;
+                    written_zero |= self.is_written_zero(part, &value);
+                    values.push((value, part.span.clone()));
                 }
-                let written_zero = parts.iter().any(Node::is_zero);
                 self.product(values, written_zero, &node.span)
             }
             NodeKind::Dot(parts) => self.dot(parts, &node.span),
@@ -181,7 +183,7 @@ impl Elaborator<'_> {
             NodeKind::Quotient { top, bottom, .. } => {
                 let value = self.value(top)?;
                 let under = self.scalar(bottom)?;
-                let written_zero = top.is_zero();
+                let written_zero = self.is_written_zero(top, &value);
                 Ok(self.map(value, |g, e| {
                     if g.is_zero(e) && !written_zero && g.as_constant(under).is_none() { e } else { g.div(e, under) }
                 }))
@@ -251,6 +253,11 @@ impl Elaborator<'_> {
         }
     }
 
+    /// Whether this is a 0 by its numbers, not because something is not there, as an entry of ε.
+    fn is_written_zero(&self, node: &Node, value: &Value) -> bool {
+        value.is_absent(self.graph) && node.is_numeric()
+    }
+
     fn scalars(&mut self, nodes: &[Node]) -> Elaborated<Vec<Expr>> {
         nodes.iter().map(|n| self.scalar(n)).collect()
     }
@@ -301,7 +308,7 @@ impl Elaborator<'_> {
                 let hint = "put parentheses around two of the factors";
                 return refuse("latex::ambiguous", "a scalar product of three vectors", span, hint);
             }
-            written_zero |= part.is_zero();
+            written_zero |= self.is_written_zero(part, &value);
             acc = Some(match acc {
                 None => (value, part.span.clone()),
                 Some((Value::Tensor(a), at)) if a.shape.rank() == 1 && rank(&value) == 1 => {

@@ -84,6 +84,9 @@ impl Parser<'_> {
         let start = self.span().start;
         match self.kind().clone() {
             Kind::Number(n) => {
+                if n.len() > 1 && n.starts_with('0') && !n.starts_with("0.") {
+                    return refuse("latex::unexpected", "a number that begins with 0", self.span(), "leave the 0 out");
+                }
                 self.bump();
                 Ok(Some(self.node(NodeKind::Number(decimal(&n)), start)))
             }
@@ -267,10 +270,9 @@ impl Parser<'_> {
     /// `|…|` whose bars do not say which side they are on.
     fn bars(&mut self, start: usize) -> Parsed<Node> {
         self.bump();
-        self.bars += 1;
-        let inner = self.sum();
-        self.bars -= 1;
-        let inner = inner?;
+        let outer = std::mem::replace(&mut self.bars, 1);
+        let inner = self.sum()?;
+        self.bars = outer;
         let hint = r"write `\left|` and `\right|`";
         if !self.eat('|') {
             return refuse("latex::unbalanced", "`|` is never closed", start..start + 1, hint);

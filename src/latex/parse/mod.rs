@@ -219,6 +219,10 @@ impl<'a> Parser<'a> {
         }
         loop {
             out.push(self.chain()?);
+            if self.is_command("rightarrow") || self.is_command("to") {
+                let hint = r"write `\lim_{t\rightarrow t_0}… = …`";
+                return refuse("latex::limit", "an arrow is no relation", self.span(), hint);
+            }
             if self.separators()? == 0 && *self.kind() != Kind::End {
                 return refuse("latex::unexpected", format!("{} is not expected here", self.shown()), self.span(), "");
             }

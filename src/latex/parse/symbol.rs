@@ -172,6 +172,7 @@ impl Parser<'_> {
         let mut names = 0;
         let mut lowered_names = 0;
         let mut depth = 0usize;
+        let mut bar = false;
         // A subscript, as the 0 in `t_0`, and the name of an operator are not looked at.
         let mut lowered_depth = None;
         for (i, token) in body.iter().enumerate() {
@@ -182,11 +183,16 @@ impl Parser<'_> {
                 lowered_depth = Some(depth);
             }
             let base = match &token.kind {
-                Kind::Sign('(' | '[' | '{') => {
+                Kind::Sign('|') => {
+                    bar = !bar;
+                    depth = if bar { depth + 1 } else { depth.saturating_sub(1) };
+                    continue;
+                }
+                Kind::Sign('(' | '[' | '{') | Kind::OpenBar => {
                     depth += 1;
                     continue;
                 }
-                Kind::Sign(')' | ']' | '}') => {
+                Kind::Sign(')' | ']' | '}') | Kind::CloseBar => {
                     depth = depth.saturating_sub(1);
                     if lowered_depth == Some(depth) {
                         lowered_depth = None;
