@@ -73,6 +73,9 @@ impl Compiled {
                         let partial = zeros.incomplete.as_ref();
                         out.reason =
                             partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
+                        if let (true, Some(t)) = (zeros.times.is_empty(), zeros.touching.first()) {
+                            out.reason = Some(format!("the sides of `{text}` only touch, near t = {t:.6}"));
+                        }
                         if zeros.times.is_empty() && out.reason.is_none() {
                             out.reason = Some(format!("`{text}` does not happen on this motion"));
                         }

@@ -23,7 +23,7 @@ use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
 /// Chebyshev points in each step of an integration.
-const DENSITY: usize = 4;
+const DENSITY: usize = 6;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
 const MOST_SAMPLES: usize = 1_500;
 /// Every how many samples dual numbers are compared with the bounds.

@@ -15,7 +15,7 @@ use super::comparison::at_instant;
 use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form};
-use crate::expr::{Expr, Graph, Leaf, Symbol};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
 
 /// A claim whose equations are decided for all values.
@@ -298,6 +298,18 @@ impl<'a> Step<'a> {
         Some(self.account(identity, from, complete))
     }
 
+    /// Whether a condition is a false statement about a number.
+    fn is_impossible(&self, condition: &Condition) -> bool {
+        let number = |e: Expr| self.graph.as_constant(e).cloned();
+        let (zero, one) = (Rational::ZERO, Rational::ONE);
+        match condition {
+            Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
+            Condition::Radicand(e) => number(*e).is_some_and(|r| r < zero),
+            Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
+            Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
+        }
+    }
+
     fn shown(&self, e: Expr) -> String {
         let text = self.graph.to_latex(e);
         if text.len() <= LONGEST { text } else { format!("(an expression of {} characters)", text.len()) }
@@ -316,6 +328,15 @@ impl<'a> Step<'a> {
     }
 
     fn account(&self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
+        // A locally constant function may still jump.
+        let jumps = self.claim.forms.iter().any(|form| match form {
+            Form::FirstIntegral(w) => self
+                .graph
+                .reachable(w.value.components.iter().copied())
+                .iter()
+                .any(|&e| matches!(self.graph.node(e), Node::Unary(Op::Abs, _) | Node::Binary(Op::Arctan2, ..))),
+            _ => false,
+        });
         let mut out = IdentityAccount {
             verdict: identity.word(),
             log2_error: None,
@@ -337,6 +358,12 @@ impl<'a> Step<'a> {
                         Condition::Positive(e) => format!("{} > 0", self.shown(*e)),
                     });
                     out.generic |= matches!(condition, Condition::Pivot(_));
+                }
+                out.generic |= jumps;
+                if proof.conditions.iter().any(|c| self.is_impossible(c)) {
+                    out.verdict = "undecided";
+                    out.log2_error = None;
+                    out.reason = Some("what is given makes a formula have no value".to_owned());
                 }
                 if proof.example.is_none() {
                     out.reason = Some("no real point was found that satisfies what is given".to_owned());

@@ -304,6 +304,13 @@ fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
     let text = claim.at.as_ref().map_or("", |w| w.text.as_str());
     let (from, to) = course.stage.span(course.trajectory);
     let mut evidence = Evidence::default();
+    if let Some(&t) = zeros.and_then(|z| z.touching.first()) {
+        evidence.reason = Some(format!(
+            "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
+            short(t)
+        ));
+        return Verdict::new(Outcome::Undecided, evidence);
+    }
     match zeros.and_then(|z| z.incomplete.as_ref()) {
         Some(problem) => {
             evidence.reason = Some(format!("the search for `{text}` is incomplete: {}", incomplete(problem)));

@@ -32,6 +32,11 @@ pub(super) struct Control {
     pub(super) max_steps: usize,
 }
 
+/// Longest step, as a part of the span.
+const LONGEST: f64 = 0.125;
+/// Longest step where the time enters the right sides, as a part of the span.
+const LONGEST_DRIVEN: f64 = 1.0 / 2048.0;
+
 /// Why a step cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stop {
@@ -133,6 +138,13 @@ impl Flow {
     }
 }
 
+impl Flow {
+    /// Whether the right sides name the time.
+    fn depends_on_time(&self) -> bool {
+        self.tape.instructions().iter().any(|i| i.a == 0 || i.b == 0)
+    }
+}
+
 impl<'a> Walker<'a> {
     pub(super) fn new(
         flow: &'a Flow,
@@ -175,7 +187,10 @@ impl<'a> Walker<'a> {
         let row = self.control.order + 1;
         let direction = if self.end > self.time { 1.0 } else { -1.0 };
         let remaining = (self.end - self.time).abs();
-        let mut size = self.step_size().min(0.125 * self.length);
+        // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which
+        // starts with a look at the time.
+        let longest = if self.flow.depends_on_time() { LONGEST_DRIVEN } else { LONGEST };
+        let mut size = self.step_size().min(longest * self.length);
         // Never leave a last step that is a sliver.
         if size > 0.6 * remaining {
             size = if size >= remaining { remaining } else { 0.6 * remaining };
