@@ -29,6 +29,7 @@ const KNOWN_WRONG: &[(&str, &str, &str, &str, &str)] = &[
     ("traps", "no-root-between-samples", "swing", "holds", "an extremum between two samples"),
     ("traps", "pole-between-samples", "swing", "holds", "a pole between two samples"),
     ("traps", "assumption-of-itself", "swing", "holds", "a crossing between two samples"),
+    ("traps", "almost-always-zero", "spike", "holds", "a spike between two samples"),
     ("traps", "limit-off-by-little", "swing", "holds", "the test of a limit has a margin for square roots"),
     ("traps", "limit-at-a-zero", "ramp", "holds", "a limit at infinity is read off the last time"),
     ("traps", "hidden-by-a-root", "swing", "holds", "times at which one formula has no value are left out for all"),
