@@ -14,7 +14,7 @@ use super::account::IdentityAccount;
 use super::comparison::at_instant;
 use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
 use super::verdict::Witness;
-use crate::derivation::{Claim, Derivation, Form};
+use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
 
@@ -54,10 +54,24 @@ impl<'a> Step<'a> {
         })
     }
 
-    /// What a claim is said to follow from: the names that it gives, or all systems.
+    /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
     pub fn given(derivation: &Derivation, claim: &Claim) -> Vec<String> {
         if claim.follows_from.is_empty() {
-            derivation.systems.iter().map(|s| s.id.clone()).collect()
+            // Two systems that move the same states contradict each other, and everything would follow.
+            let mut systems: Vec<usize> = claim
+                .trajectories
+                .iter()
+                .filter_map(|&t| match derivation.trajectories[t].motion {
+                    Motion::Integrated { system, .. } => Some(system),
+                    _ => None,
+                })
+                .collect();
+            systems.sort_unstable();
+            systems.dedup();
+            match systems.as_slice() {
+                [only] => vec![derivation.systems[*only].id.clone()],
+                _ => Vec::new(),
+            }
         } else {
             claim.follows_from.clone()
         }
@@ -242,6 +256,7 @@ impl<'a> Step<'a> {
         self.roles(&mut premises);
         let mut systems: Vec<(Expr, Expr)> = Vec::new();
         let mut constant: Vec<Expr> = Vec::new();
+        let mut inherited: Vec<String> = Vec::new();
         let mut complete = self.assume(claim, &mut premises);
         let mut from = Vec::new();
         for name in Step::given(derivation, claim) {
@@ -263,6 +278,9 @@ impl<'a> Step<'a> {
                 None => complete = false,
             }
             complete &= self.assume(premise, &mut premises);
+            // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
+            let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
+            inherited.extend(premise.assuming.iter().filter(|w| !own(&w.text)).map(|w| w.text.clone()));
         }
         let mut equations = self.equations(claim)?;
         equations.retain(|(l, r)| l != r);
@@ -295,7 +313,13 @@ impl<'a> Step<'a> {
         } else {
             identity_test(&mut self.graph, &equations, &premises, &options)
         };
-        Some(self.account(identity, from, complete))
+        let mut account = self.account(identity, from, complete);
+        if account.verdict == "proved" && !inherited.is_empty() {
+            inherited.dedup();
+            account.generic = true;
+            account.conditions.extend(inherited.into_iter().map(|a| format!("{a} (assumed by what is given)")));
+        }
+        Some(account)
     }
 
     /// Whether a condition is a false statement about a number.

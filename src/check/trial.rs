@@ -175,7 +175,8 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
         }
     }
     if !weighed.is_empty() {
-        let verdict = weigh(setting(), &weighed);
+        // Formula by formula: where one has no value, the others still count.
+        let verdict = all_of(weighed.iter().map(|group| weigh(setting(), std::slice::from_ref(group))).collect());
         verdicts.push(match at_events {
             Some(_) => verdict,
             None => look_closer(graph, claim, program, course, verdict),
@@ -204,9 +205,9 @@ fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course,
     let Ok(left) = apply_assumptions(claim, program, &measured, &describer) else { return verdict };
     let values = |c: &Comparison, i: usize| describer.values(c, i);
     let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
-    let setting = Setting {
+    let setting = || Setting {
         times: &times,
-        left,
+        left: left.clone(),
         precision: claim.precision,
         one_sign_throughout: claim.branches_throughout,
         values: &values,
@@ -214,10 +215,11 @@ fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course,
     };
     let held =
         program.groups.iter().zip(measured.groups).filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
-    let groups: Vec<MeasuredGroup> = held
-        .map(|((how, group), signs)| MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) })
-        .collect();
-    let closer = weigh(setting, &groups);
+    let weigh_one = |((how, group), signs): (&(Use, Group), Vec<Vec<Series>>)| {
+        let group = MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) };
+        weigh(setting(), &[group])
+    };
+    let closer = all_of(held.map(weigh_one).collect());
     match (closer.outcome(), &closer.evidence().residual) {
         (Outcome::Fails(_), _) => closer,
         (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -233,12 +235,12 @@ fn find(occurrences: &[(usize, Zeros)], position: usize) -> Option<&Zeros> {
     occurrences.iter().find(|(p, _)| *p == position).map(|(_, z)| z)
 }
 
-/// The verdict of a claim all of whose parts must hold: not applicable, failing, undecided, holding, in this order.
+/// The verdict of a claim all of whose parts must hold: failing, undecided, not applicable, holding, in this order.
 pub(super) fn all_of(verdicts: Vec<Verdict>) -> Verdict {
     let rank = |v: &Verdict| match v.outcome() {
-        Outcome::NotApplicable => 3,
-        Outcome::Fails(_) => 2,
-        Outcome::Undecided => 1,
+        Outcome::Fails(_) => 3,
+        Outcome::Undecided => 2,
+        Outcome::NotApplicable => 1,
         Outcome::Holds(_) => 0,
     };
     // Among equals the part with the largest residual in units of its bound.
