@@ -258,3 +258,22 @@ fn a_map_has_the_values_of_its_own_parameters() {
     assert_eq!(names, ["x"]);
     assert_eq!(d.trajectories[1].span, d.trajectories[0].span);
 }
+
+#[test]
+fn no_claim_follows_from_itself() {
+    let claim = |id: &str, from: &str, more: &str| {
+        format!("[[claim]]\nid = '{id}'\nsays = 's'\nalways = ['x=0']\nfollows-from = [{from}]\n{more}")
+    };
+    let reading = |id: &str, from: &str| {
+        format!("[[claim.reading]]\nid = '{id}'\nsays = 's'\nalways = ['x=1']\nfollows-from = [{from}]\n")
+    };
+    let circle = [claim("a", "'free', 'b'", ""), claim("b", "'c'", ""), claim("c", "'a', 'd'", ""), claim("d", "", "")];
+    insta::assert_snapshot!("circle", problems(&with(&[HEAD, MOTION, &circle.concat()])));
+    // A reading may follow from another of the same claim, but not in a circle, and not from itself.
+    let readings = [reading("r", "'a'"), reading("s", "'a/r'"), reading("u", "'a/v'"), reading("v", "'a/u', 'a/w'")];
+    let own = claim("a", "'free'", &readings.concat());
+    insta::assert_snapshot!("circle_of_readings", problems(&with(&[HEAD, MOTION, &own])));
+    // Two ways to one premise are no circle.
+    let two = [claim("a", "'b', 'c'", ""), claim("b", "'d'", ""), claim("c", "'d'", ""), claim("d", "'free'", "")];
+    assert_eq!(problems(&with(&[HEAD, MOTION, &two.concat()])), "no problem\n");
+}

@@ -31,7 +31,7 @@ mod weigh;
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
-use crate::derivation::{Claim, Derivation, Form};
+use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
 use crate::latex::RelationKind;
@@ -195,13 +195,15 @@ fn counterexample<'a>(
     let given = Step::given(derivation, claim);
     columns.iter().zip(tried).find_map(|((verdicts, _), &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
-        let holds = |name: &String| match derivation.systems.iter().position(|s| s.id == *name) {
-            Some(system) => is_integrated_from(derivation, t, system),
-            None => claimed.iter().zip(verdicts).any(|(&c, v)| {
-                let other = &derivation.claims[c];
-                (other.id == *name || other.name() == *name)
-                    && v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)))
+        let holds = |name: &String| match derivation.premise(name) {
+            Premise::System(system) => is_integrated_from(derivation, t, system),
+            Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
+                // Where a premise was left out, nothing is given.
+                let throughout =
+                    |v: &Verdict| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty();
+                verdicts[k].as_ref().is_some_and(throughout)
             }),
+            Premise::Definition => true,
         };
         if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
     })
@@ -286,15 +288,13 @@ fn strengthen(
                 let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
                     continue;
                 };
-                let given = |name: &String| {
-                    let system = derivation.systems.iter().position(|s| s.id == *name);
-                    if let Some(system) = system {
-                        return is_integrated_from(derivation, t, system);
-                    }
-                    claims.iter().filter(|c| c.id == *name).any(|c| {
-                        let pair = c.results.iter().find(|p| p.trajectory == pair.trajectory);
+                let given = |name: &String| match derivation.premise(name) {
+                    Premise::System(system) => is_integrated_from(derivation, t, system),
+                    Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
+                        let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory);
                         pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
-                    })
+                    }),
+                    Premise::Definition => true,
                 };
                 if !identity.from.iter().all(given) {
                     continue;

@@ -14,7 +14,7 @@ use super::account::IdentityAccount;
 use super::comparison::at_instant;
 use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
 use super::verdict::Witness;
-use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
 
@@ -262,12 +262,20 @@ impl<'a> Step<'a> {
         for name in Step::given(derivation, claim) {
             let name = name.as_str();
             from.push(name.to_owned());
-            if let Some(system) = derivation.systems.iter().find(|s| s.id == name) {
-                systems.extend(system.equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+            let premise = match derivation.premise(name) {
+                Premise::System(system) => {
+                    let equations = &derivation.systems[system].equations;
+                    systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                    continue;
+                }
+                Premise::Claim(claim) => &derivation.claims[claim],
+                Premise::Definition => continue,
+            };
+            // What holds at some times only is not given at the others.
+            if premise.at.is_some() {
+                complete = false;
                 continue;
             }
-            // Of a claim with readings the first is meant.
-            let Some(premise) = derivation.claims.iter().find(|c| c.name() == name || c.id == name) else { continue };
             for form in &premise.forms {
                 if let Form::FirstIntegral(w) = form {
                     constant.extend(w.value.components.iter().copied());

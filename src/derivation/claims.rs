@@ -31,6 +31,19 @@ fn has_forms(table: &Table<'_, '_>) -> bool {
     FORMS.iter().any(|f| table.get(f.key()).is_some())
 }
 
+/// The names of a claim: its id, and `id/reading` for each of its readings.
+fn names_of(table: &Table<'_, '_>, id: &str) -> Vec<String> {
+    let readings = match table.get("reading").map(|v| v.get_ref()) {
+        Some(DeValue::Array(readings)) => &readings[..],
+        _ => &[],
+    };
+    let name = |reading: &Value<'_>| {
+        let name = reading.get_ref().get("id")?.get_ref().as_str()?.trim();
+        Some(format!("{id}/{name}"))
+    };
+    [id.to_owned()].into_iter().chain(readings.iter().filter_map(name)).collect()
+}
+
 impl Loader<'_> {
     /// Reads every `[[claim]]`; `follows-from` is resolved when all ids are known.
     pub fn claims(&mut self, root: &Table<'_, '_>) {
@@ -43,7 +56,7 @@ impl Loader<'_> {
                 tables.push((table, id, span));
             }
         }
-        let ids: Vec<String> = tables.iter().map(|(_, id, _)| id.clone()).collect();
+        let ids: Vec<String> = tables.iter().flat_map(|(table, id, _)| names_of(table, id)).collect();
         for (table, id, span) in tables {
             self.one_claim(&table, id, span, &ids);
         }
@@ -178,7 +191,7 @@ impl Loader<'_> {
         let mut out = Vec::new();
         for (name, span) in table.names(&mut self.problems, "follows-from") {
             let systems: Vec<String> = self.out.systems.iter().map(|s| s.id.clone()).collect();
-            if name == claim.id {
+            if name == claim.id || name == claim.name() {
                 let message = format!("`{name}` cannot follow from itself");
                 self.problems.note("derivation::unknown-claim", span, message);
             } else if ids.iter().chain(&systems).any(|i| i == name)

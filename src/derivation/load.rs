@@ -78,6 +78,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.systems(&root);
     loader.trajectories(&root);
     loader.claims(&root);
+    loader.circles();
     loader.measures(&root);
     loader.finish()
 }

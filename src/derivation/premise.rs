@@ -1,0 +1,98 @@
+//! What the names under `follows-from` mean, in one place: everything that asks for the premises of a claim asks here.
+//!
+//! **Guaranteed:** a name means one thing, and no claim of a [`Derivation`] follows from itself, not even through others.
+//! A circle of claims would prove them all from nothing.
+
+use std::ops::Range;
+
+use super::load::Loader;
+use super::model::{Claim, Derivation};
+
+/// What a name under `follows-from` means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Premise {
+    /// The equations of a system: its position in [`Derivation::systems`].
+    System(usize),
+    /// What a claim, or one reading of it, says: its position in [`Derivation::claims`].
+    Claim(usize),
+    /// The definition of a symbol, which is always given.
+    Definition,
+}
+
+impl Claim {
+    /// Whether a name is that of this claim: `id`, or `id/reading`.
+    fn is_called(&self, name: &str) -> bool {
+        match (name.split_once('/'), &self.reading) {
+            (None, _) => self.id == name,
+            (Some((id, reading)), Some(own)) => self.id == id && own == reading,
+            (Some(_), None) => false,
+        }
+    }
+}
+
+impl Derivation {
+    /// What a name under `follows-from` means: a system, or else a claim, or else a symbol.
+    ///
+    /// Of a claim with readings, its id alone means the claim itself where it says something, otherwise the first reading.
+    pub fn premise(&self, name: &str) -> Premise {
+        if let Some(system) = self.systems.iter().position(|s| s.id == name) {
+            return Premise::System(system);
+        }
+        self.claims.iter().position(|c| c.is_called(name)).map_or(Premise::Definition, Premise::Claim)
+    }
+}
+
+impl Loader<'_> {
+    /// Refuses claims that follow from themselves through others.
+    pub fn circles(&mut self) {
+        let claims = &self.out.claims;
+        let premises: Vec<Vec<usize>> = claims
+            .iter()
+            .map(|c| {
+                let claim = |name: &String| match self.out.premise(name) {
+                    Premise::Claim(c) => Some(c),
+                    Premise::System(_) | Premise::Definition => None,
+                };
+                c.follows_from.iter().filter_map(claim).collect()
+            })
+            .collect();
+        let mut found: Vec<(Range<usize>, String)> = Vec::new();
+        // 0: not looked at, 1: on the present path, 2: done.
+        let mut state = vec![0_u8; claims.len()];
+        for start in 0..claims.len() {
+            // The path with the next premise of each claim on it.
+            let mut path: Vec<(usize, usize)> = Vec::new();
+            if state[start] == 0 {
+                state[start] = 1;
+                path.push((start, 0));
+            }
+            while let Some((at, next)) = path.last_mut() {
+                let Some(&premise) = premises[*at].get(*next) else {
+                    state[*at] = 2;
+                    path.pop();
+                    continue;
+                };
+                *next += 1;
+                match state[premise] {
+                    0 => {
+                        state[premise] = 1;
+                        path.push((premise, 0));
+                    }
+                    1 => {
+                        let first = path.iter().position(|(c, _)| *c == premise).unwrap_or(0);
+                        let mut names: Vec<String> =
+                            path[first..].iter().map(|(c, _)| format!("`{}`", claims[*c].name())).collect();
+                        names.push(format!("`{}`", claims[premise].name()));
+                        found.push((claims[premise].span.clone(), names.join(" from ")));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        for (span, circle) in found {
+            self.problems
+                .note("derivation::circular-claim", span, format!("a claim follows from itself: {circle}"))
+                .hint("`follows-from` leads back to what is given: leave out the step that the paper does not make");
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! What a claim follows from, and what its proof lends to verdicts.
+
+use std::path::Path;
+
+use rederive::check::{Account, Options, Outcome, check};
+use rederive::derivation::load;
+use rederive::diag::render;
+
+fn account() -> Account {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/premises.toml");
+    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = check(&mut derivation, &Options::default(), &|_, _| {});
+    account.unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+/// The verdict on a claim as a step, and the strengths on its motions.
+fn found(account: &Account, id: &str, reading: Option<&str>) -> (&'static str, Vec<&'static str>) {
+    let claim = account.claims.iter().find(|c| c.id == id && c.reading.as_deref() == reading);
+    let claim = claim.unwrap_or_else(|| panic!("no claim {id}"));
+    let strength = |o: Outcome| o.strength().unwrap_or("none");
+    let strengths = claim.results.iter().map(|p| strength(p.verdict.outcome())).collect();
+    (claim.identity.as_ref().map_or("none", |i| i.verdict), strengths)
+}
+
+#[test]
+fn a_name_without_a_reading_means_the_first_and_lends_what_that_one_has() {
+    let account = account();
+    assert_eq!(found(&account, "sum", Some("kept")), ("proved", vec!["proved", "proved"]));
+    assert_eq!(found(&account, "sum", Some("one")).1, ["sampled", "sampled"]);
+    // A step from what is only sampled is proved as a step, and stays sampled on every motion; that it fails where its
+    // premise fails is no counterexample.
+    assert_eq!(found(&account, "from-the-first", None), ("proved", vec!["sampled", "sampled"]));
+}
+
+#[test]
+fn a_reading_can_be_named() {
+    let account = account();
+    assert_eq!(found(&account, "from-the-second", None), ("proved", vec!["proved", "proved"]));
+    assert_eq!(found(&account, "not-from-the-second", None), ("refuted", vec!["sampled", "sampled"]));
+}
+
+#[test]
+fn a_definition_is_given_on_every_motion() {
+    assert_eq!(found(&account(), "by-definition", None), ("proved", vec!["proved", "proved"]));
+}
+
+#[test]
+fn a_motion_refutes_no_step_whose_premise_it_meets_at_some_times_only() {
+    assert_ne!(found(&account(), "from-the-right-half", None).0, "refuted");
+    assert_ne!(found(&account(), "from-the-turns", None).0, "proved");
+}
