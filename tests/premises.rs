@@ -30,6 +30,7 @@ fn a_name_without_a_reading_means_the_first_and_lends_what_that_one_has() {
     // A step from what is only sampled is proved as a step, and stays sampled on every motion; that it fails where its
     // premise fails is no counterexample.
     assert_eq!(found(&account, "from-the-first", None), ("proved", vec!["sampled", "sampled"]));
+    assert_eq!(found(&account, "lent", None), ("proved", vec!["sampled"]));
 }
 
 #[test]
