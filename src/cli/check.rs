@@ -9,10 +9,21 @@ use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
 use rederive::derivation::Derivation;
 use rederive::report;
 
+use super::outputs::{Found, standard};
 use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
-    let mut derivations = files::load_all(&files::find(&arguments.paths)?)?;
+    let mut found = Found::default();
+    let mut derivations = match files::load_all(&files::find(&arguments.paths)?) {
+        Ok(derivations) => derivations,
+        Err(Stop::Diagnostics(problems)) => {
+            found.problems(&problems);
+            found.write(&arguments.targets, arguments.quiet)?;
+            return Err(Stop::Diagnostics(problems));
+        }
+        Err(stop) => return Err(stop),
+    };
+    let format = standard(&arguments.targets);
     files::known(&derivations, &arguments.claim, &arguments.trajectory)?;
     derivations.retain(|d| files::concerns(d, &arguments.claim, &arguments.trajectory));
     let (claims, trajectories) = (&arguments.claim, &arguments.trajectory);
@@ -20,26 +31,28 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
 
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
-    for (i, derivation) in derivations.iter_mut().enumerate() {
-        let account = match account(derivation, claims, trajectories) {
+    for (i, mut derivation) in derivations.into_iter().enumerate() {
+        let account = match account(&mut derivation, claims, trajectories) {
             Ok(account) => account,
             // The other files may have problems, too, or be good.
-            Err(CheckError::Problems(found)) => {
-                problems.extend(found);
+            Err(CheckError::Problems(noted)) => {
+                found.problems(&noted);
+                problems.extend(noted);
                 continue;
             }
             Err(defect) => return Err(defect.into()),
         };
         let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
         if let Some(folder) = &folder {
-            write_reports(folder, derivation, &account)?;
+            write_reports(folder, &derivation, &account)?;
         }
-        let mut text = match (arguments.format, arguments.quiet) {
-            (Format::Json, _) => report::json(derivation, &account),
-            (Format::Text, true) => report::exceptions(derivation, &account, true),
-            (Format::Text, false) => report::summary(derivation, &account, true),
+        let mut text = match (format, arguments.quiet) {
+            (Format::Json, _) => report::json(&derivation, &account),
+            (Format::Text, true) => report::exceptions(&derivation, &account, true),
+            (Format::Text, false) => report::summary(&derivation, &account, true),
+            _ => String::new(),
         };
-        if arguments.format == Format::Text && !arguments.quiet {
+        if format == Format::Text && !arguments.quiet {
             text.insert_str(0, if i > 0 { "\n" } else { "" });
             let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
             text.push_str(&written.unwrap_or_default());
@@ -51,7 +64,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        found.findings.extend(report::findings(&derivation, &account));
+        found.checked.push((derivation, account));
     }
+    found.write(&arguments.targets, arguments.quiet)?;
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));
     }

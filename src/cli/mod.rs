@@ -4,13 +4,15 @@ mod check;
 mod explain;
 mod files;
 mod list;
+mod outputs;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use rederive::check::CheckError;
 use rederive::diag::{Diagnostic, render, sort};
 
@@ -87,6 +89,19 @@ enum Format {
     Text,
     /// The report as JSON, one document for each derivation file
     Json,
+    /// JUnit XML: a test case for each claim on each trajectory
+    Junit,
+    /// SARIF 2.1.0, for code scanning: what is not as expected, with its place
+    Sarif,
+    /// Annotations of a GitHub workflow
+    Github,
+}
+
+impl Format {
+    /// Whether it is printed as soon as a derivation file is checked, and not at the end.
+    fn is_printed_by_file(self) -> bool {
+        matches!(self, Format::Text | Format::Json)
+    }
 }
 
 #[derive(clap::Args)]
@@ -100,9 +115,15 @@ struct CheckArguments {
     /// Only this trajectory; may be repeated. No report is written then
     #[arg(long, value_name = "ID")]
     trajectory: Vec<String>,
-    /// What is printed
-    #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    /// What is printed; may be repeated, each with an --output. The summary, unless another format is printed
+    #[arg(long, value_enum)]
+    format: Vec<Format>,
+    /// The file for the --format before it
+    #[arg(long, value_name = "FILE")]
+    output: Vec<PathBuf>,
+    /// The two together.
+    #[arg(skip)]
+    targets: Vec<outputs::Target>,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
@@ -152,9 +173,21 @@ impl From<CheckError> for Stop {
     }
 }
 
+/// Reads a command line.
+fn parse(line: impl IntoIterator<Item = std::ffi::OsString>) -> Result<Arguments, clap::Error> {
+    let mut command = Arguments::command();
+    let matches = command.try_get_matches_from_mut(line)?;
+    let mut arguments = Arguments::from_arg_matches(&matches)?;
+    if let (Command::Check(check), Some(matches)) = (&mut arguments.command, matches.subcommand_matches("check")) {
+        check.targets = outputs::targets(matches, &check.format, &check.output)
+            .map_err(|message| command.error(ErrorKind::ArgumentConflict, message))?;
+    }
+    Ok(arguments)
+}
+
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match parse(std::env::args_os()) {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.

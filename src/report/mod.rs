@@ -2,23 +2,32 @@
 //!
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
+//! [`junit`], [`sarif`] and [`github`] for machines, the last two drawn from [`findings`];
 //! [`write_files`] puts them into a folder, all or none.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
 mod explain;
+mod finding;
+mod github;
 mod json;
+mod junit;
 mod markdown;
 mod numbers;
+mod sarif;
 mod summary;
 mod tally;
 mod text;
 mod write;
 
 pub use explain::explain;
+pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
+pub use github::github;
 pub use json::json;
+pub use junit::{Checked, junit};
 pub use markdown::markdown;
+pub use sarif::sarif;
 pub use summary::{exceptions, summary};
 pub use write::{WriteError, write_files};
 

@@ -1,0 +1,110 @@
+//! Which formats go where: `--format F` to standard output, `--format F --output FILE` to a file.
+
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use rederive::check::Account;
+use rederive::derivation::Derivation;
+use rederive::report::{self, Checked, Finding};
+
+use super::{Format, Stop, print};
+
+/// A format and where it goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// The format.
+    pub format: Format,
+    /// The file; without one, standard output.
+    pub output: Option<PathBuf>,
+}
+
+/// Pairs every `--output` with the `--format` before it.
+///
+/// # Errors
+/// An output without a format of its own, a file that is named twice, or two formats for standard output.
+pub fn targets(matches: &ArgMatches, formats: &[Format], outputs: &[PathBuf]) -> Result<Vec<Target>, String> {
+    let places = |id: &str| -> Vec<usize> { matches.indices_of(id).map(Iterator::collect).unwrap_or_default() };
+    let mut given: Vec<(usize, Format)> = places("format").into_iter().zip(formats.iter().copied()).collect();
+    given.sort_by_key(|(place, _)| *place);
+    let mut files: Vec<(usize, &PathBuf)> = places("output").into_iter().zip(outputs).collect();
+    files.sort_by_key(|(place, _)| *place);
+
+    let mut out: Vec<Target> = given.iter().map(|&(_, format)| Target { format, output: None }).collect();
+    for (place, file) in files {
+        let of = given.iter().rposition(|(p, _)| *p < place);
+        let Some(target) = of.and_then(|i| out.get_mut(i)).filter(|t| t.output.is_none()) else {
+            return Err(format!("`--output {}` needs a `--format` of its own before it", file.display()));
+        };
+        target.output = Some(file.clone());
+    }
+    let named: Vec<&PathBuf> = out.iter().filter_map(|t| t.output.as_ref()).collect();
+    if let Some(twice) = named.iter().enumerate().find(|(i, f)| named[..*i].contains(f)).map(|(_, f)| f) {
+        return Err(format!("`{}` is the output of two formats", twice.display()));
+    }
+    if out.iter().filter(|t| t.output.is_none()).count() > 1 {
+        return Err("only one format can go to standard output: give the others an `--output`".to_owned());
+    }
+    Ok(out)
+}
+
+/// The format of standard output: that without a file, or the summary when every format has one.
+pub fn standard(targets: &[Target]) -> Format {
+    targets.iter().find(|t| t.output.is_none()).map_or(Format::Text, |t| t.format)
+}
+
+/// What a run found, file by file, and what is to be told beside verdicts.
+#[derive(Default)]
+pub struct Found {
+    /// What was checked.
+    pub checked: Vec<(Derivation, Account)>,
+    /// Everything that is to be told, verdicts included.
+    pub findings: Vec<Finding>,
+    /// Of these, what is not of a verdict.
+    pub others: Vec<Finding>,
+}
+
+impl Found {
+    /// Adds problems of files.
+    pub fn problems(&mut self, found: &[rederive::diag::Diagnostic]) {
+        let found = report::problems(found);
+        self.findings.extend(found.iter().cloned());
+        self.others.extend(found);
+    }
+
+    /// The text of a format; colour is for standard output.
+    fn text(&self, format: Format, quiet: bool) -> String {
+        let checked: Vec<Checked<'_>> =
+            self.checked.iter().map(|(derivation, account)| Checked { derivation, account }).collect();
+        let each = |text: &dyn Fn(&Derivation, &Account) -> String, between: &str| {
+            self.checked.iter().map(|(d, a)| text(d, a)).collect::<Vec<_>>().join(between)
+        };
+        match format {
+            Format::Text if quiet => each(&|d, a| report::exceptions(d, a, false), ""),
+            Format::Text => each(&|d, a| report::summary(d, a, false), "\n"),
+            Format::Json => each(&report::json, ""),
+            Format::Junit => report::junit(&checked, &self.others),
+            Format::Sarif => report::sarif(&self.findings),
+            Format::Github => report::github(&self.findings),
+        }
+    }
+
+    /// Writes every format that has a file; prints that of standard output unless it was printed file by file.
+    pub fn write(&self, targets: &[Target], quiet: bool) -> Result<(), Stop> {
+        for target in targets {
+            match &target.output {
+                Some(file) => write(file, self.text(target.format, quiet))?,
+                None if target.format.is_printed_by_file() => {}
+                None => print(&self.text(target.format, quiet))?,
+            }
+        }
+        Ok(())
+    }
+}
+
+fn write(file: &Path, text: String) -> Result<(), Stop> {
+    let folder = file.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let Some(name) = file.file_name().and_then(|n| n.to_str()) else {
+        return Err(Stop::Message(format!("`{}` is not the name of a file", file.display())));
+    };
+    report::write_files(folder, &[(name, text)]).map_err(|e| Stop::Message(e.to_string()))
+}

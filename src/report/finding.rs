@@ -1,0 +1,331 @@
+//! Findings: what a repository should be told about a run, each with its place.
+//!
+//! A finding is a verdict that is not as expected, a verdict that is open, a difference between the derivation file and the
+//! paper, or a problem of a file. The formats for machines ([`sarif`](super::sarif), [`github`](super::github)) are drawn
+//! from the same list, so they cannot tell different stories.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use sha2::{Digest, Sha256};
+
+use super::numbers::{count, size, time, value};
+use super::tally::{Group, declared, groups, name, says};
+use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::derivation::{Derivation, Form};
+use crate::diag::{Diagnostic, Source};
+
+/// How serious a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Worth knowing; the exit code does not depend on it.
+    Note,
+    /// Something is open.
+    Warning,
+    /// Something is not as it should be.
+    Error,
+}
+
+impl Level {
+    /// `note`, `warning` or `error`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Level::Note => "note",
+            Level::Warning => "warning",
+            Level::Error => "error",
+        }
+    }
+}
+
+/// A place in a file; without a span the file as a whole.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file.
+    pub source: Arc<Source>,
+    /// Byte range in its text.
+    pub span: Option<Range<usize>>,
+}
+
+/// Where a place begins and ends: lines and columns from 1, columns in UTF-16 code units, the end exclusive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Region {
+    /// First line.
+    pub line: usize,
+    /// First column.
+    pub column: usize,
+    /// Last line.
+    pub end_line: usize,
+    /// The column after the last.
+    pub end_column: usize,
+}
+
+impl Place {
+    /// A place in a file.
+    pub fn new(source: &Arc<Source>, span: Range<usize>) -> Place {
+        Place { source: Arc::clone(source), span: Some(span) }
+    }
+
+    /// Lines and columns; `None` for a file as a whole. Spans that are not of the text are moved to the nearest that are.
+    pub fn region(&self) -> Option<Region> {
+        let span = self.span.as_ref()?;
+        let text = &self.source.text;
+        let boundary = |i: usize| {
+            let mut i = i.min(text.len());
+            while !text.is_char_boundary(i) {
+                i -= 1;
+            }
+            i
+        };
+        let start = boundary(span.start);
+        let end = boundary(span.end).max(start);
+        let at = |i: usize| {
+            let before = &text[..i];
+            let line_start = before.rfind('\n').map_or(0, |n| n + 1);
+            (before.matches('\n').count() + 1, before[line_start..].encode_utf16().count() + 1)
+        };
+        let ((line, column), (end_line, end_column)) = (at(start), at(end));
+        Some(Region { line, column, end_line, end_column })
+    }
+}
+
+/// Something that a repository should be told.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The kind of problem, `room::kind`: stable, see `docs/stability.md`.
+    pub rule: &'static str,
+    /// How serious it is.
+    pub level: Level,
+    /// What it is, in sentences.
+    pub message: String,
+    /// Where.
+    pub place: Place,
+    /// Other places that it has to do with, each with a few words.
+    pub related: Vec<(Place, String)>,
+    /// What it is about, without lines and numbers: two runs have the same finding if this is the same.
+    pub identity: String,
+}
+
+impl Finding {
+    /// A digest of what it is about, which stays the same when lines move and numbers change: 32 hexadecimal digits.
+    pub fn fingerprint(&self) -> String {
+        let digest = Sha256::digest(format!("{}\n{}", self.rule, self.identity).as_bytes());
+        digest.iter().take(16).map(|b| format!("{b:02x}")).collect()
+    }
+}
+
+/// The findings of the verdicts on one derivation file, in the order of its claims.
+pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
+    let mut out = Vec::new();
+    for claim in &account.claims {
+        let of_claim = groups(claim);
+        out.extend(of_claim.iter().filter_map(|group| verdict(derivation, claim, group)));
+    }
+    let summary = account.summary();
+    if summary.holds + summary.fails == 0 {
+        out.push(Finding {
+            rule: "verdict::nothing-decided",
+            level: Level::Warning,
+            message: "No claim was decided: a run that checks nothing is no success.".to_owned(),
+            place: Place { source: Arc::clone(&derivation.file), span: None },
+            related: Vec::new(),
+            identity: derivation.id.clone(),
+        });
+    }
+    out
+}
+
+/// The rule of a verdict that is not as expected, or open.
+fn rule(word: &str) -> &'static str {
+    match word {
+        "holds" => "verdict::holds",
+        "fails" => "verdict::fails",
+        "not-applicable" => "verdict::not-applicable",
+        _ => "verdict::undecided",
+    }
+}
+
+fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> Option<Finding> {
+    let open = group.word == "undecided" && group.expected.is_none();
+    if !group.unexpected && !open {
+        return None;
+    }
+    let pair = group.telling()?;
+    let expected = match group.expected {
+        Some(word) => format!(", expected is `{word}`"),
+        None => String::new(),
+    };
+    let names: Vec<&str> = group.pairs.iter().map(|p| p.trajectory.as_str()).collect();
+    let mut message = format!(
+        "`{}` {} on {} of {} ({}){expected}. It says: {}",
+        name(claim),
+        phrase(group.word),
+        names.len(),
+        count(claim.results.len(), "trajectory"),
+        names.join(", "),
+        sentence(&says(derivation, claim)),
+    );
+    if let Some(told) = told(pair) {
+        message.push(' ');
+        message.push_str(&told);
+    }
+    Some(Finding {
+        rule: rule(group.word),
+        level: if group.unexpected { Level::Error } else { Level::Warning },
+        message,
+        place: Place::new(&derivation.file, place_of(derivation, claim, pair)),
+        related: Vec::new(),
+        identity: format!("{}\n{}\n{}", derivation.id, name(claim), group.expected.unwrap_or("nothing")),
+    })
+}
+
+/// `fails`, `does not apply`.
+pub(super) fn phrase(word: &str) -> &str {
+    match word {
+        "not-applicable" => "does not apply",
+        "undecided" => "is undecided",
+        other => other,
+    }
+}
+
+/// A text that ends like a sentence.
+fn sentence(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if text.ends_with(['.', '!', '?']) { text } else { format!("{text}.") }
+}
+
+/// The witness or the reason of a verdict, in a sentence.
+pub(super) fn told(pair: &PairAccount) -> Option<String> {
+    let evidence = pair.verdict.evidence();
+    if let Some(w) = &evidence.witness {
+        let formula = w.formula.split_whitespace().collect::<Vec<_>>().join(" ");
+        return Some(format!(
+            "On {} at t = {}: {formula} has the left side {}, the right side {}, error bound {}.",
+            pair.trajectory,
+            time(w.t),
+            value(w.left),
+            value(w.right),
+            size(w.bound),
+        ));
+    }
+    evidence.reason.as_ref().map(|r| format!("On {}: {}", pair.trajectory, sentence(r)))
+}
+
+/// Where a verdict belongs: the formula of the witness, the only formula, or the id of the claim.
+fn place_of(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> Range<usize> {
+    let Some(declared) = declared(derivation, claim) else { return 0..0 };
+    let written: Vec<(&str, Range<usize>)> = declared.forms.iter().flat_map(written_in).collect();
+    let shown = pair.verdict.evidence().witness.as_ref().map(|w| w.formula.trim());
+    let named = written.iter().find(|(text, _)| shown == Some(*text));
+    match (named, written.as_slice()) {
+        (Some((_, span)), _) => span.clone(),
+        (None, [(_, span)]) => span.clone(),
+        _ => declared.span.clone(),
+    }
+}
+
+/// The formulas of a form, each with its place.
+fn written_in(form: &Form) -> Vec<(&str, Range<usize>)> {
+    match form {
+        Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![(w.text.as_str(), w.span.clone())],
+        Form::FirstIntegral(w) | Form::Defined(w) => vec![(w.text.as_str(), w.span.clone())],
+        Form::Independent { functions, .. } => functions.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
+        Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
+    }
+}
+
+/// Problems of files as findings.
+pub fn problems(diagnostics: &[Diagnostic]) -> Vec<Finding> {
+    diagnostics.iter().map(problem).collect()
+}
+
+fn problem(diagnostic: &Diagnostic) -> Finding {
+    let place = |span: Option<&Range<usize>>| Place { source: Arc::clone(&diagnostic.source), span: span.cloned() };
+    let mut message = sentence(&diagnostic.message);
+    if let Some(hint) = &diagnostic.hint {
+        message.push_str(" Hint: ");
+        message.push_str(&sentence(hint));
+    }
+    let other = diagnostic.other.iter().map(|l| (place(Some(&l.span)), l.text.clone()));
+    Finding {
+        rule: diagnostic.code,
+        level: Level::Error,
+        place: place(diagnostic.place.as_ref().map(|l| &l.span)),
+        related: other.collect(),
+        identity: format!("{}\n{}", diagnostic.source.path, diagnostic.message),
+        message,
+    }
+}
+
+/// What a rule is about, in a sentence.
+pub fn rule_says(rule: &str) -> &'static str {
+    match rule {
+        "verdict::fails" => "A claim fails, and the file does not expect it to.",
+        "verdict::holds" => "A claim holds, and the file expects another verdict.",
+        "verdict::not-applicable" => "A claim does not apply, and the file expects another verdict.",
+        "verdict::undecided" => "The evidence does not settle a claim, and the file does not expect that.",
+        "verdict::nothing-decided" => "No claim of a file was decided.",
+        "paper::differs" => "A formula is not what the paper prints under its label.",
+        "paper::unknown-label" => "The paper has no equation with this label.",
+        "paper::not-covered" => "No claim covers an equation of the paper.",
+        "paper::unreadable" => "The paper's source cannot be read.",
+        rule if rule.starts_with("latex::") => "A formula cannot be read, or has no single meaning.",
+        rule if rule.starts_with("derivation::") => "The derivation file is not as its format wants it.",
+        _ => "A derivation file cannot be checked.",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::sample::account;
+    use crate::report::tests::derivation;
+
+    #[test]
+    fn what_is_not_as_expected_and_what_is_open_is_found_and_nothing_else() {
+        let found = findings(&derivation(), &account());
+        let rules: Vec<(&str, Level)> = found.iter().map(|f| (f.rule, f.level)).collect();
+        let unexpected = account().claims.iter().flat_map(|c| &c.results).filter(|p| p.is_unexpected()).count();
+        assert!(unexpected > 0 && !found.is_empty(), "{rules:?}");
+        for claim in &account().claims {
+            for pair in &claim.results {
+                let word = pair.verdict.outcome().word();
+                let told = pair.is_unexpected() || word == "undecided" && pair.expected.is_none();
+                let here = found.iter().any(|f| {
+                    f.rule == rule(word)
+                        && f.message.starts_with(&format!("`{}` ", name(claim)))
+                        && f.message.contains(&pair.trajectory)
+                });
+                assert!(here || !told, "{} on {}", claim.id, pair.trajectory);
+            }
+        }
+    }
+
+    #[test]
+    fn regions_count_utf16_units_and_survive_any_span() {
+        let source = Arc::new(Source { path: "x".into(), text: "a\n𝒳é = b\n".into() });
+        let region = Place::new(&source, 6..9).region().expect("a region");
+        assert_eq!((region.line, region.column, region.end_line, region.end_column), (2, 3, 2, 5));
+        for start in 0..20 {
+            for end in 0..20 {
+                let region = Place::new(&source, start..end).region().expect("a region");
+                assert!((region.line, region.column) <= (region.end_line, region.end_column));
+            }
+        }
+    }
+
+    #[test]
+    fn a_fingerprint_does_not_depend_on_lines_or_numbers() {
+        let (d, a) = (derivation(), account());
+        let mut moved = findings(&d, &a);
+        for finding in &mut moved {
+            finding.message.push('!');
+            finding.place.span = Some(1..2);
+        }
+        let prints = |f: &[Finding]| f.iter().map(Finding::fingerprint).collect::<Vec<_>>();
+        assert_eq!(prints(&findings(&d, &a)), prints(&moved));
+        let mut all = prints(&moved);
+        all.sort();
+        all.dedup();
+        assert_eq!(all.len(), moved.len(), "each has its own");
+    }
+}

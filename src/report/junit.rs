@@ -1,0 +1,91 @@
+//! JUnit XML: a suite for each derivation file, a case for each claim on each trajectory.
+//!
+//! | verdict | case |
+//! |---|---|
+//! | differs from what is expected; fails with nothing expected | failure |
+//! | undecided with nothing expected | error: unknown never counts as a pass |
+//! | does not apply, or is undecided, as expected | skipped, with the reason |
+//! | holds, or fails as expected | passed |
+//!
+//! There are no times and no time stamps in it: the same input gives the same bytes.
+
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+
+use super::finding::{Finding, Level, phrase, told};
+use super::tally::{name, says};
+use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::derivation::Derivation;
+
+/// One derivation file and what was found, for [`junit`].
+#[derive(Clone, Copy, Debug)]
+pub struct Checked<'a> {
+    /// The file.
+    pub derivation: &'a Derivation,
+    /// Its verdicts.
+    pub account: &'a Account,
+}
+
+/// The report of a run: the files that were checked, then what was found beside verdicts.
+pub fn junit(checked: &[Checked<'_>], others: &[Finding]) -> String {
+    let mut report = Report::new(env!("CARGO_PKG_NAME"));
+    for one in checked {
+        let mut suite = TestSuite::new(one.derivation.id.as_str());
+        suite.add_property(("file", one.derivation.file.path.as_str()));
+        suite.add_property(("sha256", one.derivation.sha256.as_str()));
+        for claim in &one.account.claims {
+            for pair in &claim.results {
+                suite.add_test_case(case(one.derivation, claim, pair));
+            }
+        }
+        report.add_test_suite(suite);
+    }
+    if !others.is_empty() {
+        let mut suite = TestSuite::new("files");
+        suite.add_test_cases(others.iter().map(of_finding));
+        report.add_test_suite(suite);
+    }
+    // Writing to a string does not fail: control characters are dropped by the library.
+    let mut text = report.to_string().unwrap_or_default();
+    if !text.ends_with('\n') {
+        text.push('\n');
+    }
+    text
+}
+
+fn case(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> TestCase {
+    let word = pair.verdict.outcome().word();
+    let strength = pair.verdict.outcome().strength();
+    let expected = pair.expected.map_or_else(|| "nothing is".to_owned(), |e| format!("`{e}` is"));
+    let mut status = match word {
+        _ if pair.is_unexpected() => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        "undecided" if pair.expected.is_none() => TestCaseStatus::non_success(NonSuccessKind::Error),
+        "undecided" | "not-applicable" => TestCaseStatus::skipped(),
+        _ => TestCaseStatus::success(),
+    };
+    status.set_message(format!("{} ({expected} expected)", phrase(word)));
+    status.set_type(word);
+    if let Some(told) = told(pair) {
+        status.set_description(told);
+    }
+    let mut case = TestCase::new(pair.trajectory.as_str(), status);
+    case.set_classname(format!("{}.{}", derivation.id, name(claim)));
+    let strength = strength.map(|s| format!(" ({s})")).unwrap_or_default();
+    case.set_system_out(format!("{}\n{}{strength}", says(derivation, claim), phrase(word)));
+    case
+}
+
+fn of_finding(finding: &Finding) -> TestCase {
+    let mut status = match finding.level {
+        Level::Error => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        Level::Warning => TestCaseStatus::non_success(NonSuccessKind::Error),
+        Level::Note => TestCaseStatus::skipped(),
+    };
+    let place = finding.place.region().map_or_else(String::new, |r| format!(":{}:{}", r.line, r.column));
+    let place = format!("{}{place}", finding.place.source.path);
+    status.set_message(finding.message.as_str());
+    status.set_type(finding.rule);
+    status.set_description(format!("{place}: {}", finding.message));
+    let mut case = TestCase::new(place, status);
+    case.set_classname(finding.rule);
+    case
+}
