@@ -73,7 +73,7 @@ pub(super) fn conditions(
                 Generator::Sine(a) => graph.unary(Op::Sin, a),
                 Generator::Exponential(a) => graph.unary(Op::Exp, a),
                 Generator::Opaque(e) => e,
-                Generator::Sign | Generator::Half => return None,
+                Generator::Sign | Generator::Half | Generator::Free => return None,
             })
         })
     };

@@ -33,6 +33,18 @@ pub(super) enum Generator {
     Sign,
     /// A free number: t in c = (1 − t²)/(1 + t²), s = 2t/(1 + t²).
     Half,
+    /// A free number: parameter of an orthogonal matrix.
+    Free,
+}
+
+impl Generator {
+    /// What it is a function of.
+    pub(super) fn argument(&self) -> Option<Expr> {
+        match *self {
+            Generator::Cosine(e) | Generator::Sine(e) | Generator::Exponential(e) | Generator::Opaque(e) => Some(e),
+            Generator::Sign | Generator::Half | Generator::Free => None,
+        }
+    }
 }
 
 /// The name of the one hidden symbol whose components are the generators.

@@ -89,6 +89,7 @@ mod field;
 mod growth;
 mod linear;
 mod lower;
+mod orthogonal;
 mod outcome;
 mod polynomial;
 mod prepare;

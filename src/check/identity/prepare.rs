@@ -42,11 +42,24 @@ pub(super) fn with_rates(
 
 /// Leaves that stand in arguments of transcendental functions.
 pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> FastSet<Leaf> {
+    let roots: Vec<Expr> = roots.into_iter().collect();
+    // Below cosine and sine, inverse functions are algebraic.
+    let mut outside: FastSet<Expr> = FastSet::default();
+    let mut open = roots.clone();
+    while let Some(e) = open.pop() {
+        if outside.insert(e) && !matches!(graph.node(e), Node::Unary(Op::Sin | Op::Cos | Op::Tan, _)) {
+            open.extend(graph.node(e).children());
+        }
+    }
     let mut arguments = Vec::new();
     for e in graph.reachable(roots) {
         match *graph.node(e) {
+            Node::Unary(Op::Arcsin | Op::Arccos | Op::Arctan, _) | Node::Binary(Op::Arctan2, ..)
+                if !outside.contains(&e) => {}
             Node::Unary(op, a) => match op {
                 Op::Neg | Op::Sqrt | Op::Abs | Op::Powi(_) => {}
+                // Their argument is known by its sum of angles.
+                Op::Sin | Op::Cos | Op::Tan if is_inverse(graph, a) => {}
                 _ => arguments.push(a),
             },
             Node::Binary(Op::Pow | Op::Arctan2 | Op::Agm, a, b) => arguments.extend([a, b]),
@@ -54,6 +67,19 @@ pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Exp
         }
     }
     graph.leaves(arguments).into_iter().collect()
+}
+
+/// Whether an argument is an angle given by its cosine and sine, or a multiple of one.
+fn is_inverse(graph: &Graph, e: Expr) -> bool {
+    match *graph.node(e) {
+        Node::Unary(Op::Arcsin | Op::Arccos | Op::Arctan, _) | Node::Binary(Op::Arctan2, ..) => true,
+        Node::Unary(Op::Neg, a) => is_inverse(graph, a),
+        Node::Binary(Op::Mul, a, b) => {
+            graph.as_constant(a).is_some() && is_inverse(graph, b) || graph.as_constant(b).is_some() && is_inverse(graph, a)
+        }
+        Node::Binary(Op::Div, a, b) => graph.as_constant(b).is_some() && is_inverse(graph, a),
+        _ => false,
+    }
 }
 
 /// Equations solved as they are written.

@@ -32,6 +32,8 @@ pub(super) struct Probe {
     pub(super) tops: FastMap<Expr, Expr>,
     /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
     pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
+    /// The terms of sums of squares, see the solver.
+    pub(super) squares: FastMap<Expr, Option<Vec<Expr>>>,
     /// Whether an expression is known to be ≠ 0 from the facts of the problem.
     pub(super) nonzero: FastMap<Expr, bool>,
 }
@@ -54,6 +56,7 @@ impl Probe {
             sights: FastMap::default(),
             tops: FastMap::default(),
             nonzero: FastMap::default(),
+            squares: FastMap::default(),
             solvable: FastMap::default(),
         }
     }

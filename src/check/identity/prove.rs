@@ -3,6 +3,7 @@
 use super::conditions::conditions;
 use super::field::{Question, Trials, sum_log2, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
+use super::orthogonal::{Orthogonal, orthogonal};
 use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
 use super::prepare::{Premise, argument_leaves, explicit, with_rates};
@@ -28,6 +29,8 @@ pub(super) struct Lowered {
     /// Given as ≠ 0.
     pub(super) assumed: Vec<Expr>,
     frozen: FastSet<Leaf>,
+    /// Orthogonal matrices among the premises.
+    orthogonal: Orthogonal,
 }
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
@@ -126,6 +129,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
         options,
         examples: options.attempts,
         strategy: Strategy::AsGiven,
+        seeded: true,
     };
     let own = examination.lowered.premises.clone();
     let (mut proof, resolved) = examination.generic(&own)?;
@@ -284,18 +288,27 @@ struct Examination<'a> {
     /// Real points tried for an example of something proved.
     examples: u32,
     strategy: Strategy,
+    /// Whether orthogonal matrices are parametrised.
+    seeded: bool,
 }
 
 impl Examination<'_> {
     /// The first order of solving that settles the question.
     fn generic(&mut self, premises: &[(Expr, bool)]) -> Result<(Proof, Vec<Resolved>), Stop> {
         let mut first = None;
-        for strategy in Strategy::ALL {
-            self.strategy = strategy;
+        let matrices = !self.lowered.orthogonal.definitions.is_empty();
+        for (seeded, strategy) in Strategy::ALL.map(|s| (true, s)).into_iter().chain(Strategy::ALL.map(|s| (false, s))) {
+            if !seeded && !matrices {
+                break;
+            }
+            (self.strategy, self.seeded) = (strategy, seeded);
             match self.run(premises).map_err(Stop::from).and_then(merge) {
                 Err(Stop::Undecided(
                     reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
                 )) => drop(first.get_or_insert(reason)),
+                Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
+                    first.get_or_insert(reason);
+                }
                 settled => return settled,
             }
         }
@@ -304,6 +317,7 @@ impl Examination<'_> {
 
     /// All cases of the given lowered premises.
     fn run(&mut self, premises: &[(Expr, bool)]) -> Result<Vec<(Resolved, Outcome)>, Reason> {
+        let seeds: &[(Leaf, Expr)] = if self.seeded { &self.lowered.orthogonal.definitions } else { &[] };
         let cases = Solver {
             graph: self.graph,
             generators: &mut self.lowered.generators,
@@ -313,7 +327,7 @@ impl Examination<'_> {
             parameters: &self.parameters,
             strategy: self.strategy,
         }
-        .solve(premises)?;
+        .solve(premises, seeds)?;
         // Room for as many cases and special cases as there may be.
         let target_log2_error = self.options.target_log2_error - 8.0;
         let each = Options { target_log2_error, ..*self.options };
@@ -415,7 +429,6 @@ pub(super) fn lower(
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(definitions));
-    let frozen = argument_leaves(graph, roots.iter().copied());
     let mut lowering = Lowering::new(graph, &roots);
     let mut images = Vec::new();
     for (&e, premise) in residuals.iter().zip(premises) {
@@ -454,8 +467,16 @@ pub(super) fn lower(
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
     }
-    let generators = lowering.generators;
-    Ok(Lowered { generators, premises: images, claim: sides, facts, denominators, assumed: not_zero, frozen })
+    let mut generators = lowering.generators;
+    // What still stands in arguments after lowering must stay free.
+    let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
+    let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
+    let given: Vec<Expr> = images.iter().filter(|(_, derived)| !derived).map(|&(e, _)| e).collect();
+    let all = images.iter().map(|&(e, _)| e).chain(sides.iter().flat_map(|&(l, r)| [l, r]));
+    let occurring = graph.leaves(all);
+    let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
+    facts.positive.extend(orthogonal.norms.iter().copied());
+    Ok(Lowered { orthogonal, generators, premises: images, claim: sides, facts, denominators, assumed: not_zero, frozen })
 }
 
 /// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.

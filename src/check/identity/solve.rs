@@ -12,6 +12,7 @@
 //! Leaving an equation out only enlarges the set on which the conclusion is tested, so redundant equations need not be
 //! recognised with certainty.
 
+use super::linear::{Combinations, Monomial, expression};
 use super::lower::{Generator, Generators};
 use super::polynomial::{coefficients, factors, fraction, product};
 use super::probe::{InPowers, Probe, Sight};
@@ -127,9 +128,20 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap
 
 impl Solver<'_> {
     /// All cases; an empty list when the premises contradict each other in every case.
-    pub(super) fn solve(&mut self, equations: &[(Expr, bool)]) -> Result<Vec<Resolved>, Failed> {
-        let pending = equations.iter().map(|&(e, derived)| Pending { e, plain: e, derived }).collect();
-        let mut open = vec![Case { pending, ..Case::default() }];
+    ///
+    /// `seeds` are definitions to begin with, see [`orthogonal`](super::orthogonal).
+    pub(super) fn solve(
+        &mut self,
+        equations: &[(Expr, bool)],
+        seeds: &[(Leaf, Expr)],
+    ) -> Result<Vec<Resolved>, Failed> {
+        let map = closed(self.graph, seeds);
+        let pending = equations
+            .iter()
+            .map(|&(plain, derived)| Pending { e: insert_definitions(self.graph, &map, plain), plain, derived })
+            .collect();
+        let out = Resolved { definitions: seeds.to_vec(), ..Resolved::default() };
+        let mut open = vec![Case { pending, out, ..Case::default() }];
         let mut done = Vec::new();
         while let Some(mut case) = open.pop() {
             if open.len() + done.len() > MOST_CASES {
@@ -179,10 +191,11 @@ impl Solver<'_> {
     /// Numerators of the pending equations, without known factors; splits, contradictions.
     fn tidy(&mut self, case: &mut Case) -> Result<Option<Next>, Failed> {
         let mut kept: Vec<Pending> = Vec::new();
-        let pending = std::mem::take(&mut case.pending);
+        let mut pending = std::mem::take(&mut case.pending);
+        pending.reverse();
         let mut split = None;
         let mut seen = FastSet::default();
-        for one in pending {
+        while let Some(one) = pending.pop() {
             let top = match self.probe.tops.get(&one.e) {
                 Some(&top) => top,
                 None => {
@@ -214,6 +227,10 @@ impl Solver<'_> {
             match parts.as_slice() {
                 [] => return Ok(Some(Next::Contradiction)),
                 &[base] => {
+                    if let Some(terms) = self.squares(base) {
+                        pending.extend(terms.into_iter().rev().map(|e| Pending { e, plain: e, ..one }));
+                        continue;
+                    }
                     let reduced = self.on_circle(case, base);
                     let (_, again) = factors(self.graph, reduced);
                     if again.len() > 1 {
@@ -229,6 +246,25 @@ impl Solver<'_> {
         }
         case.pending = kept;
         Ok(split.map(|(equation, parts)| Next::Split(equation, parts)))
+    }
+
+    /// The terms of a sum of squares without their squares: over the real numbers each of them vanishes with the sum.
+    fn squares(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        if let Some(known) = self.probe.squares.get(&e) {
+            return known.clone();
+        }
+        let sum = Combinations::default().of(self.graph, e);
+        let positive = sum.values().next().is_some_and(|q| *q > Rational::ZERO);
+        let even = |(m, q): (&Monomial, &Rational)| {
+            (*q > Rational::ZERO) == positive && m.iter().all(|&(_, k)| k > 0 && k % 2 == 0)
+        };
+        let found = (sum.len() > 1 && sum.iter().all(even)).then(|| {
+            let root = |m: &Monomial| m.iter().map(|&(base, k)| (base, k / 2)).collect();
+            let roots: Vec<Monomial> = sum.keys().map(root).collect();
+            roots.iter().map(|m| expression(self.graph, m, &Rational::ONE)).collect::<Vec<_>>()
+        });
+        self.probe.squares.insert(e, found.clone());
+        found
     }
 
     /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
@@ -328,6 +364,7 @@ impl Solver<'_> {
             Some(Generator::Cosine(_) | Generator::Sine(_) | Generator::Exponential(_)) => Some(2),
             Some(Generator::Opaque(_)) => Some(4),
             Some(Generator::Sign | Generator::Half) => None,
+            Some(Generator::Free) => Some(2),
             None if self.parameters.contains(&leaf) => Some(3),
             None if leaf.rate > 0 => Some(0),
             None => Some(1),

@@ -115,7 +115,7 @@ impl Scene<'_> {
             })
             .collect();
         for &leaf in &wanted {
-            if self.generators.get(leaf).is_some()
+            if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free)
                 || values.contains_key(&leaf)
                 || self.explicit.contains_key(&leaf)
                 || self.defined.contains_key(&leaf)
@@ -176,10 +176,7 @@ impl Scene<'_> {
 
     fn lowered_exprs(&self) -> Vec<Expr> {
         let sides = self.lowered.iter().flat_map(|&(l, r)| [l, r]);
-        let arguments = self.generators.list.iter().filter_map(|g| match *g {
-            Generator::Cosine(e) | Generator::Sine(e) | Generator::Exponential(e) | Generator::Opaque(e) => Some(e),
-            Generator::Sign | Generator::Half => None,
-        });
+        let arguments = self.generators.list.iter().filter_map(Generator::argument);
         sides.chain(self.defined.values().copied()).chain(self.explicit.values().copied()).chain(arguments).collect()
     }
 
@@ -296,7 +293,7 @@ impl Scene<'_> {
             }
             let argument = match self.generators.list[at] {
                 Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
-                Generator::Sign | Generator::Half => continue,
+                Generator::Sign | Generator::Half | Generator::Free => continue,
             };
             if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
                 continue;
