@@ -14,6 +14,7 @@
 mod bounded;
 mod dual;
 mod finite;
+mod interval;
 mod jet;
 mod lanes;
 mod operation;
@@ -26,6 +27,7 @@ mod slope;
 pub use bounded::Bounded;
 pub use dashu_ratio::RBig as Rational;
 pub use finite::{Finite, FiniteField, is_prime};
+pub use interval::{Continuity, Interval};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};
