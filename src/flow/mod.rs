@@ -16,6 +16,7 @@
 mod angle;
 mod core;
 mod cover;
+mod enclosure;
 mod error;
 mod field;
 mod hoist;
@@ -25,6 +26,7 @@ mod taylor;
 mod trajectory;
 mod zeros;
 
+pub use enclosure::{Compiled, Enclosure, Reach, Stop};
 pub use error::{FlowError, Problem};
 pub use field::VectorField;
 pub use motion::{Motion, Observable, Point, Setup, Source};

@@ -1,0 +1,164 @@
+//! Small matrices: of binary64 numbers, and of intervals. Row by row, square.
+
+use crate::number::{Interval, Scalar};
+
+/// M·v.
+pub(super) fn apply(m: &[Interval], v: &[Interval]) -> Vec<Interval> {
+    m.chunks_exact(v.len().max(1)).map(|row| dot(row.iter().copied(), v.iter().copied())).collect()
+}
+
+/// M·v for a matrix of numbers.
+pub(super) fn apply_point(m: &[f64], v: &[Interval]) -> Vec<Interval> {
+    m.chunks_exact(v.len().max(1)).map(|row| dot(row.iter().map(|&x| Interval::point(x)), v.iter().copied())).collect()
+}
+
+fn dot(a: impl Iterator<Item = Interval>, b: impl Iterator<Item = Interval>) -> Interval {
+    let mut sum = Interval::ZERO;
+    for (x, y) in a.zip(b) {
+        if !x.is_zero() && !y.is_zero() {
+            sum = sum + x * y;
+        }
+    }
+    sum
+}
+
+/// M·P for a matrix P of numbers.
+pub(super) fn times_point(m: &[Interval], p: &[f64], n: usize) -> Vec<Interval> {
+    let mut out = vec![Interval::ZERO; n * n];
+    for (row, to) in m.chunks_exact(n).zip(out.chunks_exact_mut(n)) {
+        for (&x, of) in row.iter().zip(p.chunks_exact(n)) {
+            if x.is_zero() {
+                continue;
+            }
+            for (sum, &y) in to.iter_mut().zip(of) {
+                if y != 0.0 {
+                    *sum = *sum + x * Interval::point(y);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// The numbers in the middle.
+pub(super) fn middle(m: &[Interval]) -> Vec<f64> {
+    m.iter().map(Interval::mid).collect()
+}
+
+pub(super) fn identity(n: usize) -> Vec<f64> {
+    (0..n * n).map(|i| if i / n == i % n { 1.0 } else { 0.0 }).collect()
+}
+
+/// A matrix with nearly orthonormal columns that span what the first columns of `m` span, where columns are taken in the
+/// order of their lengths times `weights`, longest first.
+///
+/// Any matrix that is invertible will do for rigour; this one keeps an error along its own directions, which is what stops
+/// wrapping ([Lohner 1987]).
+///
+/// [Lohner 1987]: https://publikationen.bibliothek.kit.edu/38889
+pub(super) fn orthogonal(m: &[f64], weights: &[f64], n: usize) -> Vec<f64> {
+    let length = |j: usize| (0..n).map(|i| m[i * n + j] * m[i * n + j]).sum::<f64>().sqrt() * weights[j];
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
+    let mut columns: Vec<Vec<f64>> = Vec::with_capacity(n);
+    let candidates = order.iter().map(|&j| (0..n).map(|i| m[i * n + j]).collect::<Vec<f64>>());
+    let axes = (0..n).map(|j| (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>());
+    for mut column in candidates.chain(axes) {
+        if columns.len() == n {
+            break;
+        }
+        let norm = |c: &[f64]| c.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let start = norm(&column);
+        if !(start.is_finite() && start > 0.0) {
+            continue;
+        }
+        // Twice is enough for orthogonality to the last digits.
+        for _ in 0..2 {
+            for before in &columns {
+                let along: f64 = column.iter().zip(before).map(|(x, y)| x * y).sum();
+                column.iter_mut().zip(before).for_each(|(x, y)| *x -= along * y);
+            }
+        }
+        let left = norm(&column);
+        if left > 1e-10 * start {
+            column.iter_mut().for_each(|x| *x /= left);
+            columns.push(column);
+        }
+    }
+    (0..n * n).map(|i| columns.get(i % n).map_or(0.0, |c| c[i / n])).collect()
+}
+
+/// A matrix of intervals that contains the inverse of a nearly orthogonal matrix Q; `None` when Q is not.
+///
+/// With E = I − QQᵀ and ‖E‖∞ ≤ ε < 1, Q⁻¹ = Qᵀ(QQᵀ)⁻¹ = Qᵀ(I + E + E² + …), and the entries of E + E² + … are at most
+/// ε/(1 − ε) (Neumann series).
+pub(super) fn inverse(q: &[f64], n: usize) -> Option<Vec<Interval>> {
+    let mut norm = 0.0_f64;
+    for i in 0..n {
+        let mut row = Interval::ZERO;
+        for j in 0..n {
+            let mut e = Interval::point(if i == j { -1.0 } else { 0.0 });
+            for k in 0..n {
+                e = e + Interval::point(q[i * n + k]) * Interval::point(q[j * n + k]);
+            }
+            row = row + Interval::point(e.magnitude());
+        }
+        norm = norm.max(row.hi());
+    }
+    if !(norm < 0.5) {
+        return None;
+    }
+    let rest = (Interval::point(norm) / (Interval::point(1.0) - Interval::point(norm))).hi();
+    let mut series: Vec<Interval> = vec![Interval::ball(0.0, rest); n * n];
+    (0..n).for_each(|i| series[i * n + i] = series[i * n + i] + Interval::point(1.0));
+    let mut out = vec![Interval::ZERO; n * n];
+    for i in 0..n {
+        for j in 0..n {
+            out[i * n + j] = dot(
+                (0..n).map(|k| Interval::point(q[k * n + i])),
+                (0..n).map(|k| series[k * n + j]),
+            );
+        }
+    }
+    Some(out)
+}
+
+/// M·N for matrices of intervals.
+pub(super) fn times(a: &[Interval], b: &[Interval], n: usize) -> Vec<Interval> {
+    let mut out = vec![Interval::ZERO; n * n];
+    for (row, to) in a.chunks_exact(n).zip(out.chunks_exact_mut(n)) {
+        for (&x, of) in row.iter().zip(b.chunks_exact(n)) {
+            if x.is_zero() {
+                continue;
+            }
+            to.iter_mut().zip(of).for_each(|(sum, &y)| *sum = *sum + x * y);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_of_a_rotation_is_contained() {
+        let (c, s) = (0.6, 0.8);
+        let q = [c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0];
+        let inverse = inverse(&q, 3).expect("nearly orthogonal");
+        let product = times_point(&inverse, &q, 3);
+        for (i, x) in product.iter().enumerate() {
+            let one = if i / 3 == i % 3 { 1.0 } else { 0.0 };
+            assert!(x.contains(one) && x.width() < 1e-14, "{x}");
+        }
+        assert!(super::inverse(&[1.0, 1.0, 0.0, 1.0], 2).is_none());
+    }
+
+    #[test]
+    fn columns_are_orthonormal_also_of_singular_matrices() {
+        for m in [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]] {
+            let q = orthogonal(&m, &[1.0, 2.0, 0.5], 3);
+            assert!(inverse(&q, 3).is_some(), "{q:?}");
+        }
+    }
+}

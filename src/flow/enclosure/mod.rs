@@ -1,0 +1,356 @@
+//! Motions between bounds: every state at every time lies in an interval that is computed with outward rounding.
+//!
+//! **In:** what a [`Motion`](super::Motion) is made from ([`Setup`]); decimal parameters and initial values are enclosed, not
+//! rounded. **Out:** [`Enclosure`]: intervals for every expression in the leaves of the motion, over any stretch of time.
+//!
+//! **Guaranteed:** every motion with parameters and initial values in their intervals exists, is unique, and lies in the
+//! enclosure, as far as the enclosure reaches ([`Enclosure::reach`]); if it ends early, [`Enclosure::stop`] says where, how
+//! wide it was there, and why. A quantity is given for a stretch of time only if it has a value, and is continuous, at every
+//! time of the stretch. The theorems are named in `step`, `set` and [`Reach`].
+//!
+//! **Why its own room beside the ordinary integrator:** the two share the tape and the recurrences of the series, and nothing
+//! else, so that each checks the other.
+
+mod angle;
+mod compiled;
+mod matrix;
+mod set;
+mod step;
+
+pub use compiled::{Compiled, Reach};
+pub use step::Stop;
+
+use std::collections::BTreeMap;
+
+use super::core::fresh;
+use super::error::{FlowError, leaf_name};
+use super::field::VectorField;
+use super::hoist::hoist;
+use super::motion::{Setup, Source};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::{Interval, NoValue};
+use crate::tape::Tape;
+use angle::Angle;
+use step::{Field, Piece};
+
+/// An integrated motion.
+#[derive(Clone, Debug)]
+struct Tube {
+    states: Vec<Leaf>,
+    rates: Vec<Expr>,
+    field: Field,
+    initial: Vec<Interval>,
+    /// Steps forward from the initial time, and back from it.
+    forward: Vec<Piece>,
+    backward: Vec<Piece>,
+    stops: [Option<Stop>; 2],
+}
+
+/// See the module.
+#[derive(Clone, Debug)]
+pub struct Enclosure {
+    time: Leaf,
+    initial_time: f64,
+    span: (f64, f64),
+    tube: Option<std::sync::Arc<Tube>>,
+    constants: Vec<(Leaf, Result<Interval, NoValue>)>,
+    angles: Vec<Angle>,
+    /// Definitions of leaves in basic leaves: time, states, constants, turns of angles.
+    definitions: BTreeMap<Leaf, Expr>,
+    /// Leaves that were given a definition, not derived.
+    given: Vec<Leaf>,
+}
+
+impl Enclosure {
+    /// Encloses the motion of a setup. `from` is the enclosure of the motion that a derived one comes from.
+    ///
+    /// # Errors
+    /// As [`Motion::new`](super::Motion::new). An enclosure that ends early is kept, see [`Enclosure::stop`].
+    pub fn new(graph: &mut Graph, setup: &Setup, from: Option<&Enclosure>) -> Result<Enclosure, FlowError> {
+        let mut new = Enclosure {
+            time: setup.time,
+            initial_time: setup.initial_time,
+            span: setup.span,
+            tube: None,
+            constants: Vec::new(),
+            angles: Vec::new(),
+            definitions: BTreeMap::new(),
+            given: Vec::new(),
+        };
+        let mut states: Vec<(Leaf, Expr)> = Vec::new();
+        if let Source::Derived { states: map, .. } = &setup.source {
+            let Some(from) = from else {
+                return Err(FlowError::Undefined {
+                    what: "the motion that it comes from".to_owned(),
+                    reason: NoValue::Indeterminate,
+                });
+            };
+            new = from.clone();
+            for &(leaf, e) in map {
+                states.push((leaf, new.resolve(graph, e)?));
+            }
+            new.definitions.clear();
+        }
+        let time = graph.leaf(setup.time);
+        new.definitions.insert(setup.time, time);
+        for &(leaf, e) in &setup.parameters {
+            let resolved = new.resolve(graph, e)?;
+            // A rational number stays exact; anything else becomes an interval, computed once.
+            let value = match graph.as_constant(resolved) {
+                Some(_) => resolved,
+                None => {
+                    let value = new.constant_value(graph, resolved);
+                    new.constant(graph, value)
+                }
+            };
+            new.definitions.insert(leaf, value);
+        }
+        match &setup.source {
+            Source::Derived { .. } => {}
+            Source::Formula { states: formulas } => {
+                for &(leaf, e) in formulas {
+                    states.push((leaf, new.resolve(graph, e)?));
+                }
+            }
+            Source::Integrated { field, initial } => new.integrate(graph, field, initial)?,
+        }
+        new.definitions.extend(states);
+        new.given = new.definitions.keys().copied().collect();
+        for observable in &setup.observables {
+            let resolved = new.resolve(graph, observable.definition)?;
+            let value = if observable.angle { new.follow(graph, resolved)? } else { resolved };
+            new.definitions.insert(observable.leaf, value);
+        }
+        Ok(new)
+    }
+
+    fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+        let mut states = Vec::new();
+        for &leaf in field.states() {
+            let basic = fresh(graph, "state");
+            let e = graph.leaf(basic);
+            self.definitions.insert(leaf, e);
+            states.push(basic);
+        }
+        let mut image: BTreeMap<Leaf, Expr> = BTreeMap::new();
+        for leaf in graph.leaves(field.rates().iter().copied()) {
+            let known = self.definition(graph, leaf)?;
+            image.insert(leaf, known);
+        }
+        let rates: Vec<Expr> =
+            field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
+        let time = self.time;
+        let mut found = Vec::new();
+        let rates = hoist(
+            graph,
+            &rates,
+            |l| l == time || states.contains(&l),
+            |graph, e| {
+                let leaf = fresh(graph, "constant");
+                found.push((leaf, e));
+                leaf
+            },
+        );
+        for (leaf, e) in found {
+            let value = self.constant_value(graph, e);
+            self.constants.push((leaf, value));
+        }
+        let mut constants = Vec::new();
+        for leaf in graph.leaves(rates.iter().copied()) {
+            if leaf == time || states.contains(&leaf) {
+                continue;
+            }
+            let value = self.constants.iter().find(|c| c.0 == leaf).map_or(Err(NoValue::Unsupported), |c| c.1);
+            let what = || "a coefficient of the system".to_owned();
+            constants.push((leaf, value.map_err(|reason| FlowError::Undefined { what: what(), reason })?));
+        }
+        let compiled = Field::new(graph, time, &states, &rates, constants)?;
+        let mut state = Vec::new();
+        for &leaf in field.states() {
+            let name = || leaf_name(graph, leaf);
+            let given = initial.iter().find(|(l, _)| *l == leaf);
+            let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
+            let resolved = self.resolve(graph, e)?;
+            let value = self.constant_value(graph, resolved);
+            let what = || format!("the initial value of {}", leaf_name(graph, leaf));
+            state.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
+        }
+        self.run(states, rates, compiled, state);
+        Ok(())
+    }
+
+    fn run(&mut self, states: Vec<Leaf>, rates: Vec<Expr>, field: Field, initial: Vec<Interval>) {
+        let (forward, ahead) = field.integrate(self.initial_time, &initial, self.span.1);
+        let (backward, behind) = field.integrate(self.initial_time, &initial, self.span.0);
+        let tube = Tube { states, rates, field, initial, forward, backward, stops: [ahead, behind] };
+        self.tube = Some(std::sync::Arc::new(tube));
+    }
+
+    /// The same system from other initial states, in the order of the field; nothing for a motion that is not integrated.
+    ///
+    /// Definitions of observables and values at fixed times are those of the first: use it for states only.
+    pub fn restart(&self, initial: &[Interval]) -> Option<Enclosure> {
+        let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
+        let mut new = self.clone();
+        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
+        Some(new)
+    }
+
+    /// The times between which everything is enclosed.
+    pub fn reach(&self) -> (f64, f64) {
+        match &self.tube {
+            None => self.span,
+            Some(tube) => (
+                tube.backward.last().map_or(self.initial_time, |p| p.to),
+                tube.forward.last().map_or(self.initial_time, |p| p.to),
+            ),
+        }
+    }
+
+    /// Why the enclosure ends before the span does.
+    pub fn stop(&self) -> Option<&Stop> {
+        self.tube.as_deref().and_then(|t| t.stops.iter().flatten().next())
+    }
+
+    /// Number of validated steps.
+    pub fn steps(&self) -> usize {
+        self.tube.as_deref().map_or(0, |t| t.forward.len() + t.backward.len())
+    }
+
+    /// Times that cut the span into steps; for formulas, into equal parts. Ascending.
+    pub fn boundaries(&self) -> Vec<f64> {
+        let mut times: Vec<f64> = match self.tube.as_deref() {
+            Some(tube) => {
+                let ends = tube.backward.iter().rev().chain(&tube.forward).map(|p| p.to);
+                ends.chain([self.initial_time]).collect()
+            }
+            None => {
+                const PARTS: usize = 16;
+                let (a, b) = self.span;
+                let inner = (1..PARTS).map(|i| a + (b - a) * (i as f64 / PARTS as f64));
+                inner.chain([a, b, self.initial_time]).collect()
+            }
+        };
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+
+    /// The integrated states at all times of an interval, in the order of the field; `None` outside of the reach.
+    pub fn state(&self, time: Interval) -> Option<Vec<Interval>> {
+        let tube = self.tube.as_deref()?;
+        let (from, to) = self.reach();
+        if !(from <= time.lo() && time.hi() <= to) {
+            return None;
+        }
+        let mut out: Option<Vec<Interval>> = None;
+        let mut add = |found: Vec<Interval>| match &mut out {
+            None => out = Some(found),
+            Some(all) => all.iter_mut().zip(found).for_each(|(a, f)| *a = a.hull(f)),
+        };
+        let initial = Interval::point(self.initial_time);
+        if time.intersection(initial).is_some() {
+            add(tube.initial.clone());
+            if time.is_point() {
+                return out;
+            }
+        }
+        // Steps are in the order of their times: only those that meet the interval are looked at.
+        let first = tube.forward.partition_point(|p| p.to < time.lo());
+        let ahead = tube.forward[first..].iter().take_while(|p| p.from <= time.hi());
+        let first = tube.backward.partition_point(|p| p.to > time.hi());
+        let behind = tube.backward[first..].iter().take_while(|p| p.from >= time.lo());
+        for piece in ahead.chain(behind) {
+            let stretch = Interval::point(piece.from).hull(Interval::point(piece.to));
+            if let Some(part) = time.intersection(stretch) {
+                add(if part == stretch { piece.hull.clone() } else { piece.at(part) });
+                if time.is_point() {
+                    break;
+                }
+            }
+        }
+        out
+    }
+
+    /// An expression in basic leaves.
+    fn resolve(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
+        let mut image = BTreeMap::new();
+        for leaf in graph.leaves([e]) {
+            image.insert(leaf, self.definition(graph, leaf)?);
+        }
+        Ok(graph.substitute(e, |_, leaf| image.get(&leaf).copied()))
+    }
+
+    /// The definition of a leaf; rates are derived, values at fixed times become constants.
+    fn definition(&mut self, graph: &mut Graph, leaf: Leaf) -> Result<Expr, FlowError> {
+        if let Some(&known) = self.definitions.get(&leaf) {
+            return Ok(known);
+        }
+        if self.is_basic(leaf) {
+            return Ok(graph.leaf(leaf));
+        }
+        let unknown = |graph: &Graph| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) };
+        let found = if let Some(instant) = leaf.instant {
+            let now = Leaf { instant: None, ..leaf };
+            let (instant, value) = (self.resolve(graph, instant)?, self.definition(graph, now)?);
+            let time = self.constant_value(graph, instant);
+            let compiled = self.compile_resolved(graph, &[value])?;
+            let value = time.and_then(|time| self.value(&compiled, time)[0]);
+            self.constant(graph, value)
+        } else if leaf.rate > 0 {
+            let lower = self.definition(graph, Leaf { rate: leaf.rate - 1, ..leaf }).map_err(|error| match error {
+                FlowError::UnknownLeaf { .. } => unknown(graph),
+                other => other,
+            })?;
+            self.derivative(graph, lower)
+                .map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, leaf), reason })?
+        } else {
+            return Err(unknown(graph));
+        };
+        self.definitions.insert(leaf, found);
+        Ok(found)
+    }
+
+    fn is_basic(&self, leaf: Leaf) -> bool {
+        leaf == self.time
+            || self.tube.as_deref().is_some_and(|t| t.states.contains(&leaf))
+            || self.constants.iter().any(|c| c.0 == leaf)
+            || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
+    }
+
+    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, crate::expr::NoDerivative> {
+        graph.directional_derivative(e, |graph, leaf| {
+            if leaf == self.time {
+                return Some(graph.integer(1));
+            }
+            let tube = self.tube.as_deref()?;
+            tube.states.iter().position(|&l| l == leaf).map(|i| tube.rates[i])
+        })
+    }
+
+    fn constant(&mut self, graph: &mut Graph, value: Result<Interval, NoValue>) -> Expr {
+        let leaf = fresh(graph, "constant");
+        self.constants.push((leaf, value));
+        graph.leaf(leaf)
+    }
+
+    /// The value of an expression in constants; the time, if it occurs, is the initial time.
+    fn constant_value(&self, graph: &Graph, e: Expr) -> Result<Interval, NoValue> {
+        let leaves = graph.leaves([e]);
+        let Ok(tape) = Tape::compile(graph, &leaves, &[e]) else { return Err(NoValue::Unsupported) };
+        let inputs: Vec<_> = leaves
+            .iter()
+            .map(|&leaf| {
+                if leaf == self.time {
+                    return Ok(Interval::point(self.initial_time));
+                }
+                self.constants.iter().find(|c| c.0 == leaf).map_or(Err(NoValue::Unsupported), |c| c.1)
+            })
+            .collect();
+        let mut slots = tape.slots::<Interval>(&());
+        tape.evaluate(&(), &inputs, &mut slots).pop().unwrap_or(Err(NoValue::Unsupported))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,362 @@
+//! One validated step, and the sequence of them.
+//!
+//! **A step.** Let X be a box around the states at t, x⁽ᵏ⁾ the k-th Taylor coefficient of the motion as a function of the
+//! state, and p the order. (1) A box E is found with Σₖ≤ₚ x⁽ᵏ⁾(X)·[0, h]ᵏ + x⁽ᵖ⁺¹⁾(E)·[0, h]ᵖ⁺¹ inside E. Then every motion
+//! from X exists on [t, t + h], is unique and stays in E (high-order enclosure: [Nedialkov, Jackson & Pryce 2001, Theorem 4.1],
+//! [Corliss & Rihm 1996]). (2) By Taylor's theorem with Lagrange's remainder the state at t + h is T(x) + e with
+//! T(x) = Σₖ≤ₚ x⁽ᵏ⁾(x)·hᵏ and e ∈ x⁽ᵖ⁺¹⁾(E)·hᵖ⁺¹. (3) T is evaluated at the centre of the set, and its derivative, which is
+//! the Taylor polynomial of the variational equation V′ = Df·V, V(t) = I, over X; the set then moves by the mean value
+//! theorem, see `set`.
+//!
+//! All coefficients come from the tape of the system, and from that tape with its partial derivatives, over intervals.
+//!
+//! [Nedialkov, Jackson & Pryce 2001, Theorem 4.1]: https://doi.org/10.1023/A:1014798618404
+//! [Corliss & Rihm 1996]: https://doi.org/10.1007/978-3-322-91233-9
+
+use super::set::{Set, faults};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::flow::core::fresh;
+use crate::flow::error::{FlowError, leaf_name};
+use crate::flow::taylor::Flow;
+use crate::number::{Interval, Jet, NoValue, Scalar};
+use crate::tape::{Slots, Tape};
+
+/// Order of the Taylor polynomials.
+pub(super) const ORDER: usize = 20;
+/// The remainder of a step shall be below this part of the largest state.
+const REMAINDER: f64 = 1e-17;
+/// The set may become as wide as this part of the largest state.
+const WIDEST: f64 = 0.5;
+/// Largest number of steps in one direction.
+const MAX_STEPS: usize = 20_000;
+
+/// A vector field compiled for enclosures.
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    pub(super) flow: Flow,
+    /// The field and its variational equations, as one field whose further states are the entries of V.
+    variation: Flow,
+    /// Row and column of every further state.
+    entries: Vec<(usize, usize)>,
+    pub(super) constants: Vec<Interval>,
+    driven: bool,
+}
+
+/// Why an enclosure ends. What was reached is kept.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Stop {
+    /// The set of states has become so wide that nothing is left to be said.
+    #[error("the enclosure is {width:.1e} wide at t = {time}")]
+    TooWide {
+        /// The time that was reached.
+        time: f64,
+        /// Largest width of a state there.
+        width: f64,
+    },
+    /// No step could be validated, however short: a singularity is near, or the set is too wide.
+    #[error("no step could be validated at t = {time}, where the enclosure is {width:.1e} wide: {reason}")]
+    NoStep {
+        /// The time that was reached.
+        time: f64,
+        /// Largest width of a state there.
+        width: f64,
+        /// What failed in the last attempt.
+        reason: String,
+    },
+    /// More steps than the limit.
+    #[error("t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide")]
+    TooManySteps {
+        /// The time that was reached.
+        time: f64,
+        /// The limit.
+        steps: usize,
+        /// Largest width of a state there.
+        width: f64,
+    },
+}
+
+/// The motions through a set of states, over one step.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// Time at the start, and at the end (which is earlier for a step back).
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// `ORDER + 2` coefficients for every state; the last one holds throughout.
+    coefficients: Vec<Interval>,
+    /// All states of the step.
+    pub(super) hull: Vec<Interval>,
+}
+
+impl Piece {
+    /// The states at all times of an interval that lies in the step.
+    pub(super) fn at(&self, time: Interval) -> Vec<Interval> {
+        let s = time - Interval::point(self.from);
+        let row = ORDER + 2;
+        let all = self.coefficients.chunks_exact(row).zip(&self.hull);
+        all.map(|(c, &hull)| polynomial(c, s).intersection(hull).unwrap_or(hull)).collect()
+    }
+}
+
+/// c₀ + c₁s + …
+fn polynomial(c: &[Interval], s: Interval) -> Interval {
+    c.iter().rev().copied().reduce(|sum, c| sum * s + c).unwrap_or(Interval::ZERO)
+}
+
+/// Memory of the steps.
+struct Bench {
+    point: Slots<Jet<Interval>>,
+    around: Slots<Jet<Interval>>,
+    whole: Slots<Jet<Interval>>,
+    of_point: Vec<Interval>,
+    of_set: Vec<Interval>,
+    of_hull: Vec<Interval>,
+}
+
+impl Field {
+    /// Compiles rates (in the leaves of time, states and constants) and their partial derivatives.
+    ///
+    /// # Errors
+    /// [`FlowError::NoDerivative`] for a rate with an operation that has no derivative.
+    pub(super) fn new(
+        graph: &mut Graph,
+        time: Leaf,
+        states: &[Leaf],
+        rates: &[Expr],
+        constants: Vec<(Leaf, Interval)>,
+    ) -> Result<Field, FlowError> {
+        let n = states.len();
+        let unknown = |graph: &Graph, leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) };
+        let names: Vec<String> = states.iter().map(|&l| leaf_name(graph, l)).collect();
+        let mut partial: Vec<Vec<Option<Expr>>> = Vec::new();
+        for &rate in rates {
+            let present = graph.leaves([rate]);
+            let mut row = Vec::new();
+            for &state in states {
+                let d = if present.contains(&state) { Some(graph.partial_derivative(rate, state)) } else { None };
+                let d = d.transpose().map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, state), reason })?;
+                row.push(d.filter(|&d| !graph.is_zero(d)));
+            }
+            partial.push(row);
+        }
+        // An entry of V is 0 for ever unless its row depends, through any number of rates, on its column.
+        let mut reaches: Vec<Vec<bool>> =
+            (0..n).map(|i| (0..n).map(|j| i == j || partial[i][j].is_some()).collect()).collect();
+        for k in 0..n {
+            for i in 0..n {
+                for j in 0..n {
+                    reaches[i][j] |= reaches[i][k] && reaches[k][j];
+                }
+            }
+        }
+        let entries: Vec<(usize, usize)> =
+            (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|&(i, j)| reaches[i][j]).collect();
+        let leaves: Vec<Leaf> = entries.iter().map(|_| fresh(graph, "variation")).collect();
+        let entry = |i: usize, j: usize| entries.iter().position(|&e| e == (i, j)).map(|at| leaves[at]);
+        let mut all_rates = rates.to_vec();
+        for &(i, j) in &entries {
+            let mut sum: Option<Expr> = None;
+            for (k, d) in partial[i].iter().enumerate() {
+                let (Some(d), Some(v)) = (*d, entry(k, j)) else { continue };
+                let v = graph.leaf(v);
+                let term = graph.mul(d, v);
+                sum = Some(sum.map_or(term, |sum| graph.add(sum, term)));
+            }
+            let rate = sum.unwrap_or_else(|| graph.integer(0));
+            all_rates.push(rate);
+        }
+        let used: Vec<Leaf> = constants.iter().map(|c| c.0).collect();
+        let inputs = |states: &[Leaf]| -> Vec<Leaf> {
+            [time].into_iter().chain(states.iter().copied()).chain(used.iter().copied()).collect()
+        };
+        let extended: Vec<Leaf> = states.iter().chain(&leaves).copied().collect();
+        let tape = Tape::compile(graph, &inputs(states), rates).map_err(|l| unknown(graph, l))?;
+        let variation = Tape::compile(graph, &inputs(&extended), &all_rates).map_err(|l| unknown(graph, l))?;
+        let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
+        Ok(Field {
+            flow: Flow::new(tape, states, names.clone()),
+            variation: Flow::new(variation, &extended, Vec::new()),
+            entries,
+            constants: constants.into_iter().map(|c| c.1).collect(),
+            driven,
+        })
+    }
+
+    fn dimension(&self) -> usize {
+        self.flow.dimension
+    }
+
+    /// The motions from `state` at `start` until `end`, and why they end earlier.
+    pub(super) fn integrate(&self, start: f64, state: &[Interval], end: f64) -> (Vec<Piece>, Option<Stop>) {
+        let (n, m) = (self.dimension(), self.entries.len());
+        let mut bench = Bench {
+            point: self.flow.slots(ORDER, &self.constants),
+            around: self.variation.slots(ORDER, &self.constants),
+            whole: self.flow.slots(ORDER + 1, &self.constants),
+            of_point: vec![Interval::ZERO; n * (ORDER + 1)],
+            of_set: vec![Interval::ZERO; (n + m) * (ORDER + 1)],
+            of_hull: vec![Interval::ZERO; n * (ORDER + 2)],
+        };
+        let mut pieces = Vec::new();
+        let (mut time, mut set) = (start, Set::new(state));
+        while time != end {
+            let width = set.hull().iter().map(Interval::width).fold(0.0, f64::max);
+            if pieces.len() >= MAX_STEPS {
+                return (pieces, Some(Stop::TooManySteps { time, steps: MAX_STEPS, width }));
+            }
+            match self.step(&mut bench, &set, time, start, end) {
+                Ok((piece, next)) => {
+                    time = piece.to;
+                    set = next;
+                    pieces.push(piece);
+                }
+                Err(reason) => {
+                    let size = set.hull().iter().map(Interval::magnitude).fold(0.0, f64::max);
+                    let stop = if width > WIDEST * size {
+                        Stop::TooWide { time, width }
+                    } else {
+                        Stop::NoStep { time, width, reason }
+                    };
+                    return (pieces, Some(stop));
+                }
+            }
+        }
+        (pieces, None)
+    }
+
+    /// One step towards `end`.
+    fn step(&self, bench: &mut Bench, set: &Set, time: f64, start: f64, end: f64) -> Result<(Piece, Set), String> {
+        let n = self.dimension();
+        let row = ORDER + 1;
+        let hull = set.hull();
+        let size = hull.iter().map(Interval::magnitude).fold(0.0, f64::max);
+        let width = hull.iter().map(Interval::width).fold(0.0, f64::max);
+        if !(width <= WIDEST * size.max(f64::MIN_POSITIVE)) && width > 0.0 {
+            return Err("the set is too wide".to_owned());
+        }
+        let why = |(i, reason): (usize, NoValue)| match self.flow.names.get(i) {
+            Some(name) => format!("the rate of {name} is {reason}"),
+            None => format!("a derivative of a rate is {reason}"),
+        };
+        let now = Interval::point(time);
+        let centre: Vec<Interval> = set.centre.iter().map(|&x| Interval::point(x)).collect();
+        self.flow.expand(&mut bench.point, ORDER, now, &centre, &mut bench.of_point).map_err(why)?;
+        let one = |&(i, j): &(usize, usize)| if i == j { Interval::point(1.0) } else { Interval::ZERO };
+        let extended: Vec<Interval> = hull.iter().copied().chain(self.entries.iter().map(one)).collect();
+        self.variation.expand(&mut bench.around, ORDER, now, &extended, &mut bench.of_set).map_err(why)?;
+
+        let direction = if end > time { 1.0 } else { -1.0 };
+        let remaining = (end - time).abs();
+        let longest = (end - start).abs() * if self.driven { 1.0 / 64.0 } else { 0.25 };
+        let mut step = self.proposal(&bench.of_point, size).min(longest);
+        if step > 0.6 * remaining {
+            step = if step >= remaining { remaining } else { 0.6 * remaining };
+        }
+        let smallest = (64.0 * f64::EPSILON * time.abs()).max(1e-9 * (end - start).abs()).min(remaining);
+        let tolerance = (REMAINDER * size).max(1e-4 * width);
+        let mut reason = "no box was found that holds the motion".to_owned();
+        while step >= smallest {
+            let mut to = if step >= remaining { end } else { time + direction * step };
+            if let Err(found) = self.hold(bench, time, to, size) {
+                reason = found.unwrap_or(reason);
+                step *= 0.5;
+                continue;
+            }
+            // E holds the motion for every shorter step too: the remainder may be made as small as it should be.
+            let coefficient = |i: usize| bench.of_hull[i * (row + 1) + row];
+            let largest = (0..n).map(|i| coefficient(i).magnitude()).fold(0.0, f64::max);
+            let remainder = largest * power((to - time).abs(), row as u32);
+            if remainder > tolerance {
+                let factor = pxfm::f_exp(pxfm::f_log(tolerance / remainder) / row as f64);
+                let shorter = time + direction * (0.98 * factor * (to - time).abs());
+                if factor < 0.4 {
+                    // A tighter E makes a longer step.
+                    step *= (1.3 * factor).max(0.1);
+                    continue;
+                }
+                if shorter != time {
+                    to = shorter;
+                }
+            }
+            let h = Interval::point(to) - now;
+            if h.contains(0.0) {
+                break;
+            }
+            let zero_to_h = h.hull(Interval::ZERO);
+            let mut piece = Piece { from: time, to, coefficients: Vec::with_capacity(n * (row + 1)), hull: Vec::new() };
+            let mut shift = Vec::with_capacity(n);
+            let mut power = h;
+            (1..row).for_each(|_| power = power * h);
+            for i in 0..n {
+                let of_set = &bench.of_set[i * row..(i + 1) * row];
+                let last = if faults::no_remainder() { Interval::ZERO } else { coefficient(i) };
+                piece.coefficients.extend_from_slice(of_set);
+                piece.coefficients.push(last);
+                piece.hull.push(polynomial(&piece.coefficients[i * (row + 1)..], zero_to_h));
+                let moved = h * polynomial(&bench.of_point[i * row + 1..(i + 1) * row], h);
+                shift.push(moved + last * power);
+            }
+            let mut jacobian = vec![Interval::ZERO; n * n];
+            for (k, &(i, j)) in self.entries.iter().enumerate() {
+                jacobian[i * n + j] = polynomial(&bench.of_set[(n + k) * row..(n + k + 1) * row], h);
+            }
+            return match set.image(&shift, &jacobian) {
+                Some(next) => Ok((piece, next)),
+                None => Err("the image of the set is not finite".to_owned()),
+            };
+        }
+        Err(reason)
+    }
+
+    /// Finds a box that holds all motions until `to`, and expands the field over it: its coefficients are then in `of_hull`.
+    fn hold(&self, bench: &mut Bench, time: f64, to: f64, size: f64) -> Result<(), Option<String>> {
+        let n = self.dimension();
+        let row = ORDER + 1;
+        let s = Interval::point(to) - Interval::point(time);
+        let s = s.hull(Interval::ZERO);
+        let over = Interval::point(time).hull(Interval::point(to));
+        let polynomials: Vec<Interval> =
+            (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
+        let guess = |i: usize| {
+            let last = bench.of_set[i * row + ORDER].magnitude() * power(s.magnitude(), ORDER as u32);
+            last + 1e-16 * size + f64::MIN_POSITIVE
+        };
+        let mut candidate: Vec<Interval> = (0..n).map(|i| polynomials[i].widened(1e-3, 4.0 * guess(i))).collect();
+        for _ in 0..3 {
+            if candidate.iter().any(|x| x.checked().is_err()) {
+                return Err(None);
+            }
+            let grown = self.flow.expand(&mut bench.whole, row, over, &candidate, &mut bench.of_hull);
+            if let Err((i, reason)) = grown {
+                return Err(self.flow.names.get(i).map(|name| format!("the rate of {name} is {reason}")));
+            }
+            let mut power = s;
+            (1..row).for_each(|_| power = power * s);
+            let found: Vec<Interval> =
+                (0..n).map(|i| polynomials[i] + bench.of_hull[i * (row + 1) + row] * power).collect();
+            if found.iter().zip(&candidate).all(|(f, c)| c.encloses_strictly(*f)) {
+                return Ok(());
+            }
+            candidate = found.iter().zip(&candidate).map(|(f, c)| f.hull(*c).widened(0.05, guess(0))).collect();
+        }
+        Err(None)
+    }
+
+    /// The step at which the last terms of the series are of the size of the remainder that is asked for.
+    fn proposal(&self, coefficients: &[Interval], size: f64) -> f64 {
+        let row = ORDER + 1;
+        let top = |k: usize| (0..self.dimension()).map(|i| coefficients[i * row + k].magnitude()).fold(0.0, f64::max);
+        let mut step = f64::INFINITY;
+        for k in [ORDER - 1, ORDER] {
+            let last = top(k);
+            if last > 1e-280 && size > 0.0 {
+                step = step.min(pxfm::f_exp(pxfm::f_log(4.0 * REMAINDER * size / last) / k as f64));
+            }
+        }
+        step
+    }
+}
+
+/// xⁿ for x ≥ 0, roughly: it decides on lengths of steps and nothing else.
+fn power(x: f64, n: u32) -> f64 {
+    (0..n).fold(1.0, |p, _| p * x)
+}
