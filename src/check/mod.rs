@@ -30,6 +30,7 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use identity::{Certificate, Cofactor, Origin};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 

@@ -178,7 +178,8 @@ pub(super) fn evidence(
     agree(identity, &found)?;
     match found {
         Ok(certificates) => out.certificates = certificates,
-        Err(reason) => out.no_certificate = Some(reason.to_string()),
+        // What is refuted has none, and needs no reason.
+        Err(reason) => out.no_certificate = Some(reason.to_string()).filter(|_| identity.word() != "refuted"),
     }
     Ok(out)
 }

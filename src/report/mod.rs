@@ -7,6 +7,7 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+mod certificates;
 mod explain;
 mod json;
 mod markdown;
@@ -16,11 +17,12 @@ mod tally;
 mod text;
 mod write;
 
+pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use explain::explain;
 pub use json::json;
 pub use markdown::markdown;
 pub use summary::{exceptions, summary};
-pub use write::{WriteError, write_files};
+pub use write::{WriteError, write_files, write_report};
 
 #[cfg(test)]
 mod tests {

@@ -21,6 +21,8 @@ pub struct Certificate {
     pub equation: usize,
     /// The equation, in LaTeX.
     pub formula: String,
+    /// Definitions that were put in for what the equation names, in LaTeX.
+    pub definitions: Vec<String>,
     /// The variables of the polynomials, and what they stand for, in LaTeX.
     pub variables: Vec<(String, String)>,
     /// d: not 0 where the formulas have a value and the premises hold.

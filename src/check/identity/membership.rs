@@ -53,8 +53,17 @@ pub(super) fn certify(
             (origin, format!("{} = {}", shown(graph, p.left), shown(graph, p.right)))
         })
         .collect();
-    let formulas: Vec<String> =
-        equations.iter().map(|&(l, r)| format!("{} = {}", shown(graph, l), shown(graph, r))).collect();
+    let written = |graph: &Graph, &(l, r): &(Expr, Expr)| {
+        let put_in = |leaf: Leaf| {
+            let value = shown(graph, *solved.definitions.get(&leaf)?);
+            Some(format!("{} = {value}", graph.leaf_latex(leaf)))
+        };
+        Written {
+            formula: format!("{} = {}", shown(graph, l), shown(graph, r)),
+            definitions: graph.leaves([l, r]).into_iter().filter_map(put_in).collect(),
+        }
+    };
+    let formulas: Vec<Written> = equations.iter().map(|pair| written(graph, pair)).collect();
     let mut search = Search { graph, lowered: &lowered, effort, left: effort.work };
     let mut system = search.system(&sources)?;
     let mut out = Vec::new();
@@ -62,6 +71,12 @@ pub(super) fn certify(
         out.push(search.certificate(&mut system, equation, formula, (l, r))?);
     }
     Ok(out)
+}
+
+/// An equation as it was before its polynomial was made.
+struct Written {
+    formula: String,
+    definitions: Vec<String>,
 }
 
 /// A relation between the variables.
@@ -154,7 +169,7 @@ impl Search<'_> {
         &mut self,
         system: &mut System,
         equation: usize,
-        formula: String,
+        formula: Written,
         (l, r): (Expr, Expr),
     ) -> Result<Certificate, NoCertificate> {
         let residual = self.graph.sub(l, r);
@@ -239,7 +254,7 @@ impl Search<'_> {
         &mut self,
         system: &System,
         equation: usize,
-        formula: String,
+        formula: Written,
         (multiplier, used): (&Poly, &[Expr]),
         conclusion: &Poly,
         cofactors: &[Poly],
@@ -282,7 +297,8 @@ impl Search<'_> {
             .filter(|(_, occurs)| *occurs)
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
-        Ok(Certificate { equation, formula, variables, multiplier, not_zero, conclusion, terms })
+        let Written { formula, definitions } = formula;
+        Ok(Certificate { equation, formula, definitions, variables, multiplier, not_zero, conclusion, terms })
     }
 
     /// A lowered expression in the words of the formulas.
@@ -507,7 +523,11 @@ impl Names {
                 Node::Unary(Op::Sqrt, _) => "root".to_owned(),
                 _ => "absolute".to_owned(),
             };
-            let free = |name: &String| !list.contains(name) && !TAKEN.contains(&name.as_str());
+            // A certificate's text calls relations p1, p2 … and cofactors q1, q2 …
+            let numbered = |name: &str| {
+                name.strip_prefix(['p', 'q']).is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+            };
+            let free = |name: &String| !list.contains(name) && !TAKEN.contains(&name.as_str()) && !numbered(name);
             let name = match free(&wish) {
                 true => wish,
                 false => (2..).map(|n| format!("{wish}_{n}")).find(free).unwrap_or(wish),
