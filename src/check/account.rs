@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use super::second_route::IdentityEvidence;
 use super::verdict::{Outcome, Verdict};
 
 /// A trajectory as it was computed.
@@ -74,6 +75,8 @@ pub struct IdentityAccount {
     pub reason: Option<String>,
     /// A point at which everything given holds and the claim does not.
     pub witness: Option<String>,
+    /// What the verdict rests on: trials, certificates, numbers.
+    pub evidence: IdentityEvidence,
 }
 
 impl IdentityAccount {

@@ -20,6 +20,7 @@ mod measure;
 mod occurrence;
 mod program;
 mod same_motion;
+mod second_route;
 #[cfg(test)]
 pub(crate) mod sample;
 mod stage;
@@ -29,6 +30,8 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use identity::{Certificate, Cofactor, Origin};
+pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -167,17 +170,19 @@ pub fn check(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let identities: Vec<Option<IdentityAccount>> = (0..claimed.len())
+    let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {
             let claim = &derivation.claims[claimed[k]];
             let step = Step::of(derivation, claim)?;
             match counterexample(derivation, claim, k, &claimed, &tried, &columns) {
-                Some((t, witness)) => Some(step.refuted_by(&derivation.trajectories[t].id, witness)),
+                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
                 None => step.decide(),
             }
         })
         .collect();
+    let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
+    let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     Ok(account)

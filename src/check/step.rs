@@ -12,7 +12,8 @@
 
 use super::account::IdentityAccount;
 use super::comparison::at_instant;
-use super::identity::{Condition, Identity, Options, Point, Premises, Reason, branches_test, identity_test};
+use super::identity::{Condition, Identity, Point, Premises, Reason};
+use super::second_route::{IdentityEvidence, Signs, answer};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
@@ -90,6 +91,7 @@ impl<'a> Step<'a> {
                 "left {}, right {} on the trajectory {trajectory} at t = {}",
                 witness.left, witness.right, witness.t
             )),
+            evidence: IdentityEvidence::default(),
         }
     }
 
@@ -249,8 +251,8 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// Decides the step.
-    pub fn decide(mut self) -> Option<IdentityAccount> {
+    /// Decides the step; `Err` if the two routes contradict each other.
+    pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
         let (derivation, claim) = (self.derivation, self.claim);
         let mut premises = Premises::default();
         self.roles(&mut premises);
@@ -302,32 +304,18 @@ impl<'a> Step<'a> {
         let sign = claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let branching = self.graph.leaves(roots).contains(&sign);
-        let options = Options::default();
-        let identity = if branching {
-            let branch = |graph: &mut Graph, value: i64| -> Vec<(Expr, Expr)> {
-                let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
-                equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
-            };
-            let branches = [branch(&mut self.graph, 1), branch(&mut self.graph, -1)];
-            let found = branches_test(&mut self.graph, &branches, &premises, &options);
-            if claim.branches_throughout {
-                // Proved if one branch is; a refutation needs both.
-                let mut each = found.throughout;
-                let proved = each.iter().position(|i| matches!(i, Identity::Proved(_)));
-                each.swap_remove(proved.unwrap_or(0))
-            } else {
-                found.pointwise
-            }
-        } else {
-            identity_test(&mut self.graph, &equations, &premises, &options)
+        let signs = branching.then_some(Signs { leaf: sign, throughout: claim.branches_throughout });
+        let (identity, evidence) = match answer(&mut self.graph, &equations, &premises, signs) {
+            Ok(found) => found,
+            Err(defect) => return Some(Err(format!("{}: {defect}", claim.name()))),
         };
-        let mut account = self.account(identity, from, complete);
+        let mut account = IdentityAccount { evidence, ..self.account(identity, from, complete) };
         if account.verdict == "proved" && !inherited.is_empty() {
             inherited.dedup();
             account.generic = true;
             account.conditions.extend(inherited.into_iter().map(|a| format!("{a} (assumed by what is given)")));
         }
-        Some(account)
+        Some(Ok(account))
     }
 
     /// Whether a condition is a false statement about a number.
@@ -377,6 +365,7 @@ impl<'a> Step<'a> {
             generic: false,
             reason: None,
             witness: None,
+            evidence: IdentityEvidence::default(),
         };
         match identity {
             Identity::Proved(proof) => {

@@ -124,5 +124,8 @@ fn exit_of(summary: &Summary) -> Exit {
 fn write_reports(folder: &Path, derivation: &Derivation, account: &Account) -> Result<(), Stop> {
     let files =
         [("report.json", report::json(derivation, account)), ("report.md", report::markdown(derivation, account))];
-    report::write_files(folder, &files).map_err(|e| Stop::Message(e.to_string()))
+    let certificates = report::certificates(derivation, account);
+    let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));
+    let files: Vec<(&str, String)> = files.into_iter().chain(certificates).collect();
+    report::write_report(folder, &files, &[report::CERTIFICATES]).map_err(|e| Stop::Message(e.to_string()))
 }

@@ -2,8 +2,9 @@
 
 use serde_json::{Map, Value, json};
 
+use super::certificates::file_name;
 use super::tally::declared;
-use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
@@ -90,8 +91,19 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "generic": i.generic,
             "reason": i.reason,
             "witness": i.witness,
+            "branch": i.evidence.branch,
+            "trials": i.evidence.trials.as_ref().map(trials),
+            "certificate": file_name(claim),
+            "no_certificate": i.evidence.no_certificate,
         })),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
+    })
+}
+
+fn trials(trials: &Trials) -> Value {
+    json!({
+        "count": trials.count, "primes": trials.primes, "degree": number(trials.degree), "height": number(trials.height),
+        "signs": trials.signs, "cases": trials.cases,
     })
 }
 

@@ -1,5 +1,6 @@
 //! `report.md`: the report for people, as a forge renders it.
 
+use super::certificates::certificate_note;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, Standing, declared, glyph, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
@@ -242,6 +243,7 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
                 let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
                 out.push_str(&format!("<details><summary>Conditions</summary>\n\n{list}\n</details>\n\n"));
             }
+            out.push_str(&certificate_note(claim, identity));
             if let Some(witness) = &identity.witness {
                 out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
             }

@@ -8,6 +8,7 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+mod certificates;
 mod explain;
 mod finding;
 mod github;
@@ -21,6 +22,7 @@ mod tally;
 mod text;
 mod write;
 
+pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
 pub use github::github;
@@ -29,7 +31,7 @@ pub use junit::{Checked, junit};
 pub use markdown::markdown;
 pub use sarif::sarif;
 pub use summary::{exceptions, summary};
-pub use write::{WriteError, write_files};
+pub use write::{WriteError, write_files, write_report};
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes the files into a folder, which is made if it is missing.
+/// Writes the files into a folder, which is made if it is missing. A name may have one `/`: a file in a folder inside.
 ///
 /// Every file is first written in full beside its place; only when all are there do they take their names. If that fails
 /// half way, what was there before is put back.
@@ -12,47 +12,104 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// The first failure, with the path that it concerns.
 pub fn write_files(folder: &Path, files: &[(&str, String)]) -> Result<(), WriteError> {
-    let failed = |path: &Path| {
-        let path = path.to_path_buf();
-        move |source: io::Error| WriteError { path, source }
-    };
-    let new = !folder.exists();
-    fs::create_dir_all(folder).map_err(failed(folder))?;
-    let result = replace_all(folder, files);
-    if result.is_err() && new {
-        // Nothing was kept, so neither is the folder; if that fails too, the first failure is the one to tell.
-        let _ = fs::remove_dir(folder);
+    write_report(folder, files, &[])
+}
+
+/// The same, for a report that has folders of its own inside: a file in one of `owned` (a folder's name and the ending of its
+/// files) that is not among `files` is left from an earlier report, and is removed. So is such a folder when it is empty.
+///
+/// # Errors
+/// The first failure, with the path that it concerns.
+pub fn write_report(folder: &Path, files: &[(&str, String)], owned: &[(&str, &str)]) -> Result<(), WriteError> {
+    let mut made = Vec::new();
+    let result = replace_all(folder, files, owned, &mut made);
+    let inner = owned.iter().map(|(name, _)| folder.join(name));
+    // Folders that hold nothing are not kept; what is not empty stays, which is no failure.
+    for empty in inner.chain(if result.is_err() { made } else { Vec::new() }) {
+        let _ = fs::remove_dir(empty);
     }
     result
 }
 
-fn replace_all(folder: &Path, files: &[(&str, String)]) -> Result<(), WriteError> {
+/// What a file was before it was replaced or removed.
+type Before = (PathBuf, Option<Vec<u8>>);
+
+fn replace_all(
+    folder: &Path,
+    files: &[(&str, String)],
+    owned: &[(&str, &str)],
+    made: &mut Vec<PathBuf>,
+) -> Result<(), WriteError> {
     let mut staged = Vec::new();
     for (name, text) in files {
         let path = folder.join(name);
         let failed = |source: io::Error| WriteError { path: path.clone(), source };
+        let parent = path.parent().unwrap_or(folder).to_path_buf();
+        // The innermost first, as they are removed.
+        let missing: Vec<PathBuf> = [&parent, folder].into_iter().filter(|p| !p.exists()).map(Path::to_path_buf).collect();
+        fs::create_dir_all(&parent).map_err(|source| WriteError { path: parent.clone(), source })?;
+        made.splice(0..0, missing);
         if path.is_dir() {
             return Err(failed(io::Error::new(io::ErrorKind::IsADirectory, "there is a folder of this name")));
         }
         let before = if path.exists() { Some(fs::read(&path).map_err(failed)?) } else { None };
         if before.as_deref() != Some(text.as_bytes()) {
-            staged.push((stage(folder, text.as_bytes()).map_err(failed)?, path, before));
+            staged.push((stage(&parent, text.as_bytes()).map_err(failed)?, path, before));
         }
     }
-    let mut done: Vec<(PathBuf, Option<Vec<u8>>)> = Vec::new();
+    let mut removed: Vec<Before> = Vec::new();
+    for path in stale(folder, files, owned)? {
+        let before = fs::read(&path).map_err(|source| WriteError { path: path.clone(), source })?;
+        removed.push((path, Some(before)));
+    }
+    let mut done: Vec<Before> = Vec::new();
     for (file, path, before) in staged {
         if let Err(error) = file.persist(&path) {
-            for (path, before) in done {
-                let _ = match before {
-                    Some(bytes) => stage(folder, &bytes).and_then(|f| f.persist(&path).map(drop).map_err(|e| e.error)),
-                    None => fs::remove_file(&path),
-                };
-            }
+            put_back(done);
             return Err(WriteError { path, source: error.error });
         }
         done.push((path, before));
     }
+    for (path, before) in removed {
+        if let Err(source) = fs::remove_file(&path) {
+            put_back(done);
+            return Err(WriteError { path, source });
+        }
+        done.push((path, before));
+    }
     Ok(())
+}
+
+/// Restores what was there; what cannot be restored is not, as the first failure is the one to tell.
+fn put_back(done: Vec<Before>) {
+    for (path, before) in done {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let _ = match before {
+            Some(bytes) => stage(folder, &bytes).and_then(|f| f.persist(&path).map(drop).map_err(|e| e.error)),
+            None => fs::remove_file(&path),
+        };
+    }
+}
+
+/// Files in the report's own folders that this report does not have, in order.
+fn stale(folder: &Path, files: &[(&str, String)], owned: &[(&str, &str)]) -> Result<Vec<PathBuf>, WriteError> {
+    let mut out = Vec::new();
+    for (name, ending) in owned {
+        let inner = folder.join(name);
+        if !inner.is_dir() {
+            continue;
+        }
+        let failed = |source: io::Error| WriteError { path: inner.clone(), source };
+        for entry in fs::read_dir(&inner).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            let ours = path.extension().is_some_and(|e| e == *ending) && path.is_file();
+            if ours && !files.iter().any(|(name, _)| folder.join(name) == path) {
+                out.push(path);
+            }
+        }
+    }
+    out.sort();
+    Ok(out)
 }
 
 fn stage(folder: &Path, bytes: &[u8]) -> io::Result<tempfile::NamedTempFile> {
@@ -106,6 +163,33 @@ mod tests {
             let mode = fs::metadata(target.join("a.json")).expect("there").permissions().mode();
             assert_eq!(mode & 0o777 & !0o022, 0o644);
         }
+    }
+
+    #[test]
+    fn what_is_left_from_an_earlier_report_is_removed() {
+        let folder = tempfile::tempdir().expect("folder");
+        let target = folder.path().join("x");
+        let owned = [("c", "py")];
+        let file = |name: &'static str| (name, format!("{name}\n"));
+        write_report(&target, &[file("a.json"), file("c/1.py"), file("c/2.py")], &owned).expect("written");
+        assert_eq!(names(&target), ["a.json", "c"]);
+        assert_eq!(names(&target.join("c")), ["1.py", "2.py"]);
+        fs::write(target.join("c/notes.txt"), "mine").expect("written");
+        write_report(&target, &[file("a.json"), file("c/2.py")], &owned).expect("written");
+        assert_eq!(names(&target.join("c")), ["2.py", "notes.txt"]);
+        // When something cannot be written, nothing is removed either.
+        fs::create_dir(target.join("b.md")).expect("made");
+        assert!(write_report(&target, &[file("a.json"), file("b.md")], &owned).is_err());
+        assert_eq!(names(&target.join("c")), ["2.py", "notes.txt"]);
+        fs::remove_dir(target.join("b.md")).expect("removed");
+        fs::remove_file(target.join("c/notes.txt")).expect("removed");
+        write_report(&target, &[file("a.json")], &owned).expect("written");
+        assert_eq!(names(&target), ["a.json"]);
+        // A folder that was made for nothing goes again.
+        let other = folder.path().join("y");
+        fs::write(folder.path().join("file"), "").expect("written");
+        assert!(write_report(&other, &[file("a.json"), ("../file/z", String::new())], &owned).is_err());
+        assert!(!other.exists());
     }
 
     #[test]

@@ -82,6 +82,7 @@
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
 #[cfg(feature = "certificates")]
+mod budget;
 mod certificate;
 mod conditions;
 mod exact;
@@ -89,6 +90,8 @@ mod field;
 mod growth;
 mod linear;
 mod lower;
+#[cfg(feature = "certificates")]
+mod membership;
 mod orthogonal;
 mod outcome;
 mod polynomial;
@@ -100,7 +103,6 @@ mod sign;
 mod solve;
 mod witness;
 
-#[cfg(feature = "certificates")]
-pub use certificate::{Certificate, Effort, NoCertificate, certify};
+pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
 pub use prove::{Branches, branches_test, identity_test};
