@@ -79,6 +79,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.trajectories(&root);
     loader.claims(&root);
     loader.measures(&root);
+    loader.conditions(&root);
     loader.finish()
 }
 
@@ -124,6 +125,8 @@ impl<'s> Loader<'s> {
             trajectories: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),
+            conditions: Vec::new(),
+            given: Vec::new(),
         };
         Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
     }
