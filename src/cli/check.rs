@@ -51,6 +51,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        if account.units.unexpected() > 0 {
+            exit = exit.and(Exit::Different);
+        }
     }
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));

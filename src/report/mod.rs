@@ -14,6 +14,7 @@ mod numbers;
 mod summary;
 mod tally;
 mod text;
+mod units;
 mod write;
 
 pub use explain::explain;
