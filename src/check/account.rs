@@ -1,6 +1,7 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
 use super::second_route::IdentityEvidence;
+use super::units::UnitsAccount;
 use super::verdict::{Outcome, Verdict};
 
 /// A trajectory as it was computed.
@@ -132,6 +133,8 @@ pub struct Account {
     pub claims: Vec<ClaimAccount>,
     /// Measurements, in the order of the file.
     pub measurements: Vec<Measurement>,
+    /// Whether the formulas are consistent in their units.
+    pub units: UnitsAccount,
 }
 
 /// Counts over all pairs.

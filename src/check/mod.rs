@@ -26,6 +26,7 @@ pub(crate) mod sample;
 mod stage;
 mod step;
 mod trial;
+pub mod units;
 mod verdict;
 mod weigh;
 
@@ -185,6 +186,7 @@ pub fn check(
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    account.units = units::units(derivation);
     Ok(account)
 }
 
@@ -355,5 +357,5 @@ fn assemble(
     let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);
-    Account { trajectories, claims, measurements }
+    Account { trajectories, claims, measurements, units: Default::default() }
 }

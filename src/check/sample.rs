@@ -1,5 +1,6 @@
 //! A handmade account with verdicts of every kind, for the tests of the reports. Not part of the program.
 
+use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 
@@ -201,5 +202,29 @@ pub(crate) fn account() -> Account {
                 reason: Some("v=0 does not happen".into()),
             },
         ],
+        units: UnitsAccount {
+            formulas: vec![
+                units("claim", "motion", r"\dot x=v", UnitVerdict::Consistent),
+                units(
+                    "claim",
+                    "rest",
+                    "v=0, x=v",
+                    UnitVerdict::Inconsistent {
+                        relation: "are compared".into(),
+                        terms: Box::new([term("x", "m"), term("v", "m/s")]),
+                    },
+                ),
+                units("symbol", "k", "2k", UnitVerdict::NotChecked { reason: "k has no unit".into() }),
+            ],
+            missed: Vec::new(),
+        },
     }
+}
+
+fn term(latex: &str, unit: &str) -> Term {
+    Term { latex: latex.into(), unit: unit.into() }
+}
+
+fn units(kind: &'static str, of: &str, formula: &str, verdict: UnitVerdict) -> UnitAccount {
+    UnitAccount { kind, of: of.into(), formula: formula.into(), verdict, expected: false }
 }

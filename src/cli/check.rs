@@ -64,6 +64,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        if account.units.unexpected() > 0 {
+            exit = exit.and(Exit::Different);
+        }
         found.findings.extend(report::findings(&derivation, &account));
         found.checked.push((derivation, account));
     }

@@ -58,7 +58,8 @@ impl Exit {
 const EXIT_CODES: &str = "\
 Exit codes:
   0   every verdict is as expected, and at least one claim was decided
-  1   some verdict differs from what is expected (without an expectation: some claim fails)
+  1   some verdict differs from what is expected (without an expectation: some claim fails), or the
+      units of a formula do not agree
   2   the command line or a file could not be read, or a report could not be written
   3   nothing differs, but some verdict is undecided that the file does not expect to be
   70  a defect of rederive itself";

@@ -82,6 +82,7 @@ impl Loader<'_> {
             branches_throughout: false,
             trajectories: (0..self.out.trajectories.len()).collect(),
             expect: Vec::new(),
+            expect_inconsistent_units: false,
             scope: self.out.scope.clone(),
             id,
             span,
@@ -184,6 +185,9 @@ impl Loader<'_> {
             claim.trajectories = self.some_trajectories(table);
         }
         claim.expect = vec![None; claim.trajectories.len()];
+        if let Some(inconsistent) = self.expect_units(table) {
+            claim.expect_inconsistent_units = inconsistent;
+        }
     }
 
     /// Claims, systems and symbols that are known.
@@ -411,7 +415,7 @@ impl Loader<'_> {
             Some(_) => self.some_trajectories(&table),
             None => (0..self.out.trajectories.len()).collect(),
         };
-        let unit = table.text(&mut self.problems, "unit");
+        let (unit, measured_in) = self.unit(&table);
         let (id, span) = id?;
         let new = self.take("measure", &id, span.clone());
         let formula = formula?;
@@ -420,6 +424,6 @@ impl Loader<'_> {
             self.problems.note("derivation::wrong-components", formula.span, message);
             return None;
         }
-        new.then_some(Measure { id, says: says?, formula, at, trajectories, unit, span })
+        new.then_some(Measure { id, says: says?, formula, at, trajectories, unit, measured_in, span })
     }
 }

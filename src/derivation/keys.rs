@@ -1,7 +1,7 @@
 //! Every key that a derivation file may have.
 
 /// The tables of a file.
-pub const FILE: &[&str] = &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure"];
+pub const FILE: &[&str] = &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition"];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
 /// Keys of a symbol.
@@ -32,6 +32,7 @@ pub const READING: &[&str] = &[
     "independent",
     "at",
     "expect",
+    "expect-units",
 ];
 /// Keys of `[[claim]]` beside those of a reading.
 pub const CLAIM: &[&str] = &["place", "label", "reading"];
@@ -43,6 +44,8 @@ pub const INDEPENDENT: &[&str] = &["functions", "subject-to"];
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
 pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "trajectories", "unit"];
+/// Keys of `[[condition]]`.
+pub const CONDITION: &[&str] = &["id", "says", "holds"];
 
 /// Every table with its keys, for the documentation and its test.
 pub const ALL: &[(&str, &[&str])] = &[
@@ -57,4 +60,5 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("independent", INDEPENDENT),
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
+    ("[[condition]]", CONDITION),
 ];

@@ -80,6 +80,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.claims(&root);
     loader.circles();
     loader.measures(&root);
+    loader.conditions(&root);
     loader.finish()
 }
 
@@ -125,6 +126,8 @@ impl<'s> Loader<'s> {
             trajectories: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),
+            conditions: Vec::new(),
+            given: Vec::new(),
         };
         Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
     }

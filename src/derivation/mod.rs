@@ -12,6 +12,7 @@
 //! who writes a file wants to see all of them. The format is described in `docs/derivation-file.md`.
 
 mod claims;
+mod conditions;
 pub mod keys;
 mod load;
 mod model;
@@ -20,11 +21,14 @@ mod number;
 mod premise;
 mod symbols;
 mod table;
+mod unit;
 mod values;
 
 pub use claims::DEFAULT_PRECISION;
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Derivation, Form, FormKind, Formula, Measure, Motion, SymbolEntry, System, Trajectory, Written,
+    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, SymbolEntry, System, Trajectory,
+    Written,
 };
 pub use premise::Premise;
+pub use unit::Unit;

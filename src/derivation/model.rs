@@ -7,6 +7,8 @@ use crate::diag::Source;
 use crate::expr::{Expr, Graph, Symbol, Tensor};
 use crate::latex::{Role, Scope, Statement};
 
+use super::unit::Unit;
+
 /// A formula as written, where it stands, and what it means.
 #[derive(Clone, Debug)]
 pub struct Written<T> {
@@ -51,6 +53,10 @@ pub struct Derivation {
     pub claims: Vec<Claim>,
     /// Quantities to be measured.
     pub measures: Vec<Measure>,
+    /// Conditions that may tell where a claim holds and where it fails.
+    pub conditions: Vec<Condition>,
+    /// The values that trajectories give to symbols, as they are written.
+    pub given: Vec<GivenValue>,
 }
 
 /// A declared symbol.
@@ -62,8 +68,10 @@ pub struct SymbolEntry {
     pub symbol: Symbol,
     /// What it is.
     pub role: Role,
-    /// Its unit, for the reader.
+    /// Its unit as written.
     pub unit: Option<String>,
+    /// Its unit as understood.
+    pub measured_in: Option<Unit>,
     /// Declared positive (in every component): a trajectory that gives it another value is refused.
     pub positive: bool,
     /// An angle: its values along a motion are continued without jumps of 2π.
@@ -306,6 +314,8 @@ pub struct Claim {
     pub trajectories: Vec<usize>,
     /// The expected verdict on each of `trajectories`, as a word of the report.
     pub expect: Vec<Option<&'static str>>,
+    /// Whether the file expects that a formula of it is not consistent in its units.
+    pub expect_inconsistent_units: bool,
     /// What symbols mean in its formulas.
     pub scope: Scope,
     /// Place of its id in the file.
@@ -336,8 +346,36 @@ pub struct Measure {
     pub at: Option<Written<Statement>>,
     /// The motions on which it is measured: positions in [`Derivation::trajectories`], increasing.
     pub trajectories: Vec<usize>,
-    /// Its unit, for the reader.
+    /// Its unit as written.
     pub unit: Option<String>,
+    /// Its unit as understood.
+    pub measured_in: Option<Unit>,
     /// Place of its id in the file.
     pub span: Range<usize>,
+}
+
+/// A condition that the file offers as the reason for which a claim holds on some trajectories and fails on others.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Its id.
+    pub id: String,
+    /// What it is, in the file's words.
+    pub says: String,
+    /// It is met where all of these hold at every time.
+    pub holds: Vec<Written<Statement>>,
+    /// Place of its id in the file.
+    pub span: Range<usize>,
+}
+
+/// A value that a trajectory gives to a symbol, before the values of other symbols are put in.
+#[derive(Clone, Debug)]
+pub struct GivenValue {
+    /// Id of the trajectory.
+    pub trajectory: String,
+    /// What gets the value.
+    pub symbol: Symbol,
+    /// Order of its rate; 0 for the symbol itself.
+    pub rate: u8,
+    /// One expression for each stored component.
+    pub value: Written<Vec<Expr>>,
 }

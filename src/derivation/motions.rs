@@ -6,7 +6,7 @@ use toml::de::DeValue;
 
 use super::keys;
 use super::load::{Loader, is_equation};
-use super::model::{Motion, System, Trajectory, Written};
+use super::model::{GivenValue, Motion, System, Trajectory, Written};
 use super::number::finite;
 use super::table::{Table, Value, check_id, note_double_quoted, text_of};
 use super::values::Known;
@@ -110,7 +110,11 @@ impl Loader<'_> {
             (0..drafts.len()).find(|&i| done[i].is_none() && drafts[i].from.is_none_or(|f| done[f].is_some()))
         {
             let source = drafts[next].from.and_then(|f| done[f].clone().flatten());
+            let before = self.out.given.len();
             let built = self.one_trajectory(&drafts[next], source.as_ref());
+            for given in self.out.given.iter_mut().skip(before) {
+                given.trajectory.clone_from(&drafts[next].id);
+            }
             if built.is_none() {
                 self.refused.push(drafts[next].id.clone());
             }
@@ -292,6 +296,7 @@ impl Loader<'_> {
                 known.insert(symbol, vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
                 continue;
             };
+            self.keep(symbol, 0, &written);
             let hint = "a parameter may use the parameters that are given before it";
             if !self.resolve_all(&mut written, &known, scope, &|_, _| false, hint) {
                 continue;
@@ -302,6 +307,11 @@ impl Loader<'_> {
             out.push((symbol, written));
         }
         out
+    }
+
+    /// Keeps a value as it is written; its trajectory is named later.
+    fn keep(&mut self, symbol: Symbol, rate: u8, value: &Written<Vec<Expr>>) {
+        self.out.given.push(GivenValue { trajectory: String::new(), symbol, rate, value: value.clone() });
     }
 
     /// Notes a value that is not positive although its symbol is declared so.
@@ -354,6 +364,7 @@ impl Loader<'_> {
         };
         for Assigned { symbol, rate, value, .. } in given {
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
+            self.keep(symbol, rate, &written);
             if self.resolve_all(&mut written, &known, scope, &free, hint) {
                 if rate == 0 {
                     known.insert(symbol, written.value.clone());
@@ -415,6 +426,7 @@ impl Loader<'_> {
         let mut out = Values::new();
         for Assigned { symbol, value, .. } in given {
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
+            self.keep(symbol, 0, &written);
             // The other motion does not know this one's own parameters: their values are put in.
             let own = |leaf: Leaf| parameters.iter().rev().find(|(s, _)| *s == leaf.symbol).map(|(_, w)| &w.value);
             for e in &mut written.value {

@@ -107,10 +107,13 @@ impl Loader<'_> {
         }
         let arguments = table.formulas(problems, "arguments");
         let names: Vec<&str> = arguments.iter().map(|a| a.text.trim()).collect();
+        let (unit, measured_in) = self.unit(&table);
+        let problems = &mut self.problems;
         let entry = SymbolEntry {
             name: name.to_owned(),
             role,
-            unit: table.text(problems, "unit"),
+            unit,
+            measured_in,
             positive: table.boolean(problems, "positive").unwrap_or(false),
             angle: table.boolean(problems, "angle").unwrap_or(false),
             formula: formula.as_ref().map(|f| f.text.trim().to_owned()),

@@ -59,6 +59,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             })).collect::<Vec<_>>(),
             "reason": m.reason,
         })).collect::<Vec<_>>(),
+        "units": super::units::json(&account.units),
         "summary": {
             "holds": summary.holds,
             "fails": summary.fails,

@@ -21,13 +21,14 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     out.push_str(&trajectories(account));
     out.push_str(&claims(derivation, account));
     out.push_str(&measures(derivation, account));
+    out.push_str(&super::units::section(&account.units));
     out.push_str(&repeat(derivation));
     out
 }
 
 /// Text of the file: formulas between dollar signs and code between backticks are kept, and what else Markdown would take
 /// for markup is made harmless.
-fn prose(text: &str) -> String {
+pub(super) fn prose(text: &str) -> String {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut out = String::new();
     let mut rest = text.as_str();
@@ -50,7 +51,7 @@ fn prose(text: &str) -> String {
 }
 
 /// A formula inside a line.
-fn math(formula: &str) -> String {
+pub(super) fn math(formula: &str) -> String {
     let one_line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
     // In a table a bar ends the cell, even inside a formula.
     format!("$`{}`$", one_line.replace('|', r"\vert ").replace('`', "'"))
@@ -68,7 +69,7 @@ fn display(formula: &str) -> String {
     format!("```math\n{body}\n```\n\n")
 }
 
-fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut out = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
     for row in rows {
         out.push_str(&format!("| {} |\n", row.join(" | ")));

@@ -20,6 +20,7 @@ mod sarif;
 mod summary;
 mod tally;
 mod text;
+mod units;
 mod write;
 
 pub use certificates::{CERTIFICATES, certificate_text, certificates};

@@ -26,6 +26,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
     out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
     out.push_str(&measurements(derivation, account, paint));
+    out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out.push_str(&counts(account, paint));
     out
@@ -36,6 +37,7 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let paint = Paint(colour);
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected);
     out.push_str(&blocks(derivation, account, paint, "Undecided", |g| g.word == "undecided" && !g.unexpected));
+    out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out
 }
