@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use super::variant::{Discrimination, VariantAccount};
 use super::verdict::{Outcome, Verdict};
 
 /// A trajectory as it was computed.
@@ -45,6 +46,8 @@ pub struct PairAccount {
     pub verdict: Verdict,
     /// The word that the derivation file expects, if it expects one.
     pub expected: Option<&'static str>,
+    /// How many altered formulas the same evidence rejects, where the claim holds.
+    pub discrimination: Option<Discrimination>,
 }
 
 impl PairAccount {
@@ -118,6 +121,8 @@ pub struct ClaimAccount {
     pub identity: Option<IdentityAccount>,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
+    /// What single edits of its formulas say of the evidence, where they were tried.
+    pub variants: Option<VariantAccount>,
 }
 
 /// Everything that was found for one derivation file.

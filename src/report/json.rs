@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::discrimination;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::Derivation;
@@ -91,6 +92,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "reason": i.reason,
             "witness": i.witness,
         })),
+        "variants": discrimination::claim_json(claim),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }
@@ -113,7 +115,7 @@ fn pair(pair: &PairAccount) -> Value {
         "excluded": evidence.excluded.iter().map(|e| json!({
             "from": number(e.from), "to": number(e.to), "reason": e.reason,
         })).collect::<Vec<_>>(),
-        "discrimination": Value::Null,
+        "discrimination": discrimination::pair_json(pair),
         "witness": evidence.witness.as_ref().map(|w| json!({
             "t": number(w.t),
             "formula": w.formula,
