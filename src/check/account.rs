@@ -2,6 +2,7 @@
 
 use super::second_route::IdentityEvidence;
 use super::units::UnitsAccount;
+use super::variant::{Discrimination, VariantAccount};
 use super::verdict::{Outcome, Verdict};
 
 /// A trajectory as it was computed.
@@ -47,6 +48,8 @@ pub struct PairAccount {
     pub verdict: Verdict,
     /// The word that the derivation file expects, if it expects one.
     pub expected: Option<&'static str>,
+    /// How many altered formulas the same evidence rejects, where the claim holds.
+    pub discrimination: Option<Discrimination>,
 }
 
 impl PairAccount {
@@ -122,6 +125,8 @@ pub struct ClaimAccount {
     pub identity: Option<IdentityAccount>,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
+    /// What single edits of its formulas say of the evidence, where they were tried.
+    pub variants: Option<VariantAccount>,
 }
 
 /// Everything that was found for one derivation file.

@@ -41,11 +41,16 @@ impl Comparison {
         left: Expr,
         right: Expr,
     ) -> Comparison {
-        let (l, r) = (traced(graph, scope, left), traced(graph, scope, right));
-        let (a, b) = (magnitude(graph, l), magnitude(graph, r));
-        let magnitude = graph.add(a, b);
+        let magnitude = magnitude_of(graph, scope, left, right);
         Comparison { label, kind, left, right, magnitude }
     }
+}
+
+/// The size of the terms of both sides, observables traced back to what they are computed from.
+pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Expr {
+    let (l, r) = (traced(graph, scope, left), traced(graph, scope, right));
+    let (a, b) = (magnitude(graph, l), magnitude(graph, r));
+    graph.add(a, b)
 }
 
 /// Comparisons that must be true together, for one sign of ±.

@@ -27,12 +27,16 @@ mod stage;
 mod step;
 mod trial;
 pub mod units;
+mod variant;
 mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
+pub use variant::{
+    ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK,
+};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -45,6 +49,7 @@ use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
 use step::Step;
 use trial::{Course, Events};
+use variant::{Altered, Found};
 
 /// What to check.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -53,6 +58,8 @@ pub struct Options {
     pub claims: Vec<String>,
     /// Only trajectories with these ids; all when empty.
     pub trajectories: Vec<String>,
+    /// No variants: the verdicts alone.
+    pub plain: bool,
 }
 
 /// Why a check could not be made.
@@ -118,11 +125,14 @@ pub fn check(
         }));
     }
     let measures = measure::compile(derivation, options.claims.is_empty());
+    let sign = derivation.scope.branch_sign();
+    let mut altered = (!options.plain).then(|| Altered::new(derivation, &claimed, &starts));
 
     let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
+    wanted.extend(altered.iter().flat_map(|a| a.leaves(starts.len(), sign)));
     wanted.sort_unstable();
     wanted.dedup();
     for program in programs.iter_mut().flatten() {
@@ -130,6 +140,9 @@ pub fn check(
             let name = derivation.graph.leaf_latex(leaf);
             return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
         }
+    }
+    if let Some(altered) = &mut altered {
+        altered.compile(starts.len(), sign, &wanted);
     }
     let tried: Vec<usize> = (0..derivation.trajectories.len())
         .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
@@ -152,7 +165,7 @@ pub fn check(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<Column, String>> = tried
+    let columns: Vec<Result<(Column, Vec<Option<Vec<bool>>>), String>> = tried
         .par_iter()
         .map(|&t| {
             let course = stage.course(&derivation.graph, t, &wanted)?;
@@ -164,13 +177,22 @@ pub fn check(
                     one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
                 })
             };
-            let verdicts = (0..prepared.len()).map(verdict).collect();
+            let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
+            let rejected = |k: usize| {
+                let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
+                let none = Events::default();
+                let events = stage.events(k, t).unwrap_or(&none);
+                let found = Found { program, course: &course, events, verdict: verdicts[k].as_ref()? };
+                altered.as_ref()?.rejected(k, start_of[t], claim, &found)
+            };
+            let rejected = (0..prepared.len()).map(rejected).collect();
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok((verdicts, measured))
+            Ok(((verdicts, measured), rejected))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
+    let (columns, rejected): (Vec<Column>, Vec<_>) = columns.into_iter().unzip();
     let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {
@@ -187,6 +209,10 @@ pub fn check(
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     account.units = units::units(derivation);
+    if let Some(altered) = &altered {
+        let ids: Vec<String> = tried.iter().map(|&t| derivation.trajectories[t].id.clone()).collect();
+        altered.conclude(&mut account.claims, &rejected, &ids);
+    }
     Ok(account)
 }
 
@@ -339,7 +365,7 @@ fn assemble(
         let pair = |(column, &t): (&Column, &usize)| {
             let verdict = column.0[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
-            Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected })
+            Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected, discrimination: None })
         };
         claims.push(ClaimAccount {
             id: claim.id.clone(),
@@ -351,6 +377,7 @@ fn assemble(
             remark: claim.remark.clone(),
             identity,
             results: columns.iter().zip(tried).filter_map(pair).collect(),
+            variants: None,
         });
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();

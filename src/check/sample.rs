@@ -78,7 +78,7 @@ unit = 'm'
 ";
 
 fn pair(trajectory: &str, outcome: Outcome, evidence: Evidence, expected: Option<&'static str>) -> PairAccount {
-    PairAccount { trajectory: trajectory.into(), verdict: Verdict::new(outcome, evidence), expected }
+    PairAccount { trajectory: trajectory.into(), verdict: Verdict::new(outcome, evidence), expected, discrimination: None }
 }
 
 fn holds(max: f64) -> Evidence {
@@ -126,6 +126,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         remark: (id == "rest").then(|| "The wrong claim.".into()),
         identity: None,
         results,
+        variants: None,
     }
 }
 

@@ -101,7 +101,7 @@ pub fn account(derivation: &mut Derivation, claims: &[String], trajectories: &[S
         bar.set_position(done as u64);
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
-    let options = Options { claims: ids, trajectories: trajectories.to_vec() };
+    let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..Options::default() };
     let account = rederive::check::check(derivation, &options, &progress);
     bar.finish_and_clear();
     account.map(|mut account| {

@@ -99,6 +99,22 @@ pub fn parse(text: &str, scope: &Scope) -> Result<Vec<syntax::Chain>, Vec<Proble
     parse::chains(text, scope)
 }
 
+/// The meaning of a syntax tree that was altered: what [`read`] would make of it, if it could be written so.
+///
+/// # Errors
+/// What is wrong with it; places are those of the tree that it was made from.
+pub fn elaborate(chain: &syntax::Chain, scope: &Scope, graph: &mut Graph) -> Result<Statement, Problem> {
+    Elaborator::new(scope, graph).statement(chain).map_err(|problem| *problem)
+}
+
+/// The same for an expression.
+///
+/// # Errors
+/// As for [`elaborate`].
+pub fn elaborate_expression(node: &syntax::Node, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Problem> {
+    Elaborator::new(scope, graph).closed_expression(node).map_err(|problem| *problem)
+}
+
 /// Reads one expression.
 ///
 /// # Errors

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::certificates::file_name;
+use super::discrimination;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
@@ -97,6 +98,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "certificate": file_name(claim),
             "no_certificate": i.evidence.no_certificate,
         })),
+        "variants": discrimination::claim_json(claim),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }
@@ -126,7 +128,7 @@ fn pair(pair: &PairAccount) -> Value {
         "excluded": evidence.excluded.iter().map(|e| json!({
             "from": number(e.from), "to": number(e.to), "reason": e.reason,
         })).collect::<Vec<_>>(),
-        "discrimination": Value::Null,
+        "discrimination": discrimination::pair_json(pair),
         "witness": evidence.witness.as_ref().map(|w| json!({
             "t": number(w.t),
             "formula": w.formula,

@@ -98,7 +98,8 @@ impl<'a> Elaborator<'a> {
         self.closed_expression(&node).map_err(|p| vec![*p])
     }
 
-    fn closed_expression(&mut self, node: &Node) -> Elaborated<Tensor> {
+    /// The value of a tree without free indices.
+    pub(super) fn closed_expression(&mut self, node: &Node) -> Elaborated<Tensor> {
         if let Some(open) = self.free(node)?.first() {
             return stray(&open.letter, &open.span);
         }

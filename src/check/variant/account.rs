@@ -1,0 +1,117 @@
+//! What the reports are told about variants.
+
+use super::edit::EditClass;
+
+/// How many of the variants of a claim one motion rejects.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Discrimination {
+    /// Variants that would not hold there: violated at some time, or without a value at every time.
+    pub rejected: usize,
+    /// Variants that were tried.
+    pub of: usize,
+    /// Those that the motion does not tell from the claim: positions in [`VariantAccount::survivors`].
+    pub survivors: Vec<usize>,
+}
+
+impl Discrimination {
+    /// The share that is rejected; 1 where there is no variant.
+    pub fn share(&self) -> f64 {
+        if self.of == 0 { 1.0 } else { self.rejected as f64 / self.of as f64 }
+    }
+
+    /// Whether so many altered formulas would hold as well that the verdict says little.
+    pub fn is_weak(&self) -> bool {
+        self.of > 0 && self.share() < WEAK
+    }
+}
+
+/// A verdict `holds` is weak when a smaller share of the variants is rejected.
+pub const WEAK: f64 = 0.75;
+
+/// What became of the edits of one class.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClassCount {
+    /// The class.
+    pub class: EditClass,
+    /// Edits that were made.
+    pub generated: usize,
+    /// Edits without a meaning: of the wrong shape, with a stray index, or with a value at a time that is not known.
+    pub meaningless: usize,
+    /// Edits that give what another edit gives, too.
+    pub repeated: usize,
+    /// Edits that change nothing, as the definitions of the symbols have it.
+    pub equivalent: usize,
+    /// Edits whose formula is true whatever the values are: it says nothing.
+    pub empty: usize,
+    /// Variants: what is left.
+    pub kept: usize,
+}
+
+/// A variant that some motion does not tell from the claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survivor {
+    /// What was altered.
+    pub class: EditClass,
+    /// The altered formula.
+    pub formula: String,
+    /// Whether no motion on which the claim holds rejects it.
+    pub everywhere: bool,
+}
+
+/// A formula that holds where the printed one does not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Correction {
+    /// The formula as printed.
+    pub printed: String,
+    /// The formula that holds.
+    pub formula: String,
+    /// The same with what is removed between `[-` and `-]`, and what is added between `{+` and `+}`.
+    pub difference: String,
+    /// The edits that lead from the one to the other.
+    pub classes: Vec<EditClass>,
+    /// Whether it is an identity, given what the claim follows from.
+    pub proved: bool,
+    /// On how many motions it holds: on all to which the claim applies.
+    pub holds_on: usize,
+}
+
+/// What a claim should have said, as far as one or two edits reach.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Erratum {
+    /// Corrections, the closest to the print first.
+    pub corrections: Vec<Correction>,
+    /// Altered formulas that were tried: single edits, completions, pairs of edits.
+    pub tried: (usize, usize, usize),
+    /// Why nothing was found, or not everything was tried.
+    pub remark: Option<String>,
+}
+
+/// The variants of a claim.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct VariantAccount {
+    /// Counts, by class; classes without any edit are left out.
+    pub classes: Vec<ClassCount>,
+    /// Formulas without variants, and why.
+    pub skipped: Vec<(String, String)>,
+    /// Variants that some motion does not reject, in the order in which they were made.
+    pub survivors: Vec<Survivor>,
+    /// The fewest motions that reject all variants that are rejected by any.
+    pub cover: Vec<String>,
+    /// Whether there is certainly no smaller set of them.
+    pub cover_is_least: bool,
+    /// What the claim should have said, where it fails.
+    pub erratum: Option<Erratum>,
+}
+
+impl VariantAccount {
+    /// Number of variants.
+    pub fn kept(&self) -> usize {
+        self.classes.iter().map(|c| c.kept).sum()
+    }
+
+    /// How many of all motions together reject how many variants.
+    pub fn together(&self) -> (usize, usize) {
+        let everywhere = self.survivors.iter().filter(|s| s.everywhere).count();
+        (self.kept() - everywhere, self.kept())
+    }
+}

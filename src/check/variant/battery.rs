@@ -1,0 +1,120 @@
+//! All variants of a claim as one program.
+//!
+//! **In:** [`ClaimVariants`]. **Out:** a [`Battery`]: one tape whose outputs are the residuals of the formulas and of their
+//! variants. What a variant has in common with the print, and with other variants, is computed once.
+
+use super::generate::ClaimVariants;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::{Bounded, NoValue};
+use crate::tape::{Slots, Tape};
+
+/// A number with its error bound, or the reason why there is none.
+pub(super) type Value = Result<Bounded, NoValue>;
+
+/// The residuals of a claim's formulas and of chosen variants of them.
+#[derive(Clone, Debug)]
+pub(super) struct Battery {
+    tape: Tape,
+    /// The variants: positions among those of the claim.
+    pub chosen: Vec<usize>,
+    /// For each formula, the output of its first part.
+    own: Vec<usize>,
+    /// For each formula and part, the output of its magnitude.
+    sizes: Vec<Vec<Option<usize>>>,
+    /// For each chosen variant, the output of its first altered part.
+    altered: Vec<usize>,
+    /// The place of ± among the inputs.
+    sign: Option<usize>,
+}
+
+/// The outputs of a battery at one point.
+pub(super) struct Outputs<'a> {
+    battery: &'a Battery,
+    values: Vec<Value>,
+}
+
+impl Battery {
+    /// Compiles the formulas and the chosen variants for one initial time.
+    pub fn new(graph: &Graph, claim: &ClaimVariants, start: usize, chosen: Vec<usize>, sign: Leaf) -> Option<Battery> {
+        let mut roots: Vec<Expr> = Vec::new();
+        let (mut own, mut sizes, mut altered) = (Vec::new(), Vec::new(), Vec::new());
+        for formula in &claim.formulas {
+            own.push(roots.len());
+            roots.extend(formula.parts.iter().map(|p| p.difference[start]));
+            let mut of = Vec::new();
+            for size in &formula.magnitudes {
+                of.push(size.map(|_| roots.len()));
+                roots.extend(*size);
+            }
+            sizes.push(of);
+        }
+        for &v in &chosen {
+            altered.push(roots.len());
+            roots.extend(claim.variants[v].altered.iter().map(|(_, p)| p.difference[start]));
+        }
+        let leaves = graph.leaves(roots.iter().copied());
+        let tape = Tape::compile(graph, &leaves, &roots).ok()?;
+        let sign = leaves.iter().position(|l| *l == sign);
+        Some(Battery { tape, chosen, own, sizes, altered, sign })
+    }
+
+    /// What must be known, in the order of the inputs; the sign of ± among them.
+    pub fn leaves(&self) -> &[Leaf] {
+        self.tape.inputs()
+    }
+
+    /// The formulas, and how many parts each has.
+    pub fn formulas(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.sizes.iter().enumerate().map(|(f, s)| (f, s.len()))
+    }
+
+    /// Whether a ± occurs.
+    pub fn has_sign(&self) -> bool {
+        self.sign.is_some()
+    }
+
+    /// The memory for evaluations.
+    pub fn slots(&self) -> Slots<Bounded> {
+        self.tape.slots(&())
+    }
+
+    /// Number of operations.
+    pub fn len(&self) -> usize {
+        self.tape.instructions().len()
+    }
+
+    /// Evaluates at a point: the values of the leaves, and the sign of ±.
+    pub fn at(&self, values: impl Iterator<Item = Value>, sign: f64, slots: &mut Slots<Bounded>) -> Outputs<'_> {
+        for (i, value) in values.enumerate() {
+            slots.set(i, value);
+        }
+        if let Some(place) = self.sign {
+            slots.set(place, Ok(Bounded::exact(sign)));
+        }
+        self.tape.run(&(), slots);
+        let values = (0..self.tape.output_count()).map(|i| self.tape.output(i, slots).copied()).collect();
+        Outputs { battery: self, values }
+    }
+}
+
+impl Outputs<'_> {
+    fn value(&self, at: usize) -> Value {
+        self.values.get(at).copied().unwrap_or(Err(NoValue::Indeterminate))
+    }
+
+    /// A residual of a formula as printed.
+    pub fn own(&self, formula: usize, part: usize) -> Value {
+        self.value(self.battery.own[formula] + part)
+    }
+
+    /// The size of the terms of a part of a formula; 1 where no judgement needs it.
+    pub fn size(&self, formula: usize, part: usize) -> f64 {
+        let at = self.battery.sizes[formula].get(part).copied().flatten();
+        at.and_then(|at| self.value(at).ok()).map_or(1.0, |b| b.value)
+    }
+
+    /// A residual of the chosen variant at a position: that of its n-th altered part.
+    pub fn altered(&self, position: usize, n: usize) -> Value {
+        self.value(self.battery.altered[position] + n)
+    }
+}

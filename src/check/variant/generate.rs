@@ -1,0 +1,289 @@
+//! Claims → variants: edited formulas with a meaning of their own.
+//!
+//! **In:** a claim. **Out:** [`ClaimVariants`]: for every formula that can be judged time by time its residuals, and those of
+//! every edit of it that means something else; for all other edits, what became of them.
+//!
+//! Variants live in a copy of the graph: the many nodes are nobody else's burden. They may only ask for values that a motion
+//! can give without being asked for a new time.
+
+use std::collections::BTreeMap;
+
+use super::super::comparison::{at_instant, magnitude_of};
+use super::account::ClassCount;
+use super::edit::{EditClass, edits};
+use super::vocabulary::Vocabulary;
+use crate::derivation::{Claim, Derivation, Form};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Tensor};
+use crate::latex::syntax::{Chain, to_latex};
+use crate::latex::{self, RelationKind, Scope, Statement};
+
+/// One scalar equation or inequality: left − right, and how it is to be judged.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Part {
+    /// What is claimed of the difference and 0.
+    pub kind: RelationKind,
+    /// Left − right, for every initial time.
+    pub difference: Vec<Expr>,
+    /// Both sides; the second is that of the first initial time.
+    pub sides: (Expr, Expr),
+}
+
+/// What a formula is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Manner {
+    /// Relations that hold at every time.
+    Relation,
+    /// Expressions that keep their value.
+    Constant,
+}
+
+/// A formula of a claim that has variants.
+#[derive(Clone, Debug)]
+pub(super) struct Formula {
+    /// As written.
+    pub text: String,
+    /// Its tree.
+    pub tree: Chain,
+    /// Relation or constant.
+    pub manner: Manner,
+    /// Position among the forms of the claim; for a system, none.
+    pub form: Option<usize>,
+    /// Its parts.
+    pub parts: Vec<Part>,
+    /// The size of the terms of each part, where a judgement needs it.
+    pub magnitudes: Vec<Option<Expr>>,
+    /// Whether a ± occurs.
+    pub branching: bool,
+}
+
+/// An altered formula.
+#[derive(Clone, Debug)]
+pub(super) struct Variant {
+    /// What was altered.
+    pub class: EditClass,
+    /// Which formula.
+    pub formula: usize,
+    /// The altered tree.
+    pub tree: Chain,
+    /// The parts that are not those of the formula: position, and the part.
+    pub altered: Vec<(usize, Part)>,
+}
+
+impl Variant {
+    /// The altered formula.
+    pub fn text(&self) -> String {
+        to_latex(&self.tree)
+    }
+}
+
+/// Everything about the variants of one claim.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ClaimVariants {
+    /// Its formulas that have variants.
+    pub formulas: Vec<Formula>,
+    /// The variants.
+    pub variants: Vec<Variant>,
+    /// What became of all edits.
+    pub counts: BTreeMap<EditClass, ClassCount>,
+    /// Formulas without variants, and why.
+    pub skipped: Vec<(String, String)>,
+}
+
+/// What is needed to give an edited tree its meaning.
+pub(super) struct Setting<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
+    /// The initial times.
+    pub starts: &'a [Rational],
+    /// Nodes below this are everybody's; times must be among them.
+    pub shared: usize,
+}
+
+impl Setting<'_> {
+    fn scope(&self) -> &Scope {
+        &self.claim.scope
+    }
+
+    fn relation_parts(&self, graph: &mut Graph, statement: &Statement) -> Vec<Part> {
+        let mut parts = Vec::new();
+        for relation in &statement.relations {
+            for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+                let difference = graph.sub(l, r);
+                let difference = vec![difference; self.starts.len()];
+                parts.push(Part { kind: relation.kind, difference, sides: (l, r) });
+            }
+        }
+        parts
+    }
+
+    fn constant_parts(&self, graph: &mut Graph, tensor: &Tensor) -> Vec<Part> {
+        let one = |graph: &mut Graph, e: Expr| {
+            let mut difference = Vec::new();
+            let mut first = e;
+            for (k, start) in self.starts.iter().enumerate() {
+                let start = graph.constant(start.clone());
+                let then = at_instant(graph, self.scope(), e, start);
+                first = if k == 0 { then } else { first };
+                difference.push(graph.sub(e, then));
+            }
+            Part { kind: RelationKind::Equal, difference, sides: (e, first) }
+        };
+        tensor.components.iter().map(|&e| one(graph, e)).collect()
+    }
+
+    /// The parts of a tree; `None` where it has no meaning, or another shape than `like` has.
+    pub fn parts(&self, graph: &mut Graph, tree: &Chain, manner: Manner, like: usize) -> Option<Vec<Part>> {
+        let parts = match manner {
+            Manner::Relation => {
+                let statement = latex::elaborate(tree, self.scope(), graph).ok()?;
+                self.relation_parts(graph, &statement)
+            }
+            Manner::Constant => {
+                let tensor = latex::elaborate_expression(tree.sides.first()?, self.scope(), graph).ok()?;
+                self.constant_parts(graph, &tensor)
+            }
+        };
+        let roots = parts.iter().flat_map(|p| p.difference.iter().copied());
+        let known = |l: &Leaf| l.instant.is_none_or(|e| e.index() < self.shared);
+        (parts.len() == like && graph.leaves(roots).iter().all(known)).then_some(parts)
+    }
+
+    /// The parts of an altered tree that are not those of the formula.
+    pub fn altered(&self, graph: &mut Graph, formula: &Formula, tree: &Chain) -> Option<Vec<(usize, Part)>> {
+        let parts = self.parts(graph, tree, formula.manner, formula.parts.len())?;
+        let same = |(_, (new, old)): &(usize, (Part, &Part))| {
+            new.sides == old.sides || new.sides == (old.sides.1, old.sides.0) && new.kind == RelationKind::Equal
+        };
+        let pairs = parts.into_iter().zip(&formula.parts).enumerate();
+        Some(pairs.filter(|pair| !same(pair)).map(|(at, (new, _))| (at, new)).collect())
+    }
+}
+
+/// The formulas of a claim that can be altered; the others, with the reason.
+fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (Vec<Formula>, Vec<(String, String)>) {
+    let claim = setting.claim;
+    let mut out = Vec::new();
+    let mut skipped = Vec::new();
+    let mut written: Vec<(Option<usize>, Manner, &str, Vec<Part>, bool)> = Vec::new();
+    for (at, form) in claim.forms.iter().enumerate() {
+        let mut relation = |at: Option<usize>, text: &'_ str, value: &Statement| {
+            if value.relations.iter().any(|r| r.limit.is_some()) {
+                skipped.push((text.to_owned(), "a limit is no relation at a time".to_owned()));
+                return None;
+            }
+            let branching = value.relations.iter().any(|r| r.has_branches);
+            Some((at, Manner::Relation, setting.relation_parts(graph, value), branching))
+        };
+        match form {
+            Form::Always(w) => {
+                if let Some((at, manner, parts, branching)) = relation(Some(at), &w.text, &w.value) {
+                    written.push((at, manner, &w.text, parts, branching));
+                }
+            }
+            Form::Solves { system } => {
+                for w in &derivation.systems[*system].equations {
+                    if let Some((at, manner, parts, branching)) = relation(None, &w.text, &w.value) {
+                        written.push((at, manner, &w.text, parts, branching));
+                    }
+                }
+            }
+            Form::FirstIntegral(w) => {
+                let parts = setting.constant_parts(graph, &w.value);
+                written.push((Some(at), Manner::Constant, &w.text, parts, false));
+            }
+            Form::Never(w) | Form::Eventually(w) => {
+                let reason = "what happens once, or never, is not judged time by time";
+                skipped.push((w.text.clone(), reason.to_owned()));
+            }
+            Form::Defined(w) => {
+                skipped.push((w.text.clone(), "it only says that there is a value".to_owned()));
+            }
+            Form::SameMotion { .. } => {
+                skipped.push(("same-motion".to_owned(), "there is no formula".to_owned()));
+            }
+            Form::Independent { functions, .. } => {
+                let reason = "independence is not a relation at a time";
+                skipped.extend(functions.iter().map(|w| (w.text.clone(), reason.to_owned())));
+            }
+        }
+    }
+    for (form, manner, text, parts, branching) in written {
+        let tree = match latex::parse(text, &claim.scope) {
+            Ok(mut chains) if chains.len() == 1 => chains.pop(),
+            _ => None,
+        };
+        let Some(tree) = tree else {
+            skipped.push((text.to_owned(), "it is not one chain of relations".to_owned()));
+            continue;
+        };
+        let mut size = |p: &Part| {
+            let (l, r) = p.sides;
+            (p.kind != RelationKind::Equal).then(|| magnitude_of(graph, &claim.scope, l, r))
+        };
+        let magnitudes = parts.iter().map(&mut size).collect();
+        let text = text.trim().to_owned();
+        out.push(Formula { text, tree, manner, form, parts, magnitudes, branching });
+    }
+    (out, skipped)
+}
+
+/// Most edits of a formula that are looked at; a larger formula has its later edits left out, and says so.
+const MOST_EDITS: usize = 1500;
+
+impl ClaimVariants {
+    /// All edits of all formulas of a claim that mean something else than any before them.
+    pub fn new(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> ClaimVariants {
+        let vocabulary = Vocabulary::new(derivation, setting.claim);
+        let (formulas, skipped) = formulas(derivation, graph, setting);
+        let mut out = ClaimVariants { skipped, ..ClaimVariants::default() };
+        let mut seen: FastMap<(usize, Vec<(usize, Expr)>), ()> = FastMap::default();
+        for (at, formula) in formulas.iter().enumerate() {
+            let all = edits(&formula.tree, &vocabulary);
+            if all.len() > MOST_EDITS {
+                let left = all.len() - MOST_EDITS;
+                out.skipped.push((formula.text.clone(), format!("{left} more edits were not looked at")));
+            }
+            for (class, tree) in all.into_iter().take(MOST_EDITS) {
+                let count = out.count(class);
+                count.generated += 1;
+                let Some(altered) = setting.altered(graph, formula, &tree) else {
+                    count.meaningless += 1;
+                    continue;
+                };
+                if altered.is_empty() {
+                    count.equivalent += 1;
+                    continue;
+                }
+                let key: Vec<(usize, Expr)> = altered.iter().map(|(i, p)| (*i, p.difference[0])).collect();
+                if seen.insert((at, key), ()).is_some() {
+                    count.repeated += 1;
+                    continue;
+                }
+                count.kept += 1;
+                out.variants.push(Variant { class, formula: at, tree, altered });
+            }
+        }
+        out.formulas = formulas;
+        out
+    }
+
+    /// The count of a class.
+    pub fn count(&mut self, class: EditClass) -> &mut ClassCount {
+        self.counts.entry(class).or_insert(ClassCount {
+            class,
+            generated: 0,
+            meaningless: 0,
+            repeated: 0,
+            equivalent: 0,
+            empty: 0,
+            kept: 0,
+        })
+    }
+
+    /// Everything that is evaluated for one initial time.
+    pub fn roots(&self, start: usize) -> Vec<Expr> {
+        let own = self.formulas.iter().flat_map(|f| &f.parts).chain(self.variants.iter().flat_map(|v| v.altered.iter().map(|(_, p)| p)));
+        let sizes = self.formulas.iter().flat_map(|f| &f.magnitudes).flatten().copied();
+        own.map(|p| p.difference[start]).chain(sizes).collect()
+    }
+}

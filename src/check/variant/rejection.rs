@@ -1,0 +1,184 @@
+//! Which variants a motion rejects.
+//!
+//! **In:** the variants of a claim, and the points at which the claim was tried on a motion. **Out:** for each variant, whether
+//! it would not hold there.
+//!
+//! A variant is judged as the print is: violated where its residual is beyond the guarded error bound. At most
+//! [`MOST_TIMES`] of the tried times are used, spread evenly. Most variants fall at the first of them, and only those that
+//! are left go on. So what is reported as not rejected is so at these times; what is reported as rejected is rejected.
+
+use super::super::comparison::{Standing, judge};
+use super::super::trial::Values;
+use super::battery::{Battery, Outputs};
+use super::generate::ClaimVariants;
+use crate::expr::{Graph, Leaf};
+use crate::number::NoValue;
+
+/// Most times of a motion at which a variant is tried.
+pub(super) const MOST_TIMES: usize = 64;
+/// How many times are used in each round.
+const ROUNDS: [usize; 3] = [2, 12, MOST_TIMES - 14];
+
+/// The battery of a claim for one initial time, with the places of its inputs.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    battery: Battery,
+    /// Positions among the leaves of a point; none for the sign of ±.
+    inputs: Vec<Option<usize>>,
+}
+
+impl Placed {
+    /// Finds the inputs of a battery among the leaves of points, which are sorted.
+    pub fn new(battery: Battery, known: &[Leaf]) -> Placed {
+        let inputs = battery.leaves().iter().map(|l| known.binary_search(l).ok()).collect();
+        Placed { battery, inputs }
+    }
+
+    fn at(&self, point: &Values, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
+        let value = |i: &Option<usize>| i.and_then(|i| point.get(i).copied()).unwrap_or(Err(NoValue::Indeterminate));
+        self.battery.at(self.inputs.iter().map(value), sign, slots)
+    }
+}
+
+/// What is found out about one variant on one motion.
+#[derive(Clone, Copy, Debug, Default)]
+struct Record {
+    /// Times at which the print had a value.
+    tried: usize,
+    /// Times at which the variant had one, too, or it could not be told.
+    valued: usize,
+    /// Whether it was violated with each sign of ±, at any time.
+    violated: [bool; 2],
+    /// Whether it was violated with both signs at one time.
+    both: bool,
+}
+
+/// Where and how a claim was tried.
+pub(super) struct Evidence<'a> {
+    /// The points: those at which the claim was compared.
+    pub points: &'a [&'a Values],
+    /// The precision that the claim asks for.
+    pub precision: f64,
+    /// Whether one sign of ± must serve the whole motion.
+    pub one_sign_throughout: bool,
+}
+
+/// Positions 0 … n − 1 in an order in which every beginning is spread over the whole.
+pub(super) fn spread(n: usize) -> Vec<usize> {
+    let mut seen = vec![false; n];
+    let mut out = Vec::with_capacity(n);
+    let mut at = 0.381_966_011_250_105_1;
+    // The golden section fills the interval evenly; what it leaves out comes last, in order.
+    for _ in 0..2 * n {
+        let i = ((at * n as f64) as usize).min(n.saturating_sub(1));
+        if n > 0 && !std::mem::replace(&mut seen[i], true) {
+            out.push(i);
+        }
+        at = (at + 0.618_033_988_749_894_9) % 1.0;
+    }
+    out.extend((0..n).filter(|&i| !seen[i]));
+    out
+}
+
+/// Which of the variants are rejected.
+pub(super) fn rejected(
+    graph: &Graph,
+    claim: &ClaimVariants,
+    start: usize,
+    sign: Leaf,
+    known: &[Leaf],
+    whole: &Placed,
+    evidence: &Evidence,
+) -> Vec<bool> {
+    let mut records = vec![Record::default(); claim.variants.len()];
+    let order = spread(evidence.points.len());
+    let mut next = order.iter().take(MOST_TIMES);
+    let mut smaller: Option<Placed> = None;
+    for round in ROUNDS {
+        let placed = smaller.as_ref().unwrap_or(whole);
+        let times: Vec<usize> = next.by_ref().take(round).copied().collect();
+        if times.is_empty() {
+            break;
+        }
+        try_at(claim, placed, &times, evidence, &mut records);
+        let left: Vec<usize> =
+            placed.battery.chosen.iter().copied().filter(|&v| !records[v].is_rejected(evidence)).collect();
+        if left.is_empty() {
+            break;
+        }
+        // A smaller tape pays when it is much smaller.
+        if left.len() * 3 < placed.battery.chosen.len() * 2 {
+            smaller = Battery::new(graph, claim, start, left, sign).map(|b| Placed::new(b, known));
+        }
+    }
+    records.iter().map(|r| r.is_rejected(evidence) || r.has_no_value()).collect()
+}
+
+impl Record {
+    fn is_rejected(&self, evidence: &Evidence) -> bool {
+        if evidence.one_sign_throughout { self.violated == [true; 2] } else { self.both }
+    }
+    fn has_no_value(&self) -> bool {
+        self.tried > 0 && self.valued == 0
+    }
+}
+
+fn try_at(claim: &ClaimVariants, placed: &Placed, times: &[usize], evidence: &Evidence, records: &mut [Record]) {
+    let battery = &placed.battery;
+    let mut slots = battery.slots();
+    for &time in times {
+        let point = evidence.points[time];
+        let plus = placed.at(point, 1.0, &mut slots);
+        let minus = battery.has_sign().then(|| placed.at(point, -1.0, &mut slots));
+        // How the parts of each formula stand as printed, for each sign.
+        let stand = |o: &Outputs, f: usize, p: usize, difference| match difference {
+            Ok(d) => judge(claim.formulas[f].parts[p].kind, d, o.size(f, p), evidence.precision),
+            Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
+            Err(_) => Standing::Inconclusive,
+        };
+        let own = |o: &Outputs, f: usize| -> Vec<Standing> {
+            (0..claim.formulas[f].parts.len()).map(|p| stand(o, f, p, o.own(f, p))).collect()
+        };
+        let printed: Vec<[Vec<Standing>; 2]> = (0..claim.formulas.len())
+            .map(|f| {
+                let first = own(&plus, f);
+                let second = minus.as_ref().map_or_else(|| first.clone(), |m| own(m, f));
+                [first, second]
+            })
+            .collect();
+        let speaks = |f: usize| printed[f].iter().any(|s| s.iter().all(|p| !matches!(p, Standing::NoValue(_))));
+        for (position, &v) in battery.chosen.iter().enumerate() {
+            let variant = &claim.variants[v];
+            let f = variant.formula;
+            if !speaks(f) {
+                continue;
+            }
+            let record = &mut records[v];
+            record.tried += 1;
+            let mut violated = [false; 2];
+            let mut valued = false;
+            for (s, outputs) in [Some(&plus), minus.as_ref().or(Some(&plus))].into_iter().flatten().enumerate() {
+                let mut standing = Standing::Satisfied;
+                if claim.formulas[f].branching {
+                    // With this sign the unaltered parts must be true, too.
+                    for (p, own) in printed[f][s].iter().enumerate() {
+                        if variant.altered.iter().all(|(a, _)| *a != p) {
+                            standing = standing.and(*own);
+                        }
+                    }
+                }
+                for (n, (p, _)) in variant.altered.iter().enumerate() {
+                    standing = standing.and(stand(outputs, f, *p, outputs.altered(position, n)));
+                }
+                valued |= !matches!(standing, Standing::NoValue(_));
+                violated[s] = standing == Standing::Violated;
+            }
+            // Where one sign gives no value at all, the other decides.
+            record.valued += usize::from(valued);
+            record.both |= violated == [true; 2];
+            for (all, now) in record.violated.iter_mut().zip(violated) {
+                *all |= now;
+            }
+        }
+    }
+}

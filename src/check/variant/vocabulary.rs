@@ -1,0 +1,103 @@
+//! The symbols that a formula may take one from in place of another.
+//!
+//! **In:** the declarations of a derivation and of a claim. **Out:** a [`Vocabulary`]: which symbols are of one kind, so that
+//! a slip of the pen may put one for the other: the same shape, the same role, both angles or neither.
+
+use crate::derivation::{Claim, Derivation, SymbolEntry};
+use crate::expr::{Graph, Shape};
+use crate::latex::syntax::{Name, NodeKind, SubItem, SymbolNode};
+use crate::latex::{self, Role, Scope};
+
+/// A declared symbol as a formula writes it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Word {
+    /// Its name.
+    pub name: Name,
+    /// The part of the subscript that belongs to the name, as in `\psi_0`.
+    pub sub: Vec<SubItem>,
+    /// Number of indices that its components have; 0 for a scalar.
+    pub rank: usize,
+    /// To where each index runs.
+    pub extents: Vec<u16>,
+    /// Whether it is a function of arguments in parentheses.
+    pub is_function: bool,
+    /// Whether an index of a formula stands inside its name, as in `I_{(1-2)}`.
+    has_places: bool,
+    role: Role,
+    diagonal: bool,
+    angle: bool,
+}
+
+impl Word {
+    fn new(graph: &Graph, scope: &Scope, entry: &SymbolEntry) -> Option<Word> {
+        let mut chains = latex::parse(&entry.name, scope).ok()?;
+        let side = chains.pop()?.sides.pop()?;
+        let NodeKind::Symbol(SymbolNode { name, sub, dots: 0, sup: None, .. }) = side.kind else { return None };
+        let sub = sub.unwrap_or_default();
+        let shape: &Shape = graph.shape(entry.symbol);
+        let signs = sub.iter().any(|i| matches!(i, SubItem::Other(_)));
+        // `L_i` with a formula in i is a vector: its letters are indices of it, not part of its name.
+        let has_places = signs && shape.rank() > 0;
+        let sub = if shape.rank() > 0 && entry.formula.is_some() { Vec::new() } else { sub };
+        let diagonal = graph.is_diagonal(entry.symbol);
+        Some(Word {
+            name,
+            sub,
+            rank: shape.rank(),
+            extents: shape.extents().to_vec(),
+            is_function: !entry.arguments.is_empty(),
+            has_places,
+            role: entry.role,
+            diagonal,
+            angle: entry.angle,
+        })
+    }
+
+    fn is_like(&self, other: &Word) -> bool {
+        let plain = |w: &Word| !w.is_function && !w.has_places && w.role != Role::Time;
+        plain(self)
+            && plain(other)
+            && self.extents == other.extents
+            && self.role == other.role
+            && self.diagonal == other.diagonal
+            && self.angle == other.angle
+    }
+}
+
+/// All symbols that a formula of a claim may use.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Vocabulary {
+    words: Vec<Word>,
+}
+
+impl Vocabulary {
+    /// The symbols of the file, and those of the claim, which go before them.
+    pub fn new(derivation: &Derivation, claim: &Claim) -> Vocabulary {
+        let mut words: Vec<Word> = Vec::new();
+        for entry in derivation.symbols.iter().chain(&claim.symbols) {
+            let Some(word) = Word::new(&derivation.graph, &claim.scope, entry) else { continue };
+            match words.iter_mut().find(|w| w.name == word.name && w.sub == word.sub) {
+                Some(hidden) => *hidden = word,
+                None => words.push(word),
+            }
+        }
+        Vocabulary { words }
+    }
+
+    /// The word that a symbol of a formula is, and how much of its subscript belongs to the name.
+    pub fn word(&self, s: &SymbolNode) -> Option<(&Word, usize)> {
+        let sub = s.sub.as_deref().unwrap_or(&[]);
+        let fits = self.words.iter().filter(|w| w.name == s.name && sub.starts_with(&w.sub));
+        fits.max_by_key(|w| w.sub.len()).map(|w| (w, w.sub.len()))
+    }
+
+    /// The words that may have been meant in place of one, in the order of their declaration.
+    pub fn like<'v>(&'v self, word: &'v Word) -> impl Iterator<Item = &'v Word> {
+        self.words.iter().filter(move |w| *w != word && w.is_like(word))
+    }
+
+    /// The scalars of a formula's language: everything without indices that is not a function, the time apart.
+    pub fn scalars(&self) -> impl Iterator<Item = &Word> {
+        self.words.iter().filter(|w| w.rank == 0 && !w.is_function && !w.has_places && w.role != Role::Time)
+    }
+}
