@@ -22,6 +22,7 @@ mod program;
 mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
+mod series;
 mod stage;
 mod step;
 mod trial;
@@ -29,6 +30,7 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use series::{ResidualPoint, Residuals};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};

@@ -106,7 +106,10 @@ fn exit_of(summary: &Summary) -> Exit {
 }
 
 fn write_reports(folder: &Path, derivation: &Derivation, account: &Account) -> Result<(), Stop> {
-    let files =
-        [("report.json", report::json(derivation, account)), ("report.md", report::markdown(derivation, account))];
+    let files = [
+        ("report.json", report::json(derivation, account)),
+        ("report.md", report::markdown(derivation, account)),
+        ("index.html", report::page(derivation, account)),
+    ];
     report::write_files(folder, &files).map_err(|e| Stop::Message(e.to_string()))
 }

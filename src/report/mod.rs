@@ -1,7 +1,7 @@
 //! Verdicts as people and programs read them.
 //!
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
-//! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
+//! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`page`] (for a browser), [`explain`] (one verdict);
 //! [`write_files`] puts them into a folder, all or none.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
@@ -10,7 +10,9 @@
 mod explain;
 mod json;
 mod markdown;
+mod mathml;
 mod numbers;
+mod page;
 mod summary;
 mod tally;
 mod text;
@@ -19,6 +21,7 @@ mod write;
 pub use explain::explain;
 pub use json::json;
 pub use markdown::markdown;
+pub use page::page;
 pub use summary::{exceptions, summary};
 pub use write::{WriteError, write_files};
 
