@@ -420,7 +420,7 @@ fn upright_capital(letters: &str) -> String {
 }
 
 /// The letter that a command prints.
-fn letter(command: &str) -> Option<&'static str> {
+pub(super) fn letter(command: &str) -> Option<&'static str> {
     Some(match command {
         "alpha" => "α",
         "beta" => "β",

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::text::{display, formula, identifier, label, prose, reason};
+use super::text::{condition, display, formula, identifier, label, prose, reason};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -131,7 +131,7 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
             @if !identity.conditions.is_empty() {
                 details {
                     summary { "Conditions" }
-                    ul { @for c in &identity.conditions { li { (formula(c, scope)) } } }
+                    ul { @for c in &identity.conditions { li { (condition(c, scope)) } } }
                 }
             }
             @if let Some(witness) = &identity.witness {
@@ -202,8 +202,24 @@ fn verdicts(claim: &ClaimAccount, group: &Group<'_>, of: usize, scope: &Scope) -
     }
 }
 
+/// What the reasons of several pairs have in common: everything up to the numbers.
+fn common(pair: &PairAccount) -> (&str, &str) {
+    let text = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
+    text.split_once(": at t = ").map_or((text, ""), |(head, _)| (head, &text[head.len() + 2..]))
+}
+
 fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let compared = group.pairs.iter().any(|p| p.verdict.evidence().residual.is_some());
+    // A reason that many pairs share is given once, above them.
+    let mut parts: Vec<(&str, Vec<&PairAccount>)> = Vec::new();
+    for &pair in &group.pairs {
+        let head = common(pair).0;
+        match parts.iter_mut().find(|(h, _)| *h == head) {
+            Some((_, pairs)) => pairs.push(pair),
+            None => parts.push((head, vec![pair])),
+        }
+    }
+    let single = parts.iter().filter(|(_, pairs)| pairs.len() == 1).count() > 4;
     html! {
         table {
             thead {
@@ -217,20 +233,26 @@ fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
                     th scope="col" { "notes" }
                 }
             }
-            tbody {
-                @for pair in &group.pairs {
-                    @let evidence = pair.verdict.evidence();
-                    tr id=(anchor(claim, pair)) {
-                        th scope="row" { a href={ "#trajectory-" (pair.trajectory) } { (pair.trajectory) } }
-                        @if compared {
-                            td { (pair.verdict.outcome().strength().unwrap_or_default()) }
-                            @match &evidence.residual {
-                                Some(r) => { td { (size(r.max)) } td { (size(r.bound)) } td { (time(r.at)) } },
-                                None => { td {} td {} td {} },
+            @for (head, pairs) in &parts {
+                @let shared = !head.is_empty() && !(single && pairs.len() == 1);
+                tbody {
+                    @if shared {
+                        tr { th.shared colspan=(if compared { 7 } else { 2 }) scope="rowgroup" { (reason(head, scope)) } }
+                    }
+                    @for pair in pairs {
+                        @let evidence = pair.verdict.evidence();
+                        tr id=(anchor(claim, pair)) {
+                            th { (pair.trajectory) }
+                            @if compared {
+                                td { (pair.verdict.outcome().strength().unwrap_or_default()) }
+                                @match &evidence.residual {
+                                    Some(r) => { td { (size(r.max)) } td { (size(r.bound)) } td { (time(r.at)) } },
+                                    None => { td {} td {} td {} },
+                                }
+                                td { @if evidence.samples > 0 { (evidence.samples) } }
                             }
-                            td { @if evidence.samples > 0 { (evidence.samples) } }
+                            td { (notes(pair, shared, scope)) }
                         }
-                        td { (notes(pair, scope)) }
                     }
                 }
             }
@@ -239,10 +261,10 @@ fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
 }
 
 /// Reason, sign, and times left out.
-fn notes(pair: &PairAccount, scope: &Scope) -> Markup {
+fn notes(pair: &PairAccount, shared: bool, scope: &Scope) -> Markup {
     let evidence = pair.verdict.evidence();
     html! {
-        @if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
+        @if shared { (common(pair).1) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }

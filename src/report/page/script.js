@@ -124,6 +124,12 @@ const unpack = (index, low, high) => {
     out.push(low + (high - low) * (value.get(text[i]) * DIGITS.length + value.get(text[i + 1])) / 7224);
   return out;
 };
+const unpackLog = (index, low, high) => [...data.strings[index]].map(c =>
+  value.get(c) ? low + (high - low) * (value.get(c) - 1) / (DIGITS.length - 2) : -Infinity);
+const pairOf = id => {
+  const at = id.lastIndexOf("@"), t = motions.indexOf(id.slice(at + 1));
+  return (data.pairs[id.slice(0, at)] || {})[t];
+};
 const SVG = "http://www.w3.org/2000/svg";
 const add = (parent, name, attributes, text) => {
   const e = document.createElementNS(SVG, name);
@@ -174,45 +180,49 @@ const grey = (p, stretches, time) => {
 function open(row) {
   const next = row.nextElementSibling;
   if (next && next.classList.contains("pair")) return;
-  const pair = data.pairs[row.id];
+  const pair = pairOf(row.id);
   if (!pair) return;
   const detail = document.createElement("tr");
   detail.className = "pair";
   const box = element(detail, "td", { colspan: row.cells.length });
   row.after(detail);
-  if (pair.t !== undefined) curves(box, pair, row.id);
-  if (pair.v) witness(box, pair.v);
+  const link = element(element(box, "p"), "a", { href: "#trajectory-" + row.id.slice(row.id.lastIndexOf("@") + 1) });
+  link.textContent = "The trajectory";
+  if (pair[0]) curves(box, pair, row.id);
+  if (pair[2]) witness(box, pair[2]);
 }
-function curves(box, pair, id) {
-  const [low, high, t0, t1] = pair.s, t = unpack(pair.t, t0, t1), time = [t0, t1];
-  for (const [a, b] of pair.x || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
-  const d = unpack(pair.d, ...data.decades), b = unpack(pair.b, ...data.decades);
+function curves(box, [packed, w, , left_out], id) {
+  const [formula, samples, [low, high], span, decades, at, lefts, rights, residuals, bounds, pass] = packed;
+  const t = unpack(at, ...span), time = [...span];
+  for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
+  const d = unpackLog(residuals, ...decades), b = unpackLog(bounds, ...decades);
   const head = element(box, "p", {}, "Compared: ");
-  head.insertAdjacentHTML("beforeend", data.strings[pair.f]);
-  const floor = data.decades[0] + .1, log = x => Math.log10(x);
-  const all = [...d, ...b].filter(x => x > floor);
-  if (pair.p) all.push(log(pair.p));
-  if (pair.w && pair.w[1] > 0) all.push(log(pair.w[1]));
-  let bottom = Math.floor(Math.min(...all, 0) - .3), top = Math.ceil(Math.max(...all, bottom + 2) + .3);
+  head.insertAdjacentHTML("beforeend", data.strings[formula]);
+  const log = x => Math.log10(x);
+  const all = [...d, ...b].filter(Number.isFinite);
+  if (pass) all.push(log(pass));
+  if (w && w[1] > 0) all.push(log(w[1]));
+  if (!all.length) all.push(-16, 0);
+  let bottom = Math.floor(Math.min(...all) - .3), top = Math.ceil(Math.max(...all, bottom + 2) + .3);
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
   for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
   let figure = element(box, "figure");
-  const worst = pair.w ? `The worst point is at t = ${shown(pair.w[0])}: residual ${shown(pair.w[1])}, bound ${shown(pair.w[2])}.` : "";
-  const p = frame(figure, "Residual of " + id, `${t.length} of ${pair.n} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
-  grey(p, pair.x, time);
+  const worst = w ? `The worst point is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
+  const p = frame(figure, "Residual of " + id, `${t.length} of ${samples} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
+  grey(p, left_out, time);
   line(p, t, d, "left");
   line(p, t, b, "bound");
-  if (pair.p) line(p, time, [log(pair.p), log(pair.p)], "pass");
-  if (pair.w && pair.w[1] > 0) add(p.svg, "circle", { class: "worst", cx: p.X(pair.w[0]), cy: p.Y(log(pair.w[1])), r: 6 });
-  element(figure, "figcaption", {}, `Residual (solid) and its error bound (dashed); an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for. ${worst}${pair.x ? " Grey: times left out." : ""} ${t.length} of ${pair.n} samples are drawn.`);
+  if (pass) line(p, time, [log(pass), log(pass)], "pass");
+  if (w && w[1] > 0) add(p.svg, "circle", { class: "worst", cx: p.X(w[0]), cy: p.Y(log(w[1])), r: 6 });
+  element(figure, "figcaption", {}, `Residual (solid) and its error bound (dashed); an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for. ${worst}${left_out ? " Grey: times left out." : ""} ${t.length} of ${samples} samples are drawn.`);
   figure = element(box, "figure");
-  const l = unpack(pair.l, low, high), r = pair.r === undefined ? l : unpack(pair.r, low, high);
+  const l = unpack(lefts, low, high), r = unpack(rights, low, high);
   const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
   const q = frame(figure, "Both sides of " + id, "The left side as a solid line, the right side as a dashed one.", time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
-  grey(q, pair.x, time);
+  grey(q, left_out, time);
   line(q, t, l, "left");
   line(q, t, r, "right");
-  element(figure, "figcaption", {}, pair.r === undefined ? "Left side (solid) and right side (dashed): they agree to the width of the line." : "Left side (solid) and right side (dashed).");
+  element(figure, "figcaption", {}, lefts === rights ? "Left side (solid) and right side (dashed): they agree to the width of the line." : "Left side (solid) and right side (dashed).");
 }
 function witness(box, [label, t, left, right, bound, values]) {
   const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
@@ -224,7 +234,7 @@ function witness(box, [label, t, left, right, bound, values]) {
 document.addEventListener("toggle", e => {
   if (!e.target.open || !e.target.matches(".verdicts")) return;
   for (const row of e.target.querySelectorAll("tbody tr[id]")) {
-    if (!data.pairs[row.id] || row.dataset.linked) continue;
+    if (!pairOf(row.id) || row.dataset.linked) continue;
     row.dataset.linked = "1";
     const cell = row.cells[row.cells.length - 1];
     cell.append(" ");

@@ -41,7 +41,38 @@ pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
     let bare = text.strip_prefix('\\').filter(|name| name.chars().all(|c| c.is_ascii_alphabetic()));
     match bare {
         Some(name) => html! { math { mi { (name) } } },
-        None => html! { code { (text) } },
+        None => html! { code { (plain(text)) } },
+    }
+}
+
+/// A text that is no formula, without the signs that only LaTeX needs.
+fn plain(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find('\\') {
+        out.push_str(&rest[..at]);
+        let tail = &rest[at + 1..];
+        let length = tail.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(tail.len());
+        let (command, after) = tail.split_at(length);
+        out.push_str(match command {
+            "cdot" => "·",
+            "sqrt" => "√",
+            "ldots" => "…",
+            "bf" | "boldsymbol" | "left" | "right" | "" => "",
+            name => mathml::letter(name).unwrap_or(name),
+        });
+        rest = after;
+    }
+    out.push_str(rest);
+    out.replace(['{', '}', '\u{2063}'], "")
+}
+
+/// A condition of a proof: an expression, its relation to zero, and perhaps words.
+pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
+    let split = [" ≠ 0", " ≥ 0", " > 0"].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    match split {
+        Some((relation, (expression, words))) => html! { (formula(expression, scope)) (relation) (words) },
+        None => prose(text, scope),
     }
 }
 
