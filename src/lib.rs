@@ -21,7 +21,7 @@
 //! | [`tape`] | graph → straight-line program; the one evaluation loop | expr, number |
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
 //! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number |
-//! | [`report`] | verdicts → text, JSON, Markdown; no arithmetic | diag, derivation, check |
+//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check |
 //!
 //! `tests/layering.rs` keeps these rules.
 

@@ -13,7 +13,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("tape", &["expr", "number"]),
     ("flow", &["expr", "tape", "number"]),
     ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
-    ("report", &["diag", "derivation", "check"]),
+    ("report", &["diag", "expr", "latex", "derivation", "check"]),
 ];
 
 /// Files of `src/` that belong to no room.

@@ -20,9 +20,10 @@ mod measure;
 mod occurrence;
 mod program;
 mod same_motion;
-mod second_route;
 #[cfg(test)]
 pub(crate) mod sample;
+mod second_route;
+mod series;
 mod stage;
 mod step;
 mod trial;
@@ -34,9 +35,8 @@ mod weigh;
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
-pub use variant::{
-    ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK,
-};
+pub use series::{ResidualPoint, Residuals};
+pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -365,7 +365,12 @@ fn assemble(
         let pair = |(column, &t): (&Column, &usize)| {
             let verdict = column.0[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
-            Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected, discrimination: None })
+            Some(PairAccount {
+                trajectory: derivation.trajectories[t].id.clone(),
+                verdict,
+                expected,
+                discrimination: None,
+            })
         };
         claims.push(ClaimAccount {
             id: claim.id.clone(),

@@ -1,5 +1,9 @@
 //! Verdicts. Their fields are private: only this room can make one.
 
+use std::sync::Arc;
+
+use super::series::Residuals;
+
 /// How strong the evidence is; ordered, weakest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Strength {
@@ -101,6 +105,8 @@ pub struct Evidence {
     pub excluded: Vec<Exclusion>,
     /// For a claim with ±: which sign, `+`, `-`, or `either`, and where it changes.
     pub branch: Option<String>,
+    /// The deciding comparison along the motion, thinned for drawing.
+    pub series: Option<Arc<Residuals>>,
 }
 
 /// The verdict of one claim (in one reading) on one trajectory.

@@ -134,6 +134,18 @@ impl<'a, 'g> Judged<'a, 'g> {
         candidates.max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
+    /// A comparison at a time with the sign that does best, and the size of its terms: what a reader is shown.
+    pub fn shown(&self, comparison: usize, time: usize) -> Option<(&Measured, f64)> {
+        let rank = |&s: &usize| match self.whole[s].get(time) {
+            Some(Standing::Satisfied) => 0,
+            Some(Standing::Inconclusive) => 1,
+            _ => 2,
+        };
+        let sign = (0..self.whole.len()).min_by_key(rank)?;
+        let m = self.measured.signs[sign].get(comparison)?.get(time)?.as_ref().ok()?;
+        Some((m, *self.scales[sign].get(comparison)?.get(time)?))
+    }
+
     /// The standing at a time with the sign that does best.
     pub fn best(&self, time: usize) -> Option<Standing> {
         self.whole.iter().map(|s| s[time]).reduce(Standing::or)
@@ -260,6 +272,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
     let mut clearest: Option<Failure> = None;
+    let mut worst: Option<(usize, usize, usize)> = None;
     let mut fail = |failure: Failure| {
         // The clearest failure is the witness; among equals the earliest.
         if clearest.as_ref().is_none_or(|c| failure.size > c.size) {
@@ -326,6 +339,7 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
             let worse = evidence.residual.as_ref().is_none_or(|r| ratio(size, bound) > ratio(r.max, r.bound));
             if worse && !group.definedness {
                 evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
+                worst = Some((g, c, i));
             }
             match standing[best][i] {
                 Standing::Satisfied | Standing::NoValue(_) => {}
@@ -356,6 +370,8 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
         }
     }
 
+    let telling = clearest.as_ref().map(|f| (f.group, f.comparison, f.time)).or(worst);
+    evidence.series = super::series::residuals(&setting, &all, telling);
     if let Some(f) = clearest {
         let none = Bounded { value: 0.0, error: 0.0 };
         let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };

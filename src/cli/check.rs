@@ -125,8 +125,11 @@ fn exit_of(summary: &Summary) -> Exit {
 }
 
 fn write_reports(folder: &Path, derivation: &Derivation, account: &Account) -> Result<(), Stop> {
-    let files =
-        [("report.json", report::json(derivation, account)), ("report.md", report::markdown(derivation, account))];
+    let files = [
+        ("report.json", report::json(derivation, account)),
+        ("report.md", report::markdown(derivation, account)),
+        ("index.html", report::page(derivation, account)),
+    ];
     let certificates = report::certificates(derivation, account);
     let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));
     let files: Vec<(&str, String)> = files.into_iter().chain(certificates).collect();

@@ -8,9 +8,10 @@ use crate::check::{Account, ClaimAccount, Discrimination, Erratum, Outcome, Pair
 
 /// The discrimination of a pair; survivors by their numbers in the list of the claim, in ranges.
 pub(super) fn pair_json(pair: &PairAccount) -> Value {
-    pair.discrimination.as_ref().map_or(Value::Null, |d| {
-        json!({ "rejected": d.rejected, "of": d.of, "weak": d.is_weak(), "survivors": ranges(&d.survivors) })
-    })
+    pair.discrimination.as_ref().map_or(
+        Value::Null,
+        |d| json!({ "rejected": d.rejected, "of": d.of, "weak": d.is_weak(), "survivors": ranges(&d.survivors) }),
+    )
 }
 
 /// The variants of a claim.
@@ -23,9 +24,10 @@ pub(super) fn claim_json(claim: &ClaimAccount) -> Value {
         })
     });
     let skipped = variants.skipped.iter().map(|(f, why)| json!({ "formula": f, "reason": why }));
-    let survivors = variants.survivors.iter().map(|s| {
-        json!({ "class": s.class.word(), "formula": s.formula, "everywhere": s.everywhere })
-    });
+    let survivors = variants
+        .survivors
+        .iter()
+        .map(|s| json!({ "class": s.class.word(), "formula": s.formula, "everywhere": s.everywhere }));
     let (rejected, of) = variants.together();
     json!({
         "together": { "rejected": rejected, "of": of },

@@ -2,7 +2,7 @@
 //!
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
-//! [`junit`], [`sarif`] and [`github`] for machines, the last two drawn from [`findings`];
+//! [`page`] (for a browser); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn from [`findings`];
 //! [`write_files`] puts them into a folder, all or none.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
@@ -16,7 +16,9 @@ mod github;
 mod json;
 mod junit;
 mod markdown;
+mod mathml;
 mod numbers;
+mod page;
 mod sarif;
 mod summary;
 mod tally;
@@ -31,6 +33,7 @@ pub use github::github;
 pub use json::json;
 pub use junit::{Checked, junit};
 pub use markdown::markdown;
+pub use page::page;
 pub use sarif::sarif;
 pub use summary::{exceptions, summary};
 pub use write::{WriteError, write_files, write_report};

@@ -310,7 +310,7 @@ impl Search<'_> {
                 Generator::Sine(a) => graph.unary(Op::Sin, a),
                 Generator::Exponential(a) => graph.unary(Op::Exp, a),
                 Generator::Opaque(e) => e,
-                Generator::Sign | Generator::Half => return None,
+                Generator::Sign | Generator::Half | Generator::Free => return None,
             })
         });
         shown(self.graph, raised)
@@ -503,9 +503,9 @@ struct Names {
 
 /// Words that are no names in Python, and names that the line for SymPy uses.
 const TAKEN: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del", "elif",
-    "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal", "not", "or",
-    "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N",
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
+    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
+    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N",
 ];
 
 impl Names {

@@ -144,7 +144,15 @@ impl<'d> Checker<'d> {
     }
 
     /// Notes the verdict of a formula; `exprs` are everything that it consists of.
-    fn note(&mut self, kind: &'static str, of: &str, formula: &str, exprs: &[Expr], fault: Option<Fault>, expected: bool) {
+    fn note(
+        &mut self,
+        kind: &'static str,
+        of: &str,
+        formula: &str,
+        exprs: &[Expr],
+        fault: Option<Fault>,
+        expected: bool,
+    ) {
         let verdict = match fault.or_else(|| self.inference.fault(exprs)) {
             Some(Fault::Different { relation, terms }) => UnitVerdict::Inconsistent { relation, terms },
             Some(Fault::Scale { relation, terms }) => UnitVerdict::NotChecked {
@@ -195,7 +203,11 @@ impl<'d> Checker<'d> {
                 let odd = components.iter().zip(&states).find_map(|(&e, state)| match state {
                     State::Known(found) if found != unit => {
                         let term = self.inference.term(e);
-                        Some(Fault::between("is declared, and its formula is", (entry.name.clone(), unit), (term, found)))
+                        Some(Fault::between(
+                            "is declared, and its formula is",
+                            (entry.name.clone(), unit),
+                            (term, found),
+                        ))
                     }
                     _ => None,
                 });
@@ -306,7 +318,9 @@ impl<'d> Checker<'d> {
             }
             for form in &claim.forms {
                 match form {
-                    Form::Always(w) | Form::Never(w) | Form::Eventually(w) => self.statement("claim", &name, w, expected),
+                    Form::Always(w) | Form::Never(w) | Form::Eventually(w) => {
+                        self.statement("claim", &name, w, expected)
+                    }
                     Form::FirstIntegral(w) | Form::Defined(w) => self.expression("claim", &name, w, expected),
                     Form::Independent { functions, subject_to } => {
                         functions.iter().for_each(|w| self.expression("claim", &name, w, expected));
@@ -339,7 +353,15 @@ impl<'d> Checker<'d> {
                 fault = Some(Fault::between("is the declared unit of", (measure.id.clone(), unit), (term, &found)));
             }
             let exprs = measure.formula.value.components.clone();
-            self.formula("measure", &measure.id, measure.formula.span.start, &measure.formula.text, exprs, fault, false);
+            self.formula(
+                "measure",
+                &measure.id,
+                measure.formula.span.start,
+                &measure.formula.text,
+                exprs,
+                fault,
+                false,
+            );
         }
     }
 

@@ -385,7 +385,8 @@ impl Convention {
                 if !angle.is_alone(argument) {
                     return out;
                 }
-                let function = |f: &str, p| Node::new(NodeKind::Function(f.into(), p, arguments.clone()), out.span.clone());
+                let function =
+                    |f: &str, p| Node::new(NodeKind::Function(f.into(), p, arguments.clone()), out.span.clone());
                 match f.as_str() {
                     "sin" => function("cos", *power),
                     "cos" if power.is_some_and(|n| n % 2 == 0) => function("sin", *power),

@@ -282,7 +282,11 @@ impl ClaimVariants {
 
     /// Everything that is evaluated for one initial time.
     pub fn roots(&self, start: usize) -> Vec<Expr> {
-        let own = self.formulas.iter().flat_map(|f| &f.parts).chain(self.variants.iter().flat_map(|v| v.altered.iter().map(|(_, p)| p)));
+        let own = self
+            .formulas
+            .iter()
+            .flat_map(|f| &f.parts)
+            .chain(self.variants.iter().flat_map(|v| v.altered.iter().map(|(_, p)| p)));
         let sizes = self.formulas.iter().flat_map(|f| &f.magnitudes).flatten().copied();
         own.map(|p| p.difference[start]).chain(sizes).collect()
     }

@@ -118,11 +118,8 @@ impl Altered {
             return None;
         }
         let graph = &self.graphs[k / TOGETHER];
-        let evidence = Evidence {
-            points: &points,
-            precision: claim.precision,
-            one_sign_throughout: claim.branches_throughout,
-        };
+        let evidence =
+            Evidence { points: &points, precision: claim.precision, one_sign_throughout: claim.branches_throughout };
         let sign = claim.scope.branch_sign();
         Some(rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence))
     }
@@ -150,8 +147,7 @@ impl Altered {
             .filter(|p| matches!(p.verdict.outcome(), Outcome::Holds(_)))
             .filter_map(|p| Some((p.trajectory.clone(), on(&p.trajectory)?)))
             .collect();
-        let survives: Vec<usize> =
-            (0..variants.variants.len()).filter(|&v| holds.iter().any(|(_, r)| !r[v])).collect();
+        let survives: Vec<usize> = (0..variants.variants.len()).filter(|&v| holds.iter().any(|(_, r)| !r[v])).collect();
         for pair in &mut account.results {
             let Some((_, rejected)) = holds.iter().find(|(id, _)| *id == pair.trajectory) else { continue };
             let survivors: Vec<usize> =

@@ -102,8 +102,10 @@ impl Enclosure {
     fn cells(&self, compiled: &super::Compiled, two_sided: bool) -> Vec<Cell> {
         let (from, to) = self.reach();
         let boundaries = self.boundaries();
-        let mut ahead = self.chain(compiled, two_sided, boundaries.iter().copied().filter(|&t| t >= self.initial_time), to);
-        let back = self.chain(compiled, two_sided, boundaries.iter().rev().copied().filter(|&t| t <= self.initial_time), from);
+        let mut ahead =
+            self.chain(compiled, two_sided, boundaries.iter().copied().filter(|&t| t >= self.initial_time), to);
+        let back =
+            self.chain(compiled, two_sided, boundaries.iter().rev().copied().filter(|&t| t <= self.initial_time), from);
         let mut all: Vec<Cell> = back.into_iter().rev().collect();
         all.append(&mut ahead);
         all

@@ -113,7 +113,13 @@ impl Enclosure {
     }
 
     /// The series of all roots around all times of an interval.
-    fn series(&self, compiled: &Compiled, time: Interval, degree: usize, of: Interval) -> Vec<Result<Vec<Interval>, NoValue>> {
+    fn series(
+        &self,
+        compiled: &Compiled,
+        time: Interval,
+        degree: usize,
+        of: Interval,
+    ) -> Vec<Result<Vec<Interval>, NoValue>> {
         let orders = Orders::all(degree);
         let row = degree + 1;
         let mut slots = compiled.tape.slots::<Jet<Interval>>(&orders);

@@ -114,10 +114,7 @@ pub(super) fn inverse(q: &[f64], n: usize) -> Option<Vec<Interval>> {
     let mut out = vec![Interval::ZERO; n * n];
     for i in 0..n {
         for j in 0..n {
-            out[i * n + j] = dot(
-                (0..n).map(|k| Interval::point(q[k * n + i])),
-                (0..n).map(|k| series[k * n + j]),
-            );
+            out[i * n + j] = dot((0..n).map(|k| Interval::point(q[k * n + i])), (0..n).map(|k| series[k * n + j]));
         }
     }
     Some(out)
@@ -156,7 +153,9 @@ mod tests {
 
     #[test]
     fn columns_are_orthonormal_also_of_singular_matrices() {
-        for m in [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]] {
+        for m in
+            [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]]
+        {
             let q = orthogonal(&m, &[1.0, 2.0, 0.5], 3);
             assert!(inverse(&q, 3).is_some(), "{q:?}");
         }

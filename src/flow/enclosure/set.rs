@@ -55,16 +55,14 @@ impl Set {
     pub(super) fn image(&self, shift: &[Interval], jacobian: &[Interval]) -> Option<Set> {
         let n = self.centre.len();
         let centre: Vec<f64> = self.centre.iter().zip(shift).map(|(&c, s)| c + s.mid()).collect();
-        let mut error: Vec<Interval> = (0..n)
-            .map(|i| (Interval::point(self.centre[i]) - Interval::point(centre[i])) + shift[i])
-            .collect();
+        let mut error: Vec<Interval> =
+            (0..n).map(|i| (Interval::point(self.centre[i]) - Interval::point(centre[i])) + shift[i]).collect();
         let mut from_start = Vec::new();
         if !self.from_start.is_empty() {
             let moved = times_point(jacobian, &self.from_start, n);
             from_start = middle(&moved);
             // What rounding the new matrix to numbers leaves out.
-            let rest: Vec<Interval> =
-                moved.iter().zip(&from_start).map(|(&m, &c)| m - Interval::point(c)).collect();
+            let rest: Vec<Interval> = moved.iter().zip(&from_start).map(|(&m, &c)| m - Interval::point(c)).collect();
             error.iter_mut().zip(apply(&rest, &self.start)).for_each(|(e, x)| *e = *e + x);
         }
         let moved = times_point(jacobian, &self.directions, n);

@@ -64,7 +64,9 @@ pub enum Stop {
         reason: String,
     },
     /// More steps than the limit.
-    #[error("t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide")]
+    #[error(
+        "t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide"
+    )]
     TooManySteps {
         /// The time that was reached.
         time: f64,
@@ -133,7 +135,9 @@ impl Field {
             let mut row = Vec::new();
             for &state in states {
                 let d = if present.contains(&state) { Some(graph.partial_derivative(rate, state)) } else { None };
-                let d = d.transpose().map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, state), reason })?;
+                let d = d
+                    .transpose()
+                    .map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, state), reason })?;
                 row.push(d.filter(|&d| !graph.is_zero(d)));
             }
             partial.push(row);
@@ -314,8 +318,7 @@ impl Field {
         let s = Interval::point(to) - Interval::point(time);
         let s = s.hull(Interval::ZERO);
         let over = Interval::point(time).hull(Interval::point(to));
-        let polynomials: Vec<Interval> =
-            (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
+        let polynomials: Vec<Interval> = (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
         let guess = |i: usize| {
             let last = bench.of_set[i * row + ORDER].magnitude() * power(s.magnitude(), ORDER as u32);
             last + 1e-16 * size + f64::MIN_POSITIVE

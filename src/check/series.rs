@@ -1,0 +1,80 @@
+//! Both sides of the deciding comparison along a motion, thinned for drawing.
+//!
+//! **In:** the judged comparisons of a claim. **Out:** [`Residuals`]: some of the samples at which the verdict was reached,
+//! unchanged. Nothing is judged here, and nothing is computed but which samples are kept.
+
+use std::sync::Arc;
+
+use super::weigh::{Judged, Left, Setting};
+
+/// Most samples that are kept of a pair, the worst one apart.
+const MOST: usize = 40;
+
+/// One comparison at some of its sample times, increasing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Residuals {
+    /// The formula that is compared, with its component: the one in which the worst point lies.
+    pub formula: String,
+    /// Whether it is an equation: then a residual within its bound is a pass.
+    pub equation: bool,
+    /// How many samples there were.
+    pub of: usize,
+    /// The samples that were kept.
+    pub points: Vec<ResidualPoint>,
+}
+
+/// A comparison at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResidualPoint {
+    /// The time.
+    pub t: f64,
+    /// Value of the left side.
+    pub left: f64,
+    /// Value of the right side.
+    pub right: f64,
+    /// |left − right|, computed with the error bound.
+    pub residual: f64,
+    /// Its error bound: what the residual is compared with.
+    pub bound: f64,
+    /// The largest bound that counts as evidence: the precision that is asked for, times the size of the terms.
+    pub limit: f64,
+}
+
+/// The comparison `chosen` (group, comparison, time) at evenly spaced samples among those that count, and at that time.
+///
+/// For ± the sign that does best at each time is shown. Cost: a few hundred operations for a pair.
+pub(super) fn residuals(
+    setting: &Setting,
+    groups: &[Judged],
+    chosen: Option<(usize, usize, usize)>,
+) -> Option<Arc<Residuals>> {
+    let (group, comparison, at) = chosen?;
+    let judged = groups.get(group)?;
+    if judged.measured.definedness {
+        return None;
+    }
+    let described = judged.measured.group.comparisons.get(comparison)?;
+    let counted: Vec<usize> = (0..setting.times.len()).filter(|&i| setting.left[i] == Left::In).collect();
+    let step = counted.len().div_ceil(MOST).max(1);
+    let mut kept: Vec<usize> = counted.iter().copied().step_by(step).chain(counted.last().copied()).collect();
+    kept.push(at);
+    kept.sort_unstable();
+    kept.dedup();
+    let point = |&i: &usize| {
+        let (m, scale) = judged.shown(comparison, i)?;
+        Some(ResidualPoint {
+            t: setting.times[i],
+            left: m.left.value,
+            right: m.right.value,
+            residual: m.difference.value.abs(),
+            bound: m.difference.error,
+            limit: setting.precision * scale,
+        })
+    };
+    Some(Arc::new(Residuals {
+        formula: described.label.clone(),
+        equation: described.kind == crate::latex::RelationKind::Equal,
+        of: counted.len(),
+        points: kept.iter().filter_map(point).collect(),
+    }))
+}

@@ -1,0 +1,491 @@
+//! Formulas as MathML, from the syntax trees that the formula reader makes.
+//!
+//! **In:** a formula as the file has it, and the scope that it was read in. **Out:** MathML Core, which browsers lay out
+//! without any script or font of ours; `None` for a text that is no formula of the language.
+//!
+//! **Why from the tree, and not from LaTeX by a library:** the tree is what the verdict is about, so a reader sees how a
+//! formula was understood: products and function values carry the invisible operators that screen readers speak. Nothing of
+//! a file's text reaches the page unescaped: known libraries pass `\operatorname{<script>}` through.
+
+use crate::expr::Rational;
+use crate::latex::syntax::{Bracket, Chain, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target};
+use crate::latex::{self, Scope};
+
+/// Invisible multiplication and function application, for what reads a formula aloud.
+const TIMES: &str = "<mo>\u{2062}</mo>";
+const APPLY: &str = "<mo>\u{2061}</mo>";
+
+/// A formula inside a line; several relations are separated by commas.
+pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
+    let chains = latex::parse(text, scope).ok()?;
+    let all: Vec<String> = chains.iter().map(|c| format!("<mrow>{}</mrow>", chain(c))).collect();
+    Some(format!("<math>{}</math>", all.join("<mo separator=\"true\">,</mo><mspace width=\"0.5em\"/>")))
+}
+
+/// A formula on its own: each relation one `math` element, with its LaTeX as an annotation.
+pub(super) fn display(text: &str, scope: &Scope) -> Option<Vec<String>> {
+    let chains = latex::parse(text, scope).ok()?;
+    let one = |c: &Chain| {
+        let written = text.get(c.span.clone()).unwrap_or(text);
+        format!(
+            "<math display=\"block\"><semantics><mrow>{}</mrow><annotation encoding=\"application/x-tex\">{}</annotation>\
+             </semantics></math>",
+            chain(c),
+            escaped(written.trim())
+        )
+    };
+    Some(chains.iter().map(one).collect())
+}
+
+/// Text between tags, or inside a quoted attribute.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// A chain of relations, as the inside of a row.
+fn chain(chain: &Chain) -> String {
+    let mut out = Markup(String::new());
+    for (k, side) in chain.sides.iter().enumerate() {
+        if let Some(kind) = k.checked_sub(1).and_then(|before| chain.relations.get(before)) {
+            out.operator(relation(*kind));
+        }
+        match &side.kind {
+            NodeKind::Limit(body, target) => {
+                out.put("<munder><mo movablelimits=\"false\">lim</mo><mrow>");
+                out.name(chain.time.as_deref().unwrap_or("t"));
+                out.operator("→");
+                match target {
+                    Target::Finite(at) => out.node(at, Least::Sum),
+                    Target::PlusInfinity => out.put("<mo form=\"prefix\">+</mo><mi>∞</mi>"),
+                    Target::MinusInfinity => out.put("<mo form=\"prefix\">−</mo><mi>∞</mi>"),
+                }
+                out.put("</mrow></munder>");
+                out.put(APPLY);
+                out.node(body, Least::Product);
+            }
+            _ => out.node(side, Least::Sum),
+        }
+    }
+    out.0
+}
+
+fn relation(kind: RelationKind) -> &'static str {
+    match kind {
+        RelationKind::Equal => "=",
+        RelationKind::NotEqual => "≠",
+        RelationKind::Less => "<",
+        RelationKind::LessEqual => "≤",
+        RelationKind::Greater => ">",
+        RelationKind::GreaterEqual => "≥",
+    }
+}
+
+/// What may stand at a place without parentheses; from loose to tight.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Least {
+    Sum,
+    Dot,
+    Cross,
+    Product,
+    Factor,
+}
+
+fn tightness(node: &Node) -> Least {
+    match &node.kind {
+        NodeKind::Sum(_) | NodeKind::Limit(..) => Least::Sum,
+        NodeKind::Number(r) if *r < Rational::ZERO => Least::Sum,
+        NodeKind::Dot(_) => Least::Dot,
+        NodeKind::Cross { bracket: false, .. } => Least::Cross,
+        NodeKind::Product(_) | NodeKind::Quotient { slash: true, .. } => Least::Product,
+        _ => Least::Factor,
+    }
+}
+
+struct Markup(String);
+
+impl Markup {
+    fn put(&mut self, markup: &str) {
+        self.0.push_str(markup);
+    }
+
+    fn operator(&mut self, text: &str) {
+        self.put(&format!("<mo>{}</mo>", escaped(text)));
+    }
+
+    /// A bracket; it grows with what it encloses.
+    fn fence(&mut self, text: &str, form: &str) {
+        self.put(&format!("<mo fence=\"true\" form=\"{form}\">{text}</mo>"));
+    }
+
+    fn row(&mut self, node: &Node, least: Least) {
+        self.put("<mrow>");
+        self.node(node, least);
+        self.put("</mrow>");
+    }
+
+    fn node(&mut self, node: &Node, least: Least) {
+        if tightness(node) < least {
+            self.enclosed("(", node, ")");
+        } else {
+            self.bare(node);
+        }
+    }
+
+    fn enclosed(&mut self, open: &str, node: &Node, close: &str) {
+        self.put("<mrow>");
+        self.fence(open, "prefix");
+        self.node(node, Least::Sum);
+        self.fence(close, "postfix");
+        self.put("</mrow>");
+    }
+
+    fn list(&mut self, nodes: &[Node]) {
+        self.put("<mrow>");
+        self.fence("(", "prefix");
+        for (i, node) in nodes.iter().enumerate() {
+            if i > 0 {
+                self.put("<mo separator=\"true\">,</mo>");
+            }
+            self.node(node, Least::Sum);
+        }
+        self.fence(")", "postfix");
+        self.put("</mrow>");
+    }
+
+    fn joined(&mut self, nodes: &[Node], between: &str, least: Least) {
+        for (i, node) in nodes.iter().enumerate() {
+            if i > 0 {
+                self.put(between);
+            }
+            self.node(node, least);
+        }
+    }
+
+    fn bare(&mut self, node: &Node) {
+        match &node.kind {
+            NodeKind::Number(r) => self.number(r),
+            NodeKind::Pi => self.put("<mi>π</mi>"),
+            NodeKind::Identity => self.put("<mi mathvariant=\"normal\">𝟙</mi>"),
+            NodeKind::Symbol(s) => self.symbol(s),
+            NodeKind::Group(inner, bracket) => {
+                let (open, close) = match bracket {
+                    Bracket::Round => ("(", ")"),
+                    Bracket::Square => ("[", "]"),
+                };
+                self.enclosed(open, inner, close);
+            }
+            NodeKind::Scripted { base, sub, sup, .. } => {
+                let mut inner = Markup(String::new());
+                inner.row(base, Least::Factor);
+                self.scripted(&inner.0, sub.as_deref(), sup.as_deref());
+            }
+            NodeKind::Sum(terms) => {
+                for (i, (sign, term)) in terms.iter().enumerate() {
+                    let sign = match sign {
+                        Sign::Plus if i > 0 || terms.len() == 1 => "+",
+                        Sign::Plus => "",
+                        Sign::Minus => "−",
+                        Sign::PlusMinus => "±",
+                        Sign::MinusPlus => "∓",
+                    };
+                    match (sign, i) {
+                        ("", _) => {}
+                        (sign, 0) => self.put(&format!("<mo form=\"prefix\">{sign}</mo>")),
+                        (sign, _) => self.operator(sign),
+                    }
+                    self.node(term, Least::Dot);
+                }
+            }
+            NodeKind::Product(parts) => self.joined(parts, TIMES, Least::Factor),
+            NodeKind::Dot(parts) => self.joined(parts, "<mo>⋅</mo>", Least::Cross),
+            NodeKind::Cross { left, right, bracket: true } => {
+                self.put("<mrow>");
+                self.fence("[", "prefix");
+                self.node(left, Least::Sum);
+                self.put("<mo separator=\"true\">,</mo>");
+                self.node(right, Least::Sum);
+                self.fence("]", "postfix");
+                self.put("</mrow>");
+            }
+            NodeKind::Cross { left, right, bracket: false } => {
+                self.node(left, Least::Product);
+                self.put("<mo>×</mo>");
+                self.node(right, Least::Product);
+            }
+            NodeKind::Quotient { top, bottom, slash: false } => {
+                self.put("<mfrac>");
+                self.row(top, Least::Sum);
+                self.row(bottom, Least::Sum);
+                self.put("</mfrac>");
+            }
+            NodeKind::Quotient { top, bottom, slash: true } => {
+                let slashed = matches!(top.kind, NodeKind::Quotient { slash: true, .. });
+                self.node(top, if slashed { Least::Factor } else { Least::Product });
+                self.put("<mo>/</mo>");
+                self.node(bottom, Least::Factor);
+            }
+            NodeKind::Root(inner, 2) => {
+                self.put("<msqrt>");
+                self.row(inner, Least::Sum);
+                self.put("</msqrt>");
+            }
+            NodeKind::Root(inner, degree) => {
+                self.put("<mroot>");
+                self.row(inner, Least::Sum);
+                self.put(&format!("<mn>{degree}</mn></mroot>"));
+            }
+            NodeKind::Exponential { exponent, upright } => {
+                self.put(if *upright { "<msup><mi mathvariant=\"normal\">e</mi>" } else { "<msup><mi>e</mi>" });
+                self.row(exponent, Least::Sum);
+                self.put("</msup>");
+            }
+            NodeKind::Function(name, power, arguments) => self.function(name, *power, arguments),
+            NodeKind::Absolute(inner) => self.enclosed("|", inner, "|"),
+            NodeKind::Derivative { of, by, order, operator, upright } => {
+                let d = if *upright { "<mi mathvariant=\"normal\">d</mi>" } else { "<mi>d</mi>" };
+                let raised = |what: &str| match order {
+                    1 => what.to_owned(),
+                    n => format!("<msup><mrow>{what}</mrow><mn>{n}</mn></msup>"),
+                };
+                self.put(&format!("<mfrac><mrow>{}", raised(d)));
+                if !operator {
+                    self.node(of, Least::Factor);
+                }
+                let mut under = Markup(String::new());
+                under.node(by, Least::Factor);
+                self.put(&format!("</mrow><mrow>{d}{}</mrow></mfrac>", raised(&under.0)));
+                if *operator {
+                    self.node(of, Least::Factor);
+                }
+            }
+            NodeKind::Tuple(parts) => self.list(parts),
+            NodeKind::Matrix(rows) => {
+                self.put("<mrow>");
+                self.fence("(", "prefix");
+                self.put("<mtable>");
+                for row in rows {
+                    self.put("<mtr>");
+                    for cell in row {
+                        self.put("<mtd>");
+                        self.node(cell, Least::Sum);
+                        self.put("</mtd>");
+                    }
+                    self.put("</mtr>");
+                }
+                self.put("</mtable>");
+                self.fence(")", "postfix");
+                self.put("</mrow>");
+            }
+            NodeKind::Limit(body, _) => self.node(body, Least::Sum),
+        }
+    }
+
+    fn function(&mut self, function: &str, power: Option<i32>, arguments: &[Node]) {
+        let name = format!("<mi>{}</mi>", escaped(function));
+        match power {
+            None => self.put(&name),
+            Some(n) => {
+                let minus = if n < 0 { "<mo form=\"prefix\">−</mo>" } else { "" };
+                self.put(&format!("<msup>{name}<mrow>{minus}<mn>{}</mn></mrow></msup>", n.unsigned_abs()));
+            }
+        }
+        self.put(APPLY);
+        match arguments {
+            [one] => {
+                let bare = match &one.kind {
+                    NodeKind::Symbol(s) => s.sup.is_none(),
+                    NodeKind::Scripted { sup, .. } => sup.is_none(),
+                    NodeKind::Function(..) | NodeKind::Matrix(_) | NodeKind::Cross { .. } => false,
+                    NodeKind::Quotient { slash: true, .. } => false,
+                    NodeKind::Group(..) | NodeKind::Absolute(_) => true,
+                    _ => tightness(one) >= Least::Product,
+                };
+                if bare { self.row(one, Least::Product) } else { self.enclosed("(", one, ")") }
+            }
+            _ => self.list(arguments),
+        }
+    }
+
+    fn symbol(&mut self, s: &SymbolNode) {
+        let mut base = Markup(String::new());
+        base.name(&s.name);
+        if s.dots > 0 {
+            let dots = ["˙", "¨", "\u{20db}", "\u{20dc}"][usize::from(s.dots - 1).min(3)];
+            base.0 = format!("<mover accent=\"true\">{}<mo stretchy=\"false\">{dots}</mo></mover>", base.0);
+        }
+        self.scripted(&base.0, s.sub.as_deref(), s.sup.as_deref());
+        if let Some(arguments) = &s.arguments {
+            self.put(APPLY);
+            self.list(arguments);
+        }
+    }
+
+    fn scripted(&mut self, base: &str, sub: Option<&[SubItem]>, sup: Option<&Node>) {
+        let lowered = sub.map(|items| {
+            let mut inner = Markup("<mrow>".to_owned());
+            let mut digits = String::new();
+            for item in items {
+                if !matches!(item, SubItem::Digit(_)) && !digits.is_empty() {
+                    inner.put(&format!("<mn>{}</mn>", std::mem::take(&mut digits)));
+                }
+                match item {
+                    SubItem::Name(n) => inner.name(n),
+                    SubItem::Digit(d) => digits.push_str(&d.to_string()),
+                    SubItem::Other('-') => inner.put("<mo>−</mo>"),
+                    SubItem::Other(c @ ('(' | ')')) => inner.put(&format!("<mo stretchy=\"false\">{c}</mo>")),
+                    SubItem::Other(c) => inner.operator(&c.to_string()),
+                }
+            }
+            if !digits.is_empty() {
+                inner.put(&format!("<mn>{digits}</mn>"));
+            }
+            inner.put("</mrow>");
+            inner.0
+        });
+        let raised = sup.map(|node| {
+            let mut inner = Markup(String::new());
+            inner.row(node, Least::Sum);
+            inner.0
+        });
+        match (lowered, raised) {
+            (None, None) => self.put(base),
+            (Some(low), None) => self.put(&format!("<msub>{base}{low}</msub>")),
+            (None, Some(high)) => self.put(&format!("<msup>{base}{high}</msup>")),
+            (Some(low), Some(high)) => self.put(&format!("<msubsup>{base}{low}{high}</msubsup>")),
+        }
+    }
+
+    /// A name in canonical spelling: styles and accents before a colon, then the base, then primes.
+    fn name(&mut self, name: &str) {
+        let markup = named(name);
+        self.put(&markup);
+    }
+
+    fn number(&mut self, r: &Rational) {
+        let negative = *r < Rational::ZERO;
+        if negative {
+            self.put("<mo form=\"prefix\">−</mo>");
+        }
+        let written = decimal(r);
+        match written.split_once('/') {
+            Some((top, bottom)) => self.put(&format!("<mfrac><mn>{top}</mn><mn>{bottom}</mn></mfrac>")),
+            None => self.put(&format!("<mn>{written}</mn>")),
+        }
+    }
+}
+
+/// A name as one element.
+fn named(name: &str) -> String {
+    let (style, rest) = name.split_once(':').map_or((None, name), |(s, r)| (Some(s), r));
+    let base = rest.trim_end_matches('\'');
+    let primes = rest.len() - base.len();
+    let accent =
+        |sign: &str| format!("<mover accent=\"true\">{}<mo stretchy=\"false\">{sign}</mo></mover>", named(base));
+    let letters = match base.strip_prefix('\\') {
+        Some(command) => letter(command).map_or_else(|| base.to_owned(), str::to_owned),
+        None => base.to_owned(),
+    };
+    let letters = escaped(&letters);
+    let styled = match style {
+        Some("hat") => accent("^"),
+        Some("tilde") => accent("~"),
+        Some("bar") => accent("¯"),
+        Some("vec") => accent("→"),
+        Some(_) if base.contains(':') => named(base),
+        Some("bf") => format!("<mi mathvariant=\"normal\" class=\"b\">{letters}</mi>"),
+        Some("it") | None => upright_capital(&letters),
+        Some(other) => format!("<mi mathvariant=\"normal\" class=\"{}\">{letters}</mi>", escaped(other)),
+    };
+    match primes {
+        0 => styled,
+        n => format!("<msup>{styled}<mo>{}</mo></msup>", "′".repeat(n)),
+    }
+}
+
+/// A letter in the usual slant: capital Greek stands upright, as LaTeX prints it.
+fn upright_capital(letters: &str) -> String {
+    let capital_greek = letters.chars().all(|c| ('Α'..='Ω').contains(&c));
+    if capital_greek { format!("<mi mathvariant=\"normal\">{letters}</mi>") } else { format!("<mi>{letters}</mi>") }
+}
+
+/// The letter that a command prints.
+pub(super) fn letter(command: &str) -> Option<&'static str> {
+    Some(match command {
+        "alpha" => "α",
+        "beta" => "β",
+        "gamma" => "γ",
+        "delta" => "δ",
+        "epsilon" => "ϵ",
+        "varepsilon" => "ε",
+        "zeta" => "ζ",
+        "eta" => "η",
+        "theta" => "θ",
+        "vartheta" => "ϑ",
+        "iota" => "ι",
+        "kappa" => "κ",
+        "lambda" => "λ",
+        "mu" => "μ",
+        "nu" => "ν",
+        "xi" => "ξ",
+        "pi" => "π",
+        "rho" => "ρ",
+        "varrho" => "ϱ",
+        "sigma" => "σ",
+        "varsigma" => "ς",
+        "tau" => "τ",
+        "upsilon" => "υ",
+        "phi" => "ϕ",
+        "varphi" => "φ",
+        "chi" => "χ",
+        "psi" => "ψ",
+        "omega" => "ω",
+        "varpi" => "ϖ",
+        "Gamma" => "Γ",
+        "Delta" => "Δ",
+        "Theta" => "Θ",
+        "Lambda" => "Λ",
+        "Xi" => "Ξ",
+        "Pi" => "Π",
+        "Sigma" => "Σ",
+        "Upsilon" => "Υ",
+        "Phi" => "Φ",
+        "Psi" => "Ψ",
+        "Omega" => "Ω",
+        "ell" => "ℓ",
+        "hbar" => "ℏ",
+        "imath" => "ı",
+        "jmath" => "ȷ",
+        "aleph" => "ℵ",
+        "wp" => "℘",
+        "top" => "⊤",
+        _ => return None,
+    })
+}
+
+/// The size of a number: decimals where they are exact, otherwise `top/bottom`.
+fn decimal(r: &Rational) -> String {
+    let ten = Rational::from(10);
+    let size = if *r < Rational::ZERO { -r.clone() } else { r.clone() };
+    let (mut scaled, mut places) = (size.clone(), 0usize);
+    while !scaled.denominator().is_one() && places < 40 {
+        scaled *= &ten;
+        places += 1;
+    }
+    if !scaled.denominator().is_one() {
+        return format!("{}/{}", size.numerator(), size.denominator());
+    }
+    let digits = format!("{:0>width$}", scaled.numerator().to_string(), width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
+}

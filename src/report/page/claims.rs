@@ -1,0 +1,310 @@
+//! The claims, one by one: what is claimed, for all values, and on every trajectory.
+
+use maud::{Markup, html};
+
+use super::super::numbers::{count, size, time, value};
+use super::super::tally::{Group, declared, groups, name};
+use super::matrix::{anchor, class};
+use super::text::{condition, display, formula, identifier, label, prose, reason};
+use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
+use crate::derivation::{DEFAULT_PRECISION, Derivation};
+use crate::latex::Scope;
+
+/// All claims.
+pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
+    let mut families: Vec<Vec<&ClaimAccount>> = Vec::new();
+    for claim in &account.claims {
+        match families.last_mut() {
+            Some(family) if family.iter().any(|c| c.id == claim.id) => family.push(claim),
+            _ => families.push(vec![claim]),
+        }
+    }
+    html! {
+        section #claims {
+            h2 { "Claims" }
+            @for family in &families {
+                @match family.as_slice() {
+                    [one] if one.reading.is_none() => { (article(derivation, one, account.trajectories.len())) },
+                    several => { (readings(derivation, several, account.trajectories.len())) },
+                }
+            }
+        }
+    }
+}
+
+/// A claim that can be understood in several ways: the readings side by side, then each by itself.
+fn readings(derivation: &Derivation, family: &[&ClaimAccount], of: usize) -> Markup {
+    let Some(first) = family.first() else { return html! {} };
+    let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
+    let n =
+        |claim: &ClaimAccount, word: &str| claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
+    let own = family.iter().any(|c| c.reading.is_none());
+    html! {
+        div.family {
+            @if let Some(parent) = parent.filter(|_| !own) {
+                h3 id=(first.id) { (first.id) ": " (prose(&parent, scope_of(derivation, first))) }
+            }
+            div.scroll tabindex="0" role="group" aria-label={ "Readings of " (first.id) } {
+                table.readings {
+                    caption { "Readings of " (first.id) ", side by side" }
+                    thead {
+                        tr {
+                            th scope="col" { "reading" }
+                            th scope="col" { "says" }
+                            th scope="col" { "as a formula" }
+                            @for head in ["holds", "fails", "does not apply", "undecided"] { th scope="col" { (head) } }
+                        }
+                    }
+                    tbody {
+                        @for claim in family {
+                            tr {
+                                th scope="row" {
+                                    a href={ "#" (name(claim)) } { (claim.reading.as_deref().unwrap_or("the claim itself")) }
+                                }
+                                td { (prose(&claim.says, scope_of(derivation, claim))) }
+                                td { (formulas(derivation, claim, true)) }
+                                @for word in ["holds", "fails", "not-applicable", "undecided"] {
+                                    td.number { (n(claim, word)) }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+            @for claim in family { (article(derivation, claim, of)) }
+        }
+    }
+}
+
+fn scope_of<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> &'d Scope {
+    declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope)
+}
+
+fn article(derivation: &Derivation, claim: &ClaimAccount, of: usize) -> Markup {
+    let declared = declared(derivation, claim);
+    let scope = scope_of(derivation, claim);
+    html! {
+        article.claim id=(name(claim)) {
+            @if claim.reading.is_some() {
+                h4 { (name(claim)) ": " (prose(&claim.says, scope)) }
+            } @else {
+                h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
+            }
+            p.quiet {
+                @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
+                @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
+                @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
+                    "Said to follow from " (from.join(", ")) ". "
+                }
+                @if let Some(p) = declared.map(|d| d.precision).filter(|p| *p != DEFAULT_PRECISION) {
+                    "Precision asked for: " (size(p)) "."
+                }
+            }
+            (formulas(derivation, claim, false))
+            @if !claim.assumptions.is_empty() {
+                p {
+                    "Assuming "
+                    @for (i, a) in claim.assumptions.iter().enumerate() {
+                        @if i > 0 { ", " }
+                        (formula(a, scope))
+                    }
+                    "."
+                }
+            }
+            @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
+            @if let Some(remark) = &claim.remark { p.remark { (prose(remark, scope)) } }
+            @if let Some(identity) = &claim.identity { (for_all_values(identity, scope)) }
+            @for group in groups(claim) { (verdicts(claim, &group, of, scope)) }
+        }
+    }
+}
+
+/// Whether it is an identity, with its bound.
+fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
+    html! {
+        div.identity class=(identity.verdict) {
+            p {
+                b { "For all values: " }
+                (reason(&identity.sentence(), scope))
+                @if identity.generic { " The proof leaves out special cases of what is given; see the conditions." }
+            }
+            @if !identity.conditions.is_empty() {
+                details {
+                    summary { "Conditions" }
+                    ul { @for c in &identity.conditions { li { (condition(c, scope)) } } }
+                }
+            }
+            @if let Some(witness) = &identity.witness {
+                details { summary { "Refuting point" } p { code.point { (witness) } } }
+            }
+        }
+    }
+}
+
+/// The formulas of a claim, each with what is claimed of it.
+fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Markup {
+    let scope = scope_of(derivation, claim);
+    let kinds: Vec<&str> =
+        declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
+    let mut last = "";
+    html! {
+        @for (i, text) in claim.formulas.iter().enumerate() {
+            @let kind = kinds.get(i).copied().unwrap_or("always");
+            @let words = match kind {
+                "always" => "At every time",
+                "never" => "At no time",
+                "eventually" => "At some time",
+                "first-integral" => "Constant along the motion",
+                "defined" => "Has a real value at every time",
+                "independent" => "Independent functions",
+                _ => "",
+            };
+            @if kind == "solves" {
+                p { "The motion solves the system " a href={ "#system-" (text) } { (text) } "." }
+            } @else if words.is_empty() {
+                p { "The motion is that of the trajectory " a href={ "#trajectory-" (text) } { (text) } "." }
+            } @else {
+                @if std::mem::replace(&mut last, kind) != kind { p.kind { (words) } }
+                @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
+            }
+        }
+    }
+}
+
+/// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
+fn verdicts(claim: &ClaimAccount, group: &Group<'_>, of: usize, scope: &Scope) -> Markup {
+    let word = match group.word {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
+    };
+    let on = match group.pairs.len() {
+        n if n == claim.results.len() && n == of && n > 1 => format!("on all {}", count(n, "trajectory")),
+        n if n == claim.results.len() && n > 1 => format!("on all {} on which it is tried", count(n, "trajectory")),
+        n => format!("on {}", count(n, "trajectory")),
+    };
+    let telling = group.telling().filter(|_| group.word == "fails");
+    html! {
+        details.verdicts class=(group.word) {
+            summary {
+                span.mark class=(group.pairs.first().map(|p| class(p)).unwrap_or_default()) aria-hidden="true" {}
+                " " b { (word) } " " (on)
+                @if group.unexpected {
+                    ", " strong.alarm {
+                        @match group.expected { Some(word) => { "expected: " (word) }, None => { "not expected" } }
+                    }
+                }
+            }
+            div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(claim, group, scope)) }
+        }
+        @if let Some(pair) = telling { (witness(pair, scope)) }
+    }
+}
+
+/// What the reasons of several pairs have in common: everything up to the numbers.
+fn common(pair: &PairAccount) -> (&str, &str) {
+    let text = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
+    text.split_once(": at t = ").map_or((text, ""), |(head, _)| (head, &text[head.len() + 2..]))
+}
+
+fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
+    let compared = group.pairs.iter().any(|p| p.verdict.evidence().residual.is_some());
+    // A reason that many pairs share is given once, above them.
+    let mut parts: Vec<(&str, Vec<&PairAccount>)> = Vec::new();
+    for &pair in &group.pairs {
+        let head = common(pair).0;
+        match parts.iter_mut().find(|(h, _)| *h == head) {
+            Some((_, pairs)) => pairs.push(pair),
+            None => parts.push((head, vec![pair])),
+        }
+    }
+    let single = parts.iter().filter(|(_, pairs)| pairs.len() == 1).count() > 4;
+    html! {
+        table {
+            thead {
+                tr {
+                    th scope="col" { "trajectory" }
+                    @if compared {
+                        @for head in ["strength", "worst residual", "its bound", "at t", "samples"] {
+                            th scope="col" { (head) }
+                        }
+                    }
+                    th scope="col" { "notes" }
+                }
+            }
+            @for (head, pairs) in &parts {
+                @let shared = !head.is_empty() && !(single && pairs.len() == 1);
+                tbody {
+                    @if shared {
+                        tr { th.shared colspan=(if compared { 7 } else { 2 }) scope="rowgroup" { (reason(head, scope)) } }
+                    }
+                    @for pair in pairs {
+                        @let evidence = pair.verdict.evidence();
+                        tr id=(anchor(claim, pair)) {
+                            th { (pair.trajectory) }
+                            @if compared {
+                                td { (pair.verdict.outcome().strength().unwrap_or_default()) }
+                                @match &evidence.residual {
+                                    Some(r) => { td { (size(r.max)) } td { (size(r.bound)) } td { (time(r.at)) } },
+                                    None => { td {} td {} td {} },
+                                }
+                                td { @if evidence.samples > 0 { (evidence.samples) } }
+                            }
+                            td { (notes(pair, shared, scope)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Reason, sign, and times left out.
+fn notes(pair: &PairAccount, shared: bool, scope: &Scope) -> Markup {
+    let evidence = pair.verdict.evidence();
+    html! {
+        @if shared { (common(pair).1) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
+        @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
+        @for (i, e) in evidence.excluded.iter().enumerate() {
+            @if i == 0 { "Left out: " } @else { "; " }
+            @if e.from == e.to { "t = " (time(e.from)) } @else { "t from " (time(e.from)) " to " (time(e.to)) }
+            " (" (reason(&e.reason, scope)) ")"
+        }
+    }
+}
+
+/// A refuting point: both sides, and what they depend on.
+fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
+    let Some(w) = &pair.verdict.evidence().witness else { return html! {} };
+    html! {
+        div.witness {
+            p {
+                "On " b { (pair.trajectory) } " at t = " (time(w.t)) ", for " (label(&w.formula, scope)) ": left side "
+                b { (value(w.left)) } ", right side " b { (value(w.right)) } ", error bound of the difference "
+                (size(w.bound)) "."
+            }
+            @if !w.values.is_empty() {
+                details { summary { "Values there" } pre tabindex="0" { (pasted(w)) } }
+            }
+        }
+    }
+}
+
+/// The values of a witness as assignments, which most languages read.
+pub(super) fn pasted(w: &Witness) -> String {
+    let mut out = format!("t = {:?}\n", w.t);
+    let mut seen: Vec<String> = vec!["t".to_owned()];
+    for (name, v) in &w.values {
+        let mut word = identifier(name);
+        if word == "t" && name == "t" {
+            continue;
+        }
+        while seen.contains(&word) {
+            word.push('_');
+        }
+        out.push_str(&format!("{word} = {v:?}\n"));
+        seen.push(word);
+    }
+    out
+}

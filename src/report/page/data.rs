@@ -1,0 +1,171 @@
+//! The curves of all pairs, packed for the script.
+//!
+//! A page may have thousands of pairs. Each of its curves is some forty samples; a value takes two characters: its place
+//! between the least and the largest value, in 1/7225 of the way (85 characters that need no escape, squared), and the
+//! logarithm of a residual or bound one. That is finer than a line is thick. Equal strings are stored once. Numbers that a reader may want exactly (worst residual,
+//! witness) are stored as numbers.
+
+use std::collections::HashMap;
+
+use serde_json::{Value, json};
+
+use super::super::tally::{declared, name};
+use super::claims::pasted;
+use super::text::label;
+use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
+use crate::derivation::Derivation;
+
+/// Digits of the packed values.
+const DIGITS: &[u8; 85] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
+/// Steps between the least and the largest value.
+const STEPS: f64 = 7224.0;
+
+/// Strings that are stored once.
+#[derive(Default)]
+struct Strings {
+    all: Vec<String>,
+    index: HashMap<String, usize>,
+}
+
+impl Strings {
+    fn put(&mut self, text: String) -> usize {
+        if let Some(&at) = self.index.get(&text) {
+            return at;
+        }
+        self.all.push(text.clone());
+        self.index.insert(text, self.all.len() - 1);
+        self.all.len() - 1
+    }
+}
+
+/// The data as JSON that may stand inside a script element.
+///
+/// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
+/// where there is none; curves are `[formula, samples, [least, largest], [first, last], [lowest, highest decade], t, left,
+/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`.
+pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
+    let mut strings = Strings::default();
+    let mut claims = serde_json::Map::new();
+    for claim in &account.claims {
+        let mut pairs = serde_json::Map::new();
+        for pair in &claim.results {
+            let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
+            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, claim, pair, &mut strings)) {
+                pairs.insert(t.to_string(), packed);
+            }
+        }
+        claims.insert(name(claim), Value::Object(pairs));
+    }
+    let time = derivation.scope.time().map(|l| l.symbol);
+    let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
+    let document = json!({ "unit": unit, "strings": strings.all, "pairs": claims });
+    // `<` could end the element that the text stands in.
+    document.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+}
+
+fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, strings: &mut Strings) -> Option<Value> {
+    let evidence = pair.verdict.evidence();
+    let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+    let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
+    let drawn = evidence.series.as_deref().filter(|s| s.points.len() > 1);
+    let curves = drawn.map(|s| curves(s, text(&s.formula, strings), strings));
+    let worst = evidence.residual.as_ref().map(|r| json!([r.at, short(r.max), short(r.bound)]));
+    let witness = evidence
+        .witness
+        .as_ref()
+        .map(|w| json!([text(&w.formula, strings), w.t, w.left, w.right, short(w.bound), pasted(w)]));
+    if curves.is_none() && witness.is_none() {
+        return None;
+    }
+    let mut out = vec![json!(curves), json!(worst), json!(witness)];
+    if !evidence.excluded.is_empty() {
+        out.push(evidence.excluded.iter().map(|e| json!([short(e.from), short(e.to)])).collect());
+    } else if witness.is_none() {
+        out.truncate(2);
+    }
+    Some(Value::Array(out))
+}
+
+/// A number with four digits.
+fn short(x: f64) -> Value {
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    let whole = rounded.fract() == 0.0 && rounded.abs() < 1e6;
+    if whole {
+        (rounded as i64).into()
+    } else {
+        serde_json::Number::from_f64(rounded).map_or(Value::Null, Value::Number)
+    }
+}
+
+fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
+    let points = &series.points;
+    let column = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
+    let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
+    let span = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0));
+    let range = extent(left.iter().chain(&right).copied());
+    let (residual, bound) = (column(&|p| p.residual.log10()), column(&|p| p.bound.log10()));
+    let (low, high) = extent(residual.iter().chain(&bound).copied());
+    let decades = (low.floor(), high.ceil());
+    let (l, r) = (wide(&left, range), wide(&right, range));
+    let limit = points.iter().map(|p| p.limit).fold(f64::INFINITY, f64::min);
+    json!([
+        formula,
+        series.of,
+        [short(range.0), short(range.1)],
+        [span.0, span.1],
+        [short(decades.0), short(decades.1)],
+        strings.put(wide(&t, span)),
+        strings.put(l),
+        strings.put(r),
+        strings.put(narrow(&residual, decades)),
+        strings.put(narrow(&bound, decades)),
+        if series.equation { short(limit) } else { Value::Null },
+    ])
+}
+
+/// Least and largest of the finite values.
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = values
+        .filter(|x| x.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    if low <= high { (low, high) } else { (0.0, 0.0) }
+}
+
+/// One character for each value: 0 for one that is not finite (the logarithm of 0), the others spread over the range.
+fn narrow(values: &[f64], (low, high): (f64, f64)) -> String {
+    let width = if high > low { high - low } else { 1.0 };
+    let digit = |x: &f64| match x.is_finite() {
+        true => 1 + (((x - low) / width).clamp(0.0, 1.0) * (DIGITS.len() - 2) as f64).round() as usize,
+        false => 0,
+    };
+    values.iter().map(|x| DIGITS.get(digit(x)).map_or('0', |d| char::from(*d))).collect()
+}
+
+/// Two characters for each value.
+fn wide(values: &[f64], (low, high): (f64, f64)) -> String {
+    let base = DIGITS.len();
+    let width = if high > low { high - low } else { 1.0 };
+    let mut out = String::with_capacity(2 * values.len());
+    for x in values {
+        let share = if x.is_finite() { ((x - low) / width).clamp(0.0, 1.0) } else { 0.0 };
+        let step = (share * STEPS).round() as usize;
+        for digit in [step / base, step % base] {
+            out.push(char::from(DIGITS.get(digit).copied().unwrap_or(b'0')));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_packed_in_order_and_reach_both_ends() {
+        assert_eq!(wide(&[0.0, 1.0], (0.0, 1.0)), "00||");
+        assert_eq!(wide(&[5.0, 5.0], (5.0, 5.0)), "0000");
+        assert_eq!(wide(&[f64::NAN], (0.0, 1.0)), "00");
+        let packed = wide(&[0.25, 0.5], (0.0, 1.0));
+        assert!(packed[..2] < packed[2..]);
+    }
+}

@@ -1,0 +1,135 @@
+//! The matrix of verdicts.
+
+use maud::{Markup, html};
+
+use super::super::tally::name;
+use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
+
+/// The class of a pair: its verdict, and `s`, `e`, `p` for the strength of one that holds or fails.
+pub(super) fn class(pair: &PairAccount) -> &'static str {
+    match (pair.verdict.outcome(), pair.is_unexpected()) {
+        (Outcome::Holds(Strength::Sampled), false) => "h",
+        (Outcome::Holds(Strength::Sampled), true) => "h x",
+        (Outcome::Holds(Strength::Enclosed), false) => "h e",
+        (Outcome::Holds(Strength::Enclosed), true) => "h e x",
+        (Outcome::Holds(Strength::Proved), false) => "h p",
+        (Outcome::Holds(Strength::Proved), true) => "h p x",
+        (Outcome::Fails(Strength::Sampled), false) => "f",
+        (Outcome::Fails(Strength::Sampled), true) => "f x",
+        (Outcome::Fails(_), false) => "f e",
+        (Outcome::Fails(_), true) => "f e x",
+        (Outcome::NotApplicable, false) => "n",
+        (Outcome::NotApplicable, true) => "n x",
+        (Outcome::Undecided, false) => "u",
+        (Outcome::Undecided, true) => "u x",
+    }
+}
+
+/// Where a pair stands on the page: `claim@trajectory`, also its address.
+pub(super) fn anchor(claim: &ClaimAccount, pair: &PairAccount) -> String {
+    format!("{}@{}", name(claim), pair.trajectory)
+}
+
+/// The words of a pair, for those who do not see its shape.
+fn words(pair: &PairAccount) -> &'static str {
+    match pair.verdict.outcome() {
+        Outcome::Holds(Strength::Proved) => "holds, proved",
+        Outcome::Holds(Strength::Enclosed) => "holds, enclosed",
+        Outcome::Fails(Strength::Enclosed | Strength::Proved) => "fails, certified",
+        other => other.word(),
+    }
+}
+
+/// The matrix with its legend and filters.
+pub(super) fn section(account: &Account) -> Markup {
+    html! {
+        section #matrix {
+            h2 { "Claims and trajectories" }
+            p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence." }
+            (legend())
+            (filters(account))
+            div.scroll.wide tabindex="0" role="group" aria-label="Matrix of verdicts" {
+                table.matrix {
+                    caption { "Rows are claims, columns are trajectories." }
+                    thead {
+                        tr {
+                            th scope="col" { "claim" }
+                            @for t in &account.trajectories {
+                                th scope="col" { a href={ "#trajectory-" (t.id) } { (t.id) } }
+                            }
+                        }
+                    }
+                    tbody {
+                        @for claim in &account.claims { (row(account, claim)) }
+                    }
+                }
+            }
+            p #none hidden { "No verdict is left by these filters." }
+        }
+    }
+}
+
+fn row(account: &Account, claim: &ClaimAccount) -> Markup {
+    html! {
+        tr {
+            th scope="row" { a href={ "#" (name(claim)) } { (name(claim)) } }
+            @for t in &account.trajectories {
+                @match claim.results.iter().find(|r| r.trajectory == t.id) {
+                    Some(pair) => {
+                        td class=(class(pair)) {
+                            a href={ "#" (anchor(claim, pair)) } {
+                                (words(pair)) @if pair.is_unexpected() { ", not as expected" }
+                            }
+                        }
+                    },
+                    None => { td {} },
+                }
+            }
+        }
+    }
+}
+
+fn legend() -> Markup {
+    let all = [
+        ("h p", "holds, proved for all values"),
+        ("h e", "holds, enclosed at every time"),
+        ("h", "holds at all samples"),
+        ("f", "fails"),
+        ("n", "does not apply"),
+        ("u", "undecided"),
+        ("f x", "not as expected"),
+    ];
+    html! {
+        ul.legend aria-label="Legend" {
+            @for (class, text) in all { li { span.mark class=(class) aria-hidden="true" {} " " (text) } }
+        }
+    }
+}
+
+/// Shown by the script, which makes them work.
+fn filters(account: &Account) -> Markup {
+    let verdicts =
+        [("h", "holds"), ("f", "fails"), ("n", "does not apply"), ("u", "undecided"), ("x", "not as expected")];
+    html! {
+        form #filters hidden aria-label="Filters" {
+            fieldset {
+                legend { "Verdict" }
+                @for (value, text) in verdicts {
+                    label { input type="checkbox" name="verdict" value=(value); " " (text) }
+                }
+            }
+            label {
+                "Claim "
+                input type="search" name="claim" list="claim-names" autocomplete="off" placeholder="part of a name";
+            }
+            datalist #claim-names { @for c in &account.claims { option value=(name(c)) {} } }
+            label {
+                "Trajectory "
+                input type="search" name="trajectory" list="trajectory-names" autocomplete="off" placeholder="part of a name";
+            }
+            datalist #trajectory-names { @for t in &account.trajectories { option value=(t.id) {} } }
+            button type="reset" { "Show all" }
+            output #shown role="status" {}
+        }
+    }
+}

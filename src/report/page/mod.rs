@@ -1,0 +1,295 @@
+//! `index.html`: the report as one page that needs nothing beside itself.
+//!
+//! **In:** a derivation and its account. **Out:** HTML with its style, a small script, and all data inside.
+//!
+//! **Guaranteed:** nothing is fetched from anywhere; everything essential is there without the script: the summary, the
+//! matrix, every verdict with its numbers and reason, formulas (MathML), pictures (SVG). The script adds filters, keys in
+//! the matrix, and the curves of a pair on demand: five thousand drawings would not fit. Every text of the file is escaped.
+//!
+//! **Why a template in code:** `maud` escapes what it is given, and is checked by the compiler; there is no template
+//! language to learn, and no file to find at run time.
+
+mod claims;
+mod data;
+mod matrix;
+mod motions;
+mod text;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::numbers::{count, size, time};
+use super::tally::{Standing, name, says};
+use crate::check::{Account, ClaimAccount, Summary};
+use crate::derivation::Derivation;
+use text::{formula, prose, unit};
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
+
+/// The page.
+pub fn page(derivation: &Derivation, account: &Account) -> String {
+    let scope = &derivation.scope;
+    let body = html! {
+        a.skip href="#main" { "Skip to the report" }
+        header {
+            p.kind { "A check of a derivation" }
+            h1 { (prose(&derivation.title, scope)) }
+            p { (prose(&derivation.concerns, scope)) }
+            @if let Some(source) = &derivation.source { p.quiet { "Source: " (prose(source, scope)) } }
+            (contents(derivation, account))
+        }
+        main #main {
+            (findings(derivation, account))
+            (matrix::section(account))
+            (claims::section(derivation, account))
+            (motions::section(derivation, account))
+            (conventions(derivation))
+            (symbols(derivation))
+            (systems(derivation))
+            (measures(derivation, account))
+            (making(derivation))
+        }
+        script type="application/json" id="data" { (PreEscaped(data::json(derivation, account))) }
+        script { (PreEscaped(SCRIPT)) }
+    };
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                // Whatever a file says, the page loads nothing and sends nothing.
+                meta http-equiv="Content-Security-Policy"
+                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+                title { (derivation.title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body { (body) }
+        }
+    };
+    let mut out = page.into_string();
+    // Ends that HTML implies: tens of thousands of them would be a tenth of the page.
+    for end in ["</td>", "</th>", "</tr>", "</li>"] {
+        out = out.replace(end, "");
+    }
+    out.push('\n');
+    out
+}
+
+fn contents(derivation: &Derivation, account: &Account) -> Markup {
+    html! {
+        nav aria-label="Contents" {
+            ul {
+                li { a href="#findings" { "What was found" } }
+                li { a href="#matrix" { "Claims and trajectories" } }
+                li { a href="#claims" { "Claims" } }
+                li { a href="#trajectories" { "Trajectories" } }
+                @if !derivation.conventions.is_empty() { li { a href="#conventions" { "Conventions" } } }
+                li { a href="#symbols" { "Symbols" } }
+                @if !derivation.systems.is_empty() { li { a href="#systems" { "Systems" } } }
+                @if !account.measurements.is_empty() { li { a href="#measures" { "Measured" } } }
+                li { a href="#making" { "How it was made" } }
+            }
+        }
+    }
+}
+
+/// The summary in words, and the counts.
+fn findings(derivation: &Derivation, account: &Account) -> Markup {
+    let s = account.summary();
+    let claims = count(account.claims.len(), "claim");
+    let trajectories = count(account.trajectories.len(), "trajectory");
+    html! {
+        section #findings {
+            h2 { "What was found" }
+            @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
+            p {
+                (claims) " (each reading counted) on " (trajectories) ". "
+                @match s.unexpected {
+                    0 => { "Every verdict is as the derivation file expects." },
+                    1 => { strong.alarm { "One verdict is not as the derivation file expects." } },
+                    n => { strong.alarm { (n) " verdicts are not as the derivation file expects." } },
+                }
+            }
+            (counts(&s))
+            @for standing in Standing::ALL {
+                (standing_list(derivation, account, standing))
+            }
+        }
+    }
+}
+
+fn counts(s: &Summary) -> Markup {
+    let rows = [
+        ("holds", "hold", s.holds),
+        ("fails", "fail", s.fails),
+        ("not-applicable", "do not apply", s.not_applicable),
+        ("undecided", "undecided", s.undecided),
+        ("unexpected", "not as expected", s.unexpected),
+    ];
+    html! {
+        ul.counts aria-label="Verdicts of all pairs of a claim and a trajectory" {
+            @for (class, words, n) in rows { li class=(class) { b { (n) } " " (words) } }
+        }
+    }
+}
+
+fn standing_list(derivation: &Derivation, account: &Account, standing: Standing) -> Markup {
+    let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
+    if found.is_empty() {
+        return html! {};
+    }
+    html! {
+        details.standing open[matches!(standing, Standing::Fails | Standing::Mixed)] {
+            summary { h3 { (count(found.len(), "claim")) " " (standing.words(found.len())) } }
+            ul {
+                @for claim in found {
+                    li {
+                        a href={ "#" (name(claim)) } { (name(claim)) } ": "
+                        (prose(&says(derivation, claim), &derivation.scope))
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn conventions(derivation: &Derivation) -> Markup {
+    if derivation.conventions.is_empty() {
+        return html! {};
+    }
+    html! {
+        section #conventions {
+            h2 { "Conventions" }
+            dl {
+                @for (key, text) in &derivation.conventions {
+                    dt { (key.replace('-', " ")) }
+                    dd { (prose(text, &derivation.scope)) }
+                }
+            }
+        }
+    }
+}
+
+fn symbols(derivation: &Derivation) -> Markup {
+    let scope = &derivation.scope;
+    html! {
+        section #symbols {
+            h2 { "Symbols" }
+            div.scroll tabindex="0" role="group" aria-label="Table of symbols" {
+                table {
+                    thead { tr { @for head in ["symbol", "role", "shape", "unit", "definition", "notes"] { th scope="col" { (head) } } } }
+                    tbody {
+                        @for s in &derivation.symbols {
+                            tr {
+                                th scope="row" { (formula(&s.name, scope)) }
+                                td { (s.role_word()) }
+                                td {
+                                    @if derivation.graph.is_diagonal(s.symbol) { "diagonal " }
+                                    (derivation.graph.shape(s.symbol))
+                                }
+                                td { (s.unit.as_deref().map(unit).unwrap_or_default()) }
+                                td { @if let Some(f) = &s.formula { (formula(f, scope)) } }
+                                td {
+                                    @if let Some(says) = &s.says { (prose(says, scope)) }
+                                    @if s.positive { " (positive)" }
+                                    @if s.angle { " (angle, continued without jumps)" }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn systems(derivation: &Derivation) -> Markup {
+    if derivation.systems.is_empty() {
+        return html! {};
+    }
+    html! {
+        section #systems {
+            h2 { "Systems" }
+            @for system in &derivation.systems {
+                h3 id={ "system-" (system.id) } { (system.id) }
+                @if let Some(says) = &system.says { p { (prose(says, &derivation.scope)) } }
+                @for equation in &system.equations { (text::display(&equation.text, &derivation.scope)) }
+            }
+        }
+    }
+}
+
+/// The most values of a measurement that are shown.
+const VALUES_SHOWN: usize = 12;
+
+fn measures(derivation: &Derivation, account: &Account) -> Markup {
+    if account.measurements.is_empty() {
+        return html! {};
+    }
+    html! {
+        section #measures {
+            h2 { "Measured" }
+            @for measure in &derivation.measures {
+                h3 { (measure.id) }
+                p {
+                    (prose(&measure.says, &derivation.scope)) ": " (formula(&measure.formula.text, &derivation.scope))
+                    @if let Some(at) = &measure.at { ", taken when " (formula(&at.text, &derivation.scope)) }
+                }
+                details {
+                    summary { "Values" }
+                    div.scroll tabindex="0" role="group" aria-label={ "Values of " (measure.id) } {
+                        table {
+                            thead { tr { th scope="col" { "trajectory" } th scope="col" { "value ± error bound (time)" } } }
+                            tbody {
+                                @for m in account.measurements.iter().filter(|m| m.measure == measure.id) {
+                                    tr {
+                                        th scope="row" { a href={ "#trajectory-" (m.trajectory) } { (m.trajectory) } }
+                                        td {
+                                            @for (i, (t, v, b)) in m.values.iter().take(VALUES_SHOWN).enumerate() {
+                                                @if i > 0 { "; " }
+                                                (time(*v)) " ± " (size(*b)) " (t = " (time(*t)) ")"
+                                            }
+                                            @if m.values.len() > VALUES_SHOWN {
+                                                "; " (m.values.len() - VALUES_SHOWN) " more in report.json"
+                                            }
+                                            @if let Some(r) = &m.reason { " " (text::reason(r, &derivation.scope)) }
+                                        }
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn making(derivation: &Derivation) -> Markup {
+    html! {
+        section #making {
+            h2 { "How it was made" }
+            dl {
+                dt { "program" }
+                dd { (env!("CARGO_PKG_NAME")) " " (env!("CARGO_PKG_VERSION")) }
+                dt { "derivation file" }
+                dd { (derivation.file.path) }
+                dt { "SHA-256 of the file" }
+                dd.hash { (derivation.sha256) }
+                dt { "to repeat it" }
+                dd { code { (env!("CARGO_PKG_NAME")) " check " (derivation.file.path) } }
+                dt { "precision asked for" }
+                dd { (size(crate::derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
+                dt { "seeds" }
+                dd { "Random points of proofs are drawn from seeds that are fixed by the program and the file: the same input gives the same page, byte by byte." }
+            }
+            p {
+                "The page states no time and no machine, since neither changes a verdict. A verdict is "
+                em { "sampled" } " (compared at finitely many times, each residual against its own error bound), "
+                em { "enclosed" } " (rigorously, for every time) or " em { "proved" } " (an identity, for all values)."
+            }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+"use strict";
+(() => {
+const byId = id => document.getElementById(id);
+const data = JSON.parse(byId("data").textContent);
+const form = byId("filters"), table = document.querySelector(".matrix");
+const rows = [...table.tBodies[0].rows], heads = [...table.tHead.rows[0].cells].slice(1);
+const names = rows.map(r => r.cells[0].textContent), motions = heads.map(h => h.textContent);
+
+// ---- the address: #anchor?verdict=h,f&claim=…&trajectory=… ----
+const read = () => {
+  const hash = decodeURIComponent(location.hash.slice(1)), at = hash.indexOf("?");
+  const q = new URLSearchParams(at < 0 ? "" : hash.slice(at + 1));
+  return { anchor: at < 0 ? hash : hash.slice(0, at), verdict: (q.get("verdict") || "").split(",").filter(Boolean),
+    claim: q.get("claim") || "", trajectory: q.get("trajectory") || "" };
+};
+const write = s => {
+  const q = [];
+  if (s.verdict.length) q.push("verdict=" + s.verdict.join(","));
+  for (const k of ["claim", "trajectory"]) if (s[k]) q.push(k + "=" + encodeURIComponent(s[k]));
+  return "#" + s.anchor + (q.length ? "?" + q.join("&") : "");
+};
+
+// ---- filters ----
+const passes = (cell, s) => cell.className && (!s.verdict.length || s.verdict.some(v => cell.classList.contains(v)));
+const like = (name, part) => !part || name.toLowerCase().includes(part.toLowerCase());
+function filter(s) {
+  const columns = motions.map(m => like(m, s.trajectory)), used = columns.map(() => false);
+  let shown = 0;
+  const kept = new Set();
+  rows.forEach((row, i) => {
+    let any = false;
+    const named = like(names[i], s.claim);
+    for (let j = 0; j < columns.length; j++) {
+      const cell = row.cells[j + 1], on = named && columns[j] && passes(cell, s);
+      cell.classList.toggle("off", !on);
+      if (on) { any = used[j] = true; shown++; }
+    }
+    row.hidden = !any;
+    if (any) kept.add(names[i]);
+  });
+  const all = !s.verdict.length && !s.claim && !s.trajectory;
+  heads.forEach((h, j) => { h.hidden = !all && !used[j]; });
+  rows.forEach(r => columns.forEach((_, j) => { r.cells[j + 1].hidden = !all && !used[j]; }));
+  byId("none").hidden = shown > 0;
+  byId("shown").textContent = all ? "" : shown + (shown === 1 ? " verdict" : " verdicts") + " shown";
+  const words = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" };
+  for (const article of document.querySelectorAll("article.claim")) article.hidden = !all && !kept.has(article.id);
+  for (const family of document.querySelectorAll(".family"))
+    family.hidden = ![...family.querySelectorAll("article.claim")].some(a => !a.hidden);
+  for (const group of document.querySelectorAll(".verdicts")) {
+    const marked = group.querySelector(".mark").classList;
+    group.hidden = s.verdict.length > 0 && !s.verdict.some(v => v === "x" ? marked.contains("x") : group.classList.contains(words[v]));
+  }
+  for (const row of document.querySelectorAll(".verdicts tbody tr[id]"))
+    row.hidden = !like(row.id.slice(row.id.indexOf("@") + 1), s.trajectory);
+}
+function fill(s) {
+  for (const box of form.elements.verdict) box.checked = s.verdict.includes(box.value);
+  form.elements.claim.value = s.claim;
+  form.elements.trajectory.value = s.trajectory;
+}
+let state = read();
+const asked = () => ({ anchor: "matrix", verdict: [...form.elements.verdict].filter(b => b.checked).map(b => b.value),
+  claim: form.elements.claim.value.trim(), trajectory: form.elements.trajectory.value.trim() });
+form.addEventListener("input", () => { state = asked(); history.replaceState(null, "", write(state)); filter(state); });
+form.addEventListener("reset", () => setTimeout(() => { state = asked(); history.replaceState(null, "", write(state)); filter(state); }));
+form.addEventListener("submit", e => e.preventDefault());
+
+// Links keep the filters in the address.
+document.addEventListener("click", e => {
+  const link = e.target.closest && e.target.closest('a[href^="#"]');
+  if (!link || e.ctrlKey || e.metaKey || e.shiftKey) return;
+  e.preventDefault();
+  const to = write({ ...state, anchor: decodeURIComponent(link.getAttribute("href").slice(1)) });
+  if (to === location.hash) go(); else location.hash = to;
+});
+function go() {
+  state = read();
+  fill(state);
+  filter(state);
+  const target = state.anchor && byId(state.anchor);
+  if (!target) return;
+  for (let e = target; e; e = e.parentElement) { if (e.tagName === "DETAILS") e.open = true; if (e.hidden) e.hidden = false; }
+  for (const old of document.querySelectorAll("tr.here")) old.classList.remove("here");
+  if (target.tagName === "TR") { target.classList.add("here"); open(target); }
+  if (!target.matches("a,input,button,summary")) target.tabIndex = -1;
+  target.focus({ preventScroll: true });
+  target.scrollIntoView({ block: "start" });
+}
+addEventListener("hashchange", go);
+
+// ---- keys in the matrix: one stop, arrows inside ----
+const cells = () => rows.filter(r => !r.hidden).map(r => [...r.cells].slice(1).filter(c => !c.hidden));
+for (const a of table.querySelectorAll("tbody td a")) a.tabIndex = -1;
+const first = table.querySelector("tbody td a");
+if (first) first.tabIndex = 0;
+table.addEventListener("keydown", e => {
+  const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[e.key];
+  const here = e.target.closest("td");
+  if (!step || !here) return;
+  const grid = cells();
+  let y = grid.findIndex(r => r.includes(here)), x = y < 0 ? -1 : grid[y].indexOf(here);
+  for (;;) {
+    y += step[0]; x += step[1];
+    const cell = grid[y] && grid[y][x];
+    if (!cell) break;
+    const a = cell.querySelector("a");
+    if (a && !cell.classList.contains("off")) {
+      for (const old of table.querySelectorAll('td a[tabindex="0"]')) old.tabIndex = -1;
+      a.tabIndex = 0;
+      a.focus();
+      break;
+    }
+  }
+  e.preventDefault();
+});
+
+// ---- the curves of a pair ----
+const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
+const value = new Map([...DIGITS].map((c, i) => [c, i]));
+const unpack = (index, low, high) => {
+  const text = data.strings[index], out = [];
+  for (let i = 0; i + 1 < text.length; i += 2)
+    out.push(low + (high - low) * (value.get(text[i]) * DIGITS.length + value.get(text[i + 1])) / 7224);
+  return out;
+};
+const unpackLog = (index, low, high) => [...data.strings[index]].map(c =>
+  value.get(c) ? low + (high - low) * (value.get(c) - 1) / (DIGITS.length - 2) : -Infinity);
+const pairOf = id => {
+  const at = id.lastIndexOf("@"), t = motions.indexOf(id.slice(at + 1));
+  return (data.pairs[id.slice(0, at)] || {})[t];
+};
+const SVG = "http://www.w3.org/2000/svg";
+const add = (parent, name, attributes, text) => {
+  const e = document.createElementNS(SVG, name);
+  for (const k in attributes) e.setAttribute(k, attributes[k]);
+  if (text !== undefined) e.textContent = text;
+  return parent.appendChild(e);
+};
+const element = (parent, name, attributes, text) => {
+  const e = document.createElement(name);
+  for (const k in attributes || {}) e.setAttribute(k, attributes[k]);
+  if (text !== undefined) e.textContent = text;
+  return parent.appendChild(e);
+};
+const nice = (low, high, n) => {
+  const raw = (high - low) / n || 1, power = 10 ** Math.floor(Math.log10(raw)), f = raw / power;
+  const step = (f > 5 ? 10 : f > 2 ? 5 : f > 1 ? 2 : 1) * power, out = [];
+  for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + step * 1e-9; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
+  return out;
+};
+const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
+const W = 640, H = 300, L = 76, R = 14, T = 12, B = 46;
+function frame(figure, title, describe, time, range, ticks, label) {
+  const svg = add(figure, "svg", { viewBox: `0 0 ${W} ${H}`, role: "img" });
+  add(svg, "title", {}, title);
+  add(svg, "desc", {}, describe);
+  const X = t => L + (W - L - R) * (t - time[0]) / (time[1] - time[0] || 1);
+  const Y = y => H - B - (H - T - B) * Math.min(1, Math.max(0, (y - range[0]) / (range[1] - range[0] || 1)));
+  for (const [y, text] of ticks) {
+    add(svg, "line", { class: "grid", x1: L, x2: W - R, y1: Y(y), y2: Y(y) });
+    add(svg, "text", { x: L - 6, y: Y(y) + 4, "text-anchor": "end", "font-size": 13 }, text);
+  }
+  for (const t of nice(time[0], time[1], 6)) {
+    add(svg, "line", { class: "axis", x1: X(t), x2: X(t), y1: H - B, y2: H - B + 5 });
+    add(svg, "text", { x: X(t), y: H - B + 19, "text-anchor": "middle", "font-size": 13 }, shown(t));
+  }
+  add(svg, "path", { class: "axis", d: `M${L},${T}V${H - B}H${W - R}` });
+  add(svg, "text", { x: (L + W - R) / 2, y: H - 8, "text-anchor": "middle", "font-size": 13 }, "t" + (data.unit ? ` (${data.unit})` : ""));
+  add(svg, "text", { x: 14, y: (T + H - B) / 2, "text-anchor": "middle", "font-size": 13, transform: `rotate(-90 14 ${(T + H - B) / 2})` }, label);
+  return { svg, X, Y };
+}
+const line = (p, xs, ys, name) => add(p.svg, "polyline", { class: "curve " + name, points: xs.map((x, i) => p.X(x).toFixed(1) + "," + p.Y(ys[i]).toFixed(1)).join(" ") });
+const grey = (p, stretches, time) => {
+  for (const [a, b] of stretches || []) {
+    const x0 = p.X(Math.max(a, time[0])), x1 = p.X(Math.min(b, time[1]));
+    if (x1 >= x0) add(p.svg, "rect", { class: "outside", x: x0 - 1, width: x1 - x0 + 2, y: T, height: H - T - B });
+  }
+};
+function open(row) {
+  const next = row.nextElementSibling;
+  if (next && next.classList.contains("pair")) return;
+  const pair = pairOf(row.id);
+  if (!pair) return;
+  const detail = document.createElement("tr");
+  detail.className = "pair";
+  const box = element(detail, "td", { colspan: row.cells.length });
+  row.after(detail);
+  const link = element(element(box, "p"), "a", { href: "#trajectory-" + row.id.slice(row.id.lastIndexOf("@") + 1) });
+  link.textContent = "The trajectory";
+  if (pair[0]) curves(box, pair, row.id);
+  if (pair[2]) witness(box, pair[2]);
+}
+function curves(box, [packed, w, , left_out], id) {
+  const [formula, samples, [low, high], span, decades, at, lefts, rights, residuals, bounds, pass] = packed;
+  const t = unpack(at, ...span), time = [...span];
+  for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
+  const d = unpackLog(residuals, ...decades), b = unpackLog(bounds, ...decades);
+  const head = element(box, "p", {}, "Compared: ");
+  head.insertAdjacentHTML("beforeend", data.strings[formula]);
+  const log = x => Math.log10(x);
+  const all = [...d, ...b].filter(Number.isFinite);
+  if (pass) all.push(log(pass));
+  if (w && w[1] > 0) all.push(log(w[1]));
+  if (!all.length) all.push(-16, 0);
+  let bottom = Math.floor(Math.min(...all) - .3), top = Math.ceil(Math.max(...all, bottom + 2) + .3);
+  const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
+  for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
+  let figure = element(box, "figure");
+  const worst = w ? `The worst point is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
+  const p = frame(figure, "Residual of " + id, `${t.length} of ${samples} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
+  grey(p, left_out, time);
+  line(p, t, d, "left");
+  line(p, t, b, "bound");
+  if (pass) line(p, time, [log(pass), log(pass)], "pass");
+  if (w && w[1] > 0) add(p.svg, "circle", { class: "worst", cx: p.X(w[0]), cy: p.Y(log(w[1])), r: 6 });
+  element(figure, "figcaption", {}, `Residual (solid) and its error bound (dashed); an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for. ${worst}${left_out ? " Grey: times left out." : ""} ${t.length} of ${samples} samples are drawn.`);
+  figure = element(box, "figure");
+  const l = unpack(lefts, low, high), r = unpack(rights, low, high);
+  const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
+  const q = frame(figure, "Both sides of " + id, "The left side as a solid line, the right side as a dashed one.", time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
+  grey(q, left_out, time);
+  line(q, t, l, "left");
+  line(q, t, r, "right");
+  element(figure, "figcaption", {}, lefts === rights ? "Left side (solid) and right side (dashed): they agree to the width of the line." : "Left side (solid) and right side (dashed).");
+}
+function witness(box, [label, t, left, right, bound, values]) {
+  const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
+  p.insertAdjacentHTML("beforeend", data.strings[label]);
+  element(box, "pre", { tabindex: 0 }, values + `left = ${left}\nright = ${right}`);
+}
+
+// Rows get a link to their curves when their table is opened.
+document.addEventListener("toggle", e => {
+  if (!e.target.open || !e.target.matches(".verdicts")) return;
+  for (const row of e.target.querySelectorAll("tbody tr[id]")) {
+    if (!pairOf(row.id) || row.dataset.linked) continue;
+    row.dataset.linked = "1";
+    const cell = row.cells[row.cells.length - 1];
+    cell.append(" ");
+    element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + row.id }, "curves");
+  }
+}, true);
+addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details.standing")) d.open = true; });
+
+form.hidden = false;
+go();
+})();

@@ -1,0 +1,196 @@
+//! Texts of the derivation file as HTML. Every character of them is escaped; formulas become MathML.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::super::mathml;
+use crate::latex::Scope;
+
+/// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
+pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    while let Some(start) = rest.find(['$', '`']) {
+        let mark = &rest[start..=start];
+        let after = &rest[start + 1..];
+        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
+        out.push_str(&mathml::escaped(&rest[..start]));
+        out.push_str(&formula(&after[..end], scope).into_string());
+        rest = &after[end + 1..];
+    }
+    out.push_str(&mathml::escaped(rest));
+    PreEscaped(out)
+}
+
+/// A reason that the check gives: formulas stand in it between backticks, or before "has no value".
+pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
+    match text.split_once(" has no value") {
+        Some((subject, tail)) if !subject.contains([' ', '`']) => {
+            html! { (formula(subject, scope)) " has no value" (prose(tail, scope)) }
+        }
+        _ => prose(text, scope),
+    }
+}
+
+/// A formula inside a line; code, where the text is no formula of the language.
+pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
+    if let Some(math) = mathml::inline(text, scope) {
+        return PreEscaped(math);
+    }
+    // The name of a function by itself, `\arccos`.
+    let bare = text.strip_prefix('\\').filter(|name| name.chars().all(|c| c.is_ascii_alphabetic()));
+    match bare {
+        Some(name) => html! { math { mi { (name) } } },
+        None => html! { code { (plain(text)) } },
+    }
+}
+
+/// A text that is no formula, without the signs that only LaTeX needs.
+fn plain(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find('\\') {
+        out.push_str(&rest[..at]);
+        let tail = &rest[at + 1..];
+        let length = tail.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(tail.len());
+        let (command, after) = tail.split_at(length);
+        out.push_str(match command {
+            "cdot" => "·",
+            "sqrt" => "√",
+            "ldots" => "…",
+            "bf" | "boldsymbol" | "left" | "right" | "" => "",
+            name => mathml::letter(name).unwrap_or(name),
+        });
+        rest = after;
+    }
+    out.push_str(rest);
+    out.replace(['{', '}', '\u{2063}'], "")
+}
+
+/// A condition of a proof: an expression, its relation to zero, and perhaps words.
+pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
+    let split = [" ≠ 0", " ≥ 0", " > 0"].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    match split {
+        Some((relation, (expression, words))) => html! { (formula(expression, scope)) (relation) (words) },
+        None => prose(text, scope),
+    }
+}
+
+/// What a comparison is called: a formula, then perhaps its component in brackets, or words.
+pub(super) fn label(text: &str, scope: &Scope) -> Markup {
+    let (head, component) = match text.split_once("   [") {
+        Some((head, component)) => (head, Some(component.trim_end_matches(']'))),
+        None => (text, None),
+    };
+    let words = ["rank of the gradients of ", "for the system "].iter().find_map(|w| Some((*w, head.strip_prefix(w)?)));
+    let tail = [" has a value", " of both motions"].iter().find_map(|w| Some((head.strip_suffix(w)?, *w)));
+    html! {
+        @if let Some((words, formula_text)) = words { (words) (formula(formula_text, scope)) }
+        @else if let Some((formula_text, words)) = tail { (formula(formula_text, scope)) (words) }
+        @else { (formula(head, scope)) }
+        @if let Some(component) = component {
+            ", component " (formula(component, scope))
+        }
+    }
+}
+
+/// A formula on lines of its own.
+pub(super) fn display(text: &str, scope: &Scope) -> Markup {
+    match mathml::display(text, scope) {
+        Some(rows) => html! {
+            div.formula tabindex="0" role="group" aria-label="formula" { @for row in rows { (PreEscaped(row)) } }
+        },
+        None => html! { div.formula tabindex="0" role="group" aria-label="formula" { code { (text) } } },
+    }
+}
+
+/// A unit as it is printed: `kg m^2/s` with raised digits.
+pub(super) fn unit(text: &str) -> String {
+    let mut out = String::new();
+    let mut raised = false;
+    for c in text.chars() {
+        match c {
+            '^' => {
+                raised = true;
+                continue;
+            }
+            '-' if raised => out.push('⁻'),
+            c if raised && c.is_ascii_digit() => {
+                let at = usize::from(c as u8 - b'0');
+                out.extend("⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(at));
+            }
+            c => {
+                raised = false;
+                out.push(c);
+            }
+        }
+    }
+    out
+}
+
+/// A LaTeX name as a word that can be pasted into a program: `\dot{R}_{11}` becomes `R_11_dot`.
+pub(super) fn identifier(name: &str) -> String {
+    let dots = ["\\dddot", "\\ddot", "\\dot"].iter().position(|d| name.starts_with(d));
+    let mut out = String::new();
+    let mut word = String::new();
+    let mut escaped = false;
+    let rest = dots.map_or(name, |d| &name[["\\dddot", "\\ddot", "\\dot"][d].len()..]);
+    for c in rest.chars().chain([' ']) {
+        if escaped && c.is_ascii_alphabetic() {
+            word.push(c);
+            continue;
+        }
+        let style = ["bf", "rm", "it", "cal", "sf", "mathbf", "mathrm", "boldsymbol"].contains(&word.as_str());
+        if !style {
+            out.push_str(&word);
+        }
+        word.clear();
+        escaped = c == '\\';
+        match c {
+            '\'' => out.push_str("_prime"),
+            '(' => out.push_str("_at_"),
+            '-' => out.push('m'),
+            '_' => out.push('_'),
+            c if c.is_alphanumeric() => out.push(c),
+            _ => {}
+        }
+    }
+    let suffix = ["_dddot", "_ddot", "_dot"];
+    out + dots.map_or("", |d| suffix[d])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::Graph;
+
+    #[test]
+    fn names_become_words() {
+        for (name, word) in [
+            (r"\dot{R}_{11}", "R_11_dot"),
+            (r"{\bf m}_3", "m_3"),
+            (r"\Omega_2(0)", "Omega_2_at_0"),
+            (r"\dot{\bf w}_1", "w_1_dot"),
+            (r"\ddot{\theta}", "theta_ddot"),
+            (r"I_{(1-3)}", "I__at_1m3"),
+            ("t", "t"),
+        ] {
+            assert_eq!(identifier(name), word, "{name}");
+        }
+    }
+
+    #[test]
+    fn no_text_becomes_markup() {
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        for text in ["<script>alert(1)</script>", "`<img src=x>`", "$<b>$", r"$\operatorname{<script>}$", "a`<i>", "$"]
+        {
+            for out in [prose(text, &scope), reason(text, &scope), label(text, &scope), display(text, &scope)] {
+                let out = out.into_string();
+                for bad in ["<script", "<img", "<b>", "<i>"] {
+                    assert!(!out.contains(bad), "{text}: {out}");
+                }
+            }
+        }
+    }
+}
