@@ -320,6 +320,15 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     for mut run in runs {
         separate(&mut explorer, &mut run, shortest);
         out.peaks(&mut explorer, &run);
+        // A kink that is no wider than the errors is not seen as one: what comes so close to 0 there may reach it.
+        for three in run.windows(3) {
+            let [a, b, c] = [three[0], three[1], three[2]];
+            let size = |n: &Node| n.value.value.abs();
+            let lowest = size(&b) < size(&a) && size(&b) < size(&c) && size(&b) <= 16.0 * b.value.error;
+            if lowest && b.sign() != 0 && a.sign() == b.sign() && b.sign() == c.sign() {
+                out.touch(&mut explorer, b);
+            }
+        }
         let mut at = 0;
         let mut before: Option<Node> = None;
         while at < run.len() {
@@ -373,6 +382,7 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     }
     out.touching.sort_by(f64::total_cmp);
     out.incomplete.sort_by(|a, b| a.stretch().0.total_cmp(&b.stretch().0));
+    out.incomplete.dedup();
     out
 }
 
