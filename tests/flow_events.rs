@@ -6,6 +6,7 @@ mod flow_support;
 
 use flow_support::World;
 use rederive::flow::{Incomplete, Motion, Setup, Source, Zeros};
+use rederive::number::NoValue;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// sin t and cos t by integration.
@@ -33,7 +34,8 @@ fn simple_zeros_to_the_last_digits() {
     let found = zeros(&mut w, &m, "y");
     let expected: Vec<f64> = (0..6).map(|k| FRAC_PI_2 + f64::from(k) * PI).collect();
     assert_times(&found.times, &expected, 2e-14);
-    assert_eq!((found.touching.len(), found.incomplete), (0, None));
+    assert_eq!((found.touching.len(), found.incomplete.len()), (0, 0));
+    assert_times(&found.peaks, &(0..7).map(|k| f64::from(k) * PI).map(|t| t.min(20.0)).collect::<Vec<_>>(), 1e-7);
     let third = zeros(&mut w, &m, "x^3 - 0.5^3");
     let expected: Vec<f64> =
         (0..4).flat_map(|k| [PI / 6.0 + f64::from(k) * TAU, 5.0 * PI / 6.0 + f64::from(k) * TAU]).take(7).collect();
@@ -46,7 +48,7 @@ fn the_angle_has_gone_round_once() {
     let m = circle(&mut w, (0.0, 20.0));
     let found = zeros(&mut w, &m, "a - a@0 - 2*pi");
     assert_times(&found.times, &[TAU], 2e-14);
-    assert_eq!(found.incomplete, None);
+    assert_eq!(found.incomplete, []);
 }
 
 #[test]
@@ -111,19 +113,23 @@ fn what_cannot_be_decided_is_said() {
     let mut w = World::default();
     let m = circle(&mut w, (0.0, 6.0));
     let found = zeros(&mut w, &m, "x^2 + y^2 - 1");
-    assert!(matches!(found.incomplete, Some(Incomplete::Vanishing { .. })), "{found:?}");
+    // One stretch, however many pieces it was looked at in.
+    assert!(matches!(found.incomplete[..], [Incomplete::Vanishing { start: 0.0, end: 6.0 }]), "{found:?}");
     let found = zeros(&mut w, &m, "sqrt(x) - 0.5");
     assert_times(&found.times, &[0.25_f64.asin(), PI - 0.25_f64.asin()], 1e-13);
-    assert!(matches!(found.incomplete, Some(Incomplete::NoValue { .. })), "{found:?}");
+    assert!(found.incomplete.iter().all(|i| matches!(i, Incomplete::NoValue { .. })), "{found:?}");
+    assert!(!found.incomplete.is_empty());
     // A pole is a change of sign, but no zero.
     let found = zeros(&mut w, &m, "x/y");
     assert_times(&found.times, &[0.0, PI], 1e-14);
-    assert!(found.incomplete.is_some());
+    let pole = |i: &Incomplete| matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    assert!(found.incomplete.len() == 2 && found.incomplete.iter().all(pole), "{found:?}");
     // So is a jump at the cut of arctan2.
     let found = zeros(&mut w, &m, "atan2(x,0-1)");
     assert!(found.times.iter().all(|t| *t < 0.1), "{found:?}");
+    assert!(matches!(found.incomplete[..], [Incomplete::Unresolved { .. }]), "{found:?}");
     let never = zeros(&mut w, &m, "sqrt(0-1-x^2)");
-    assert!(never.times.is_empty() && never.incomplete.is_some());
+    assert!(never.times.is_empty() && !never.incomplete.is_empty());
 }
 
 #[test]
@@ -133,6 +139,10 @@ fn zeros_of_a_kink() {
     let found = zeros(&mut w, &m, "abs(x) - 0.5");
     let s = PI / 6.0;
     assert_times(&found.times, &[-s, s, PI - s, PI + s, TAU - s], 2e-14);
+    // Where the kink itself is a zero, the sides touch.
     let found = zeros(&mut w, &m, "abs(x)");
     assert!(found.times.is_empty(), "{found:?}");
+    assert_times(&found.touching, &[0.0, PI], 1e-12);
+    let found = zeros(&mut w, &m, "abs(x) + 0.001");
+    assert!(found.times.is_empty() && found.touching.is_empty() && found.incomplete.is_empty(), "{found:?}");
 }

@@ -29,6 +29,9 @@ pub(super) struct Comparison {
     pub right: Expr,
     /// Sum of the sizes of the terms of both sides: what "small" is measured by.
     pub magnitude: Expr,
+    /// What vanishes where an inequality can change between two samples, for each sign of ±: left − right. Empty for
+    /// equations, and for what does not move.
+    pub boundaries: Vec<Expr>,
 }
 
 impl Comparison {
@@ -42,7 +45,8 @@ impl Comparison {
         right: Expr,
     ) -> Comparison {
         let magnitude = magnitude_of(graph, scope, left, right);
-        Comparison { label, kind, left, right, magnitude }
+        let boundaries = if kind == RelationKind::Equal { Vec::new() } else { boundaries(graph, scope, left, right) };
+        Comparison { label, kind, left, right, magnitude, boundaries }
     }
 }
 
@@ -51,6 +55,21 @@ pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: 
     let (l, r) = (traced(graph, scope, left), traced(graph, scope, right));
     let (a, b) = (magnitude(graph, l), magnitude(graph, r));
     graph.add(a, b)
+}
+
+/// left − right for each sign of ±, unless it does not move.
+fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Vec<Expr> {
+    let sign = scope.branch_sign();
+    let leaves = graph.leaves([left, right]);
+    let moves = |l: &Leaf| *l != sign && l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
+    if !leaves.iter().any(moves) {
+        return Vec::new();
+    }
+    let difference = graph.sub(left, right);
+    if !leaves.contains(&sign) {
+        return vec![difference];
+    }
+    [1, -1].map(|n| graph.substitute(difference, |g, l| (l == sign).then(|| g.integer(n)))).to_vec()
 }
 
 /// Comparisons that must be true together, for one sign of ±.
@@ -64,12 +83,23 @@ pub(super) struct Group {
 
 /// `e` with observables replaced by their definitions, at fixed times too; rates stay.
 pub(super) fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    replaced(graph, scope, e, true)
+}
+
+/// `e` with observables replaced by their definitions, down to states, parameters and time; rates and values at fixed
+/// times stay.
+pub(super) fn traced_now(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    replaced(graph, scope, e, false)
+}
+
+fn replaced(graph: &mut Graph, scope: &Scope, e: Expr, at_instants: bool) -> Expr {
     let mut e = e;
     // Definitions are acyclic: each is written in terms of earlier symbols.
     loop {
         let mut changed = false;
         e = graph.substitute(e, |graph, leaf| {
-            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0)?;
+            let here = leaf.rate == 0 && (at_instants || leaf.instant.is_none());
+            let definition = scope.definition(leaf.symbol).filter(|_| here)?;
             let component = definition.components.get(usize::from(leaf.component)).copied()?;
             changed = true;
             Some(match leaf.instant {

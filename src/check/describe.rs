@@ -4,7 +4,9 @@ use std::cell::RefCell;
 
 use super::comparison::Comparison;
 use super::program::Program;
-use super::trial::{Course, Values};
+use super::trial::{Trial, Values};
+use super::weigh::{Left, Setting};
+use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::number::{Bounded, NoValue};
 use crate::tape::{Fault, Slots};
@@ -12,8 +14,8 @@ use crate::tape::{Fault, Slots};
 /// Describes points in words and numbers, for witnesses and reasons.
 pub(super) struct Describer<'a> {
     graph: &'a Graph,
-    /// The claim.
-    pub program: &'a Program,
+    claim: &'a Claim,
+    program: &'a Program,
     leaves: &'a [Leaf],
     /// The times of the points.
     pub times: &'a [f64],
@@ -28,20 +30,20 @@ pub(super) fn short(x: f64) -> String {
 
 impl<'a> Describer<'a> {
     /// A describer of these points.
-    pub fn new(
-        graph: &'a Graph,
-        program: &'a Program,
-        course: &'a Course,
-        times: &'a [f64],
-        points: &'a [Values],
-    ) -> Describer<'a> {
-        Describer { graph, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
+    pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a [Values]) -> Describer<'a> {
+        let Trial { graph, claim, program, course } = *trial;
+        Describer { graph, claim, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
     }
 
-    /// The same for other points.
-    pub fn at<'b>(&'b self, times: &'b [f64], points: &'b [Values]) -> Describer<'b> {
-        let Describer { graph, program, leaves, .. } = *self;
-        Describer { graph, program, leaves, times, points, slots: RefCell::new(None) }
+    /// How the claim is weighed at the points, of which those count that are left.
+    pub fn setting(&'a self, left: Vec<Left>) -> Setting<'a> {
+        Setting {
+            times: self.times,
+            left,
+            precision: self.claim.precision,
+            one_sign_throughout: self.claim.branches_throughout,
+            describer: self,
+        }
     }
 
     /// Values of the leaves that both sides depend on.

@@ -6,11 +6,11 @@
 
 use nalgebra::DMatrix;
 
-use super::program::Program;
-use super::trial::{Course, assumptions_of};
+use super::comparison::traced_now;
+use super::trial::{Trial, assumptions_of};
 use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
 use super::weigh::Left;
-use crate::derivation::{Claim, Written};
+use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
 use crate::number::Bounded;
@@ -31,23 +31,6 @@ pub(super) struct Gradients {
     variables: Vec<Leaf>,
     entries: Vec<Expr>,
     text: String,
-}
-
-/// `e` with observables replaced by their definitions, down to states, parameters and time.
-pub(super) fn expand(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
-    let mut e = e;
-    // Definitions are acyclic: each is written in terms of earlier symbols.
-    loop {
-        let mut changed = false;
-        e = graph.substitute(e, |_, leaf| {
-            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0 && leaf.instant.is_none())?;
-            changed = true;
-            definition.components.get(leaf.component as usize).copied()
-        });
-        if !changed {
-            return e;
-        }
-    }
 }
 
 impl Gradients {
@@ -72,7 +55,7 @@ impl Gradients {
         rows.extend(functions.iter().flat_map(|w| &w.value.components));
         let mut entries = Vec::new();
         for &row in &rows {
-            let row = expand(graph, scope, row);
+            let row = traced_now(graph, scope, row);
             for &variable in variables {
                 entries.push(graph.partial_derivative(row, variable)?);
             }
@@ -88,8 +71,9 @@ impl Gradients {
     }
 
     /// Tries the independence along a motion.
-    pub fn try_on(&self, graph: &Graph, claim: &Claim, program: &Program, course: &Course) -> Verdict {
-        let left = match assumptions_of(graph, claim, program, course) {
+    pub fn try_on(&self, trial: &Trial) -> Verdict {
+        let Trial { graph, course, .. } = *trial;
+        let left = match assumptions_of(trial) {
             Ok(left) => left,
             Err(verdict) => return *verdict,
         };

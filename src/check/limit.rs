@@ -4,26 +4,15 @@
 //! defined, jumps of angles apart, and motions are continuous. Where there is no value (0/0), or the time goes to infinity,
 //! points nearby do not tell what the limit is, and the verdict is `undecided`.
 
-use super::comparison::Comparison;
 use super::describe::{Describer, short};
-use super::program::Program;
-use super::trial::{Course, measure};
+use super::trial::{Trial, measure};
 use super::verdict::{Evidence, Outcome, Verdict};
-use super::weigh::{Left, MeasuredGroup, Setting, weigh};
-use crate::derivation::Claim;
-use crate::expr::Graph;
+use super::weigh::{Left, weigh};
 use crate::latex::LimitPoint;
-use crate::number::NoValue;
 
-/// A claim about a limit.
-pub(super) fn limit(
-    graph: &Graph,
-    claim: &Claim,
-    program: &Program,
-    position: usize,
-    course: &Course,
-    point: &LimitPoint,
-) -> Verdict {
+/// A claim about a limit: the group of the program at `position`.
+pub(super) fn limit(trial: &Trial, position: usize, point: &LimitPoint) -> Verdict {
+    let Trial { graph, program, course, .. } = *trial;
     let undecided =
         |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
     let LimitPoint::Finite(e) = point else {
@@ -40,21 +29,9 @@ pub(super) fn limit(
         return undecided(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
     let (times, points) = ([t0], [course.values(t0)]);
-    let mut measured = measure(program, &points);
-    let signs = measured.groups.swap_remove(position);
-    let group = MeasuredGroup { group: &program.groups[position].1, signs, definedness: false };
-    let describer = Describer::new(graph, program, course, &times, &points);
-    let values = |c: &Comparison, i: usize| describer.values(c, i);
-    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
-    let setting = Setting {
-        times: &times,
-        left: vec![Left::In],
-        precision: claim.precision,
-        one_sign_throughout: false,
-        values: &values,
-        fault: &fault,
-    };
-    let verdict = weigh(setting, &[group]);
+    let measured = measure(program, &points, None);
+    let describer = Describer::new(trial, &times, &points);
+    let verdict = weigh(describer.setting(vec![Left::In]), &measured.groups[position]);
     if verdict.outcome() == Outcome::NotApplicable {
         let why = verdict.evidence().reason.clone().unwrap_or_default();
         return undecided(format!(

@@ -2,7 +2,7 @@
 
 use super::account::Measurement;
 use super::program::at_event;
-use super::trial::{Course, incomplete, slack};
+use super::trial::{Course, incomplete};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::tape::Tape;
@@ -46,8 +46,7 @@ impl Compiled {
 
     /// Makes the tape.
     pub fn tape(mut self, graph: &mut Graph, known: &[Leaf]) -> Compiled {
-        let roots: Vec<Expr> = [self.formula].into_iter().chain(self.at).collect();
-        self.tape = Tape::compile(graph, known, &roots).ok();
+        self.tape = Tape::compile(graph, known, &[self.formula]).ok();
         self
     }
 
@@ -65,12 +64,12 @@ impl Compiled {
             reason: None,
         };
         let times = match self.at {
-            None => vec![derivation.trajectories[trajectory].initial_time],
+            None => vec![(derivation.trajectories[trajectory].initial_time, None)],
             Some(_) => {
                 let text = measure.at.as_ref().map_or("", |w| w.text.as_str());
-                match course.stage.measured(self.index, trajectory) {
+                match self.at.and_then(|e| course.stage.zeros(trajectory, e)) {
                     Some(zeros) => {
-                        let partial = zeros.incomplete.as_ref();
+                        let partial = zeros.incomplete.first();
                         out.reason =
                             partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
                         if let (true, Some(t)) = (zeros.times.is_empty(), zeros.touching.first()) {
@@ -79,7 +78,7 @@ impl Compiled {
                         if zeros.times.is_empty() && out.reason.is_none() {
                             out.reason = Some(format!("`{text}` does not happen on this motion"));
                         }
-                        zeros.times.clone()
+                        zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect()
                     }
                     None => {
                         out.reason = Some(format!("`{text}` has no meaning on this motion"));
@@ -93,9 +92,9 @@ impl Compiled {
             return Some(out);
         };
         let mut slots = tape.slots(&());
-        for &t in times.iter().take(MOST) {
-            let point = match self.at {
-                Some(_) => course.values_at_event(t, slack(tape, 1, course, t, &mut slots)),
+        for &(t, slack) in times.iter().take(MOST) {
+            let point = match slack {
+                Some(slack) => course.values_at_event(t, slack),
                 None => course.values(t),
             };
             let values = tape.evaluate(&(), &point, &mut slots);

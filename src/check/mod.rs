@@ -11,6 +11,7 @@
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
 mod account;
+mod between;
 mod comparison;
 mod describe;
 pub mod identity;
@@ -48,7 +49,7 @@ use program::Program;
 use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
 use step::Step;
-use trial::{Course, Events};
+use trial::Trial;
 use variant::{Altered, Found};
 
 /// What to check.
@@ -172,17 +173,14 @@ pub fn check(
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
-                    let none = Events::default();
-                    let events = stage.events(k, t).unwrap_or(&none);
-                    one_pair(derivation, claim, program, gradients.as_ref(), &course, events)
+                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+                    one_pair(derivation, &trial, gradients.as_ref())
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
             let rejected = |k: usize| {
                 let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
-                let none = Events::default();
-                let events = stage.events(k, t).unwrap_or(&none);
-                let found = Found { program, course: &course, events, verdict: verdicts[k].as_ref()? };
+                let found = Found { program, course: &course, verdict: verdicts[k].as_ref()? };
                 altered.as_ref()?.rejected(k, start_of[t], claim, &found)
             };
             let rejected = (0..prepared.len()).map(rejected).collect();
@@ -252,25 +250,17 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
 type Column = (Vec<Option<Verdict>>, Vec<Measurement>);
 
 /// The verdict of one claim on one motion.
-fn one_pair(
-    derivation: &Derivation,
-    claim: &Claim,
-    program: &Program,
-    gradients: Option<&Result<Gradients, String>>,
-    course: &Course,
-    events: &Events,
-) -> Verdict {
+fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
+    let Trial { claim, program, course, .. } = *trial;
     let mut verdicts = Vec::new();
     if !program.groups.is_empty() {
-        verdicts.push(trial::try_claim(&derivation.graph, claim, program, course, events));
+        verdicts.push(trial::try_claim(trial));
     }
     for form in &claim.forms {
         match form {
-            Form::SameMotion { other, of } => {
-                verdicts.push(same_motion::try_on(derivation, claim, program, course, *other, of));
-            }
+            Form::SameMotion { other, of } => verdicts.push(same_motion::try_on(derivation, trial, *other, of)),
             Form::Independent { .. } => verdicts.push(match gradients {
-                Some(Ok(g)) => g.try_on(&derivation.graph, claim, program, course),
+                Some(Ok(g)) => g.try_on(trial),
                 Some(Err(reason)) => undecided(reason.clone()),
                 None => undecided("no gradients were computed".to_owned()),
             }),

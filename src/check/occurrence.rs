@@ -2,61 +2,101 @@
 //!
 //! Samples and zeros can refute that something never happens, and establish that it happens; never the other way round.
 
-use super::comparison::{Comparison, Standing};
-use super::describe::{Describer, short};
-use super::trial::{Course, measure};
-use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict};
+use super::between::Between;
+use super::comparison::Standing;
+use super::describe::short;
+use super::program::Use;
+use super::trial::Trial;
+use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict, Witness};
 use super::weigh::{Judged, Left, MeasuredGroup, Setting, witness};
-use crate::derivation::Claim;
-use crate::flow::Zeros;
 
-/// The times that count at which a group holds, with the sign that makes it hold.
-fn holding(setting: &Setting, judged: &Judged) -> Option<(usize, usize)> {
-    let standing = &judged.whole;
-    (0..setting.times.len())
-        .filter(|&i| setting.left[i] == Left::In)
-        .find_map(|i| (0..standing.len()).find(|&s| standing[s][i] == Standing::Satisfied).map(|s| (i, s)))
+/// What lies between the samples, looked for when it is needed; none for a claim that is tried at events only.
+type Looked<'f, 'a> = dyn Fn() -> Option<Between<'a>> + 'f;
+
+/// A point at which a relation holds.
+struct Occurrence {
+    t: f64,
+    residual: Residual,
+    witness: Witness,
+    between: bool,
 }
 
-/// A claim that a relation holds at no time: samples can refute it, and never establish it.
-pub(super) fn never(
-    claim: &Claim,
+/// The point of a judged group at a time, for one sign.
+fn point(setting: &Setting, judged: &Judged, (i, s): (usize, usize), between: bool) -> Option<Occurrence> {
+    let group = judged.measured;
+    let c = judged.deciding(s, i);
+    let m = group.signs[s][c][i].as_ref().ok()?;
+    let (t, max, bound) = (setting.times[i], m.difference.value.abs(), m.difference.error);
+    let witness = witness(setting, &group.group.comparisons[c], i, m);
+    Some(Occurrence { t, residual: Residual { max, bound, at: t }, witness, between })
+}
+
+/// The first time that counts at which a group holds: among the samples, otherwise between them.
+fn first(trial: &Trial, setting: &Setting, group: &MeasuredGroup, between: &Looked<'_, '_>) -> Option<Occurrence> {
+    let judged = Judged::new(group, setting.precision);
+    let holding = (0..setting.times.len())
+        .filter(|&i| setting.left[i] == Left::In)
+        .find_map(|i| (0..judged.whole.len()).find(|&s| judged.whole[s][i] == Standing::Satisfied).map(|s| (i, s)));
+    if let Some(at) = holding {
+        return point(setting, &judged, at, false);
+    }
+    let between = between()?;
+    let at = between.holding(trial)?;
+    let describer = between.describer(trial);
+    point(&describer.setting(Vec::new()), &between.judged(trial), at, true)
+}
+
+/// The verdict on a group of a claim that says that something happens never, or at some time.
+pub(super) fn occurrence(
+    trial: &Trial,
     setting: &Setting,
     group: &MeasuredGroup,
-    course: &Course,
-    describer: &Describer,
-    zeros: Option<&Zeros>,
+    how: &Use,
+    between: &Looked<'_, '_>,
 ) -> Verdict {
+    let never = matches!(how, Use::Never(_));
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    let judged = Judged::new(group, claim.precision);
-    if let Some((i, s)) = holding(setting, &judged) {
-        let c = judged.deciding(s, i);
-        if let Ok(m) = &group.signs[s][c][i] {
-            evidence.witness = Some(witness(setting, &group.group.comparisons[c], i, m));
+    match first(trial, setting, group, between) {
+        Some(found) if never => {
+            evidence.witness = Some(found.witness);
             return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
         }
-    }
-    if let Some(&t) = zeros.and_then(|z| z.times.first()) {
-        let points = [course.values(t)];
-        let at_zero = describer.at(std::slice::from_ref(&t), &points);
-        let measured = measure(describer.program, &points);
-        let same =
-            describer.program.groups.iter().zip(&measured.groups).find(|((_, g), _)| std::ptr::eq(g, group.group));
-        if let Some((comparison, Ok(m))) =
-            same.and_then(|(_, signs)| Some((group.group.comparisons.first()?, signs.first()?.first()?.first()?)))
-        {
-            let only = Setting {
-                times: &[t],
-                left: vec![Left::In],
-                values: &|c: &Comparison, i: usize| at_zero.values(c, i),
-                ..*setting
-            };
-            evidence.witness = Some(witness(&only, comparison, 0, m));
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
+        Some(found) => {
+            evidence.reason = Some(match found.between {
+                true => format!("happens first at t = {:.12}", found.t),
+                false => format!("first seen at the sample t = {}", short(found.t)),
+            });
+            if !found.between {
+                evidence.residual = Some(found.residual);
+            }
+            return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
         }
+        None => {}
     }
-    // The closest approach, for the reader.
+    if never {
+        let closest = closest(setting, group);
+        let approach = closest
+            .as_ref()
+            .map_or(String::new(), |r| format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at)));
+        evidence.residual = closest;
+        evidence.reason = Some(format!(
+            "not seen at {counted} samples, nor as a sign change between them{approach}; samples cannot show that \
+             something never happens, an enclosure would"
+        ));
+    } else {
+        let course = trial.course;
+        let (from, to) = course.stage.span(course.trajectory);
+        evidence.reason = Some(format!(
+            "not seen at {counted} samples between t = {from} and t = {to}; a longer motion may show it, an enclosure \
+             could exclude it"
+        ));
+    }
+    Verdict::new(Outcome::Undecided, evidence)
+}
+
+/// The closest approach of the sides of a group, for the reader.
+fn closest(setting: &Setting, group: &MeasuredGroup) -> Option<Residual> {
     let mut closest: Option<Residual> = None;
     for c in group.signs.iter().flatten() {
         for (i, m) in c.iter().enumerate() {
@@ -68,45 +108,5 @@ pub(super) fn never(
             }
         }
     }
-    let approach = closest
-        .as_ref()
-        .map_or(String::new(), |r| format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at)));
-    evidence.residual = closest;
-    evidence.reason = Some(format!(
-        "not seen at {counted} samples, nor as a sign change between them{approach}; samples cannot show that something \
-         never happens, an enclosure would"
-    ));
-    Verdict::new(Outcome::Undecided, evidence)
-}
-
-/// A claim that a relation holds at some time: samples and zeros can establish it, and never refute it.
-pub(super) fn eventually(
-    claim: &Claim,
-    setting: &Setting,
-    group: &MeasuredGroup,
-    course: &Course,
-    zeros: Option<&Zeros>,
-) -> Verdict {
-    let counted = setting.left.iter().filter(|l| **l == Left::In).count();
-    let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    let judged = Judged::new(group, claim.precision);
-    if let Some((i, s)) = holding(setting, &judged) {
-        let c = judged.deciding(s, i);
-        if let Ok(m) = &group.signs[s][c][i] {
-            evidence.reason = Some(format!("first seen at the sample t = {}", short(setting.times[i])));
-            evidence.residual =
-                Some(Residual { max: m.difference.value.abs(), bound: m.difference.error, at: setting.times[i] });
-            return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
-        }
-    }
-    if let Some(&t) = zeros.and_then(|z| z.times.first()) {
-        evidence.reason = Some(format!("happens first at t = {t:.12}"));
-        return Verdict::new(Outcome::Holds(Strength::Sampled), evidence);
-    }
-    let (from, to) = course.stage.span(course.trajectory);
-    evidence.reason = Some(format!(
-        "not seen at {counted} samples between t = {from} and t = {to}; a longer motion may show it, an enclosure could \
-         exclude it"
-    ));
-    Verdict::new(Outcome::Undecided, evidence)
+    closest
 }

@@ -4,7 +4,6 @@
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
 use super::comparison::{Comparison, Group, at_instant, traced};
-use super::trial::{Course, slack};
 use super::weigh::Measured;
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
@@ -25,6 +24,22 @@ pub(super) enum Use {
     Eventually(Option<Expr>),
     /// It must hold in the limit.
     Limit(LimitPoint),
+}
+
+impl Use {
+    /// What vanishes where a group may change between two samples, and the relation that it belongs to.
+    pub fn boundaries<'g>(&self, group: &'g Group) -> impl Iterator<Item = (RelationKind, Expr)> + use<'g> {
+        let vanishing = match self {
+            Use::Never(e) | Use::Eventually(e) => *e,
+            Use::Always | Use::Defined | Use::Limit(_) => None,
+        };
+        let inequalities = match self {
+            Use::Limit(_) => &[][..],
+            _ => &group.comparisons[..],
+        };
+        let each = |c: &'g Comparison| c.boundaries.iter().map(|&e| (c.kind, e));
+        vanishing.map(|e| (RelationKind::Equal, e)).into_iter().chain(inequalities.iter().flat_map(each))
+    }
 }
 
 /// An assumption: an equation must hold throughout, anything else selects the times at which it does.
@@ -48,7 +63,6 @@ pub(super) struct Program {
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
     tape: Option<Tape>,
-    event: Option<Tape>,
     /// Where the inputs of the tape stand among the leaves of a point.
     inputs: Vec<usize>,
     sign: Leaf,
@@ -251,15 +265,14 @@ impl Program {
             groups.push((how(zero), Group { comparisons, branching }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program {
-            assumptions,
-            groups,
-            at,
-            tape: None,
-            event: None,
-            inputs: Vec::new(),
-            sign: claim.scope.branch_sign(),
-        }
+        Program { assumptions, groups, at, tape: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
+    }
+
+    /// The expressions whose zeros along a motion the claim depends on.
+    pub fn searched(&self) -> Vec<Expr> {
+        let groups = self.groups.iter().flat_map(|(how, group)| how.boundaries(group)).map(|(_, e)| e);
+        // What is tried at events only is not looked at between them.
+        self.at.map_or_else(|| groups.collect(), |e| vec![e])
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -301,16 +314,7 @@ impl Program {
         }
         needed.push(self.sign);
         self.tape = Some(Tape::compile(graph, &needed, &roots)?);
-        self.event = self.at.map(|e| Tape::compile(graph, known, &[e])).transpose()?;
         Ok(())
-    }
-
-    /// How well the time of an event of this claim is known.
-    pub fn event_slack(&self, course: &Course, t: f64) -> f64 {
-        match &self.event {
-            Some(tape) => slack(tape, 0, course, t, &mut tape.slots(&())),
-            None => 0.0,
-        }
     }
 
     /// The position among the leaves of a point of an input of the tape.

@@ -1,11 +1,11 @@
 //! Two motions compared, state by state, at the same times.
 
 use super::comparison::{Comparison, Group};
-use super::program::Program;
-use super::trial::{Course, assumptions_of, settle};
+use super::describe::Describer;
+use super::trial::{Trial, assumptions_of};
 use super::verdict::Verdict;
-use super::weigh::{Measured, MeasuredGroup, Series};
-use crate::derivation::{Claim, Derivation, Form};
+use super::weigh::{Measured, MeasuredGroup, Series, weigh};
+use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
@@ -26,14 +26,8 @@ fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
 }
 
 /// Compares the states `of` of a motion with those of another.
-pub(super) fn try_on(
-    derivation: &Derivation,
-    claim: &Claim,
-    program: &Program,
-    course: &Course,
-    other: usize,
-    of: &[Symbol],
-) -> Verdict {
+pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &[Symbol]) -> Verdict {
+    let course = trial.course;
     let (from, to) = course.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
         course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
@@ -43,7 +37,14 @@ pub(super) fn try_on(
         let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
         let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
         let label = format!("{} of both motions", derivation.graph.leaf_latex(leaf));
-        comparisons.push(Comparison { label, kind: RelationKind::Equal, left: node, right: node, magnitude: node });
+        comparisons.push(Comparison {
+            label,
+            kind: RelationKind::Equal,
+            left: node,
+            right: node,
+            magnitude: node,
+            boundaries: Vec::new(),
+        });
         let compare = |(ours, theirs): (&Vec<Result<Bounded, NoValue>>, &Option<Vec<_>>)| {
             let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;
             let (left, right): (Bounded, Bounded) = (ours[at]?, theirs[at]?);
@@ -53,9 +54,12 @@ pub(super) fn try_on(
         series.push(course.points.iter().zip(&theirs).map(compare).collect());
     }
     let group = Group { comparisons, branching: false };
-    let measured = MeasuredGroup { group: &group, signs: vec![series], definedness: false };
-    match assumptions_of(&derivation.graph, claim, program, course) {
-        Ok(left) => settle(&derivation.graph, claim, program, course, left, &[measured]),
+    let measured = MeasuredGroup::new(&group, vec![series], false);
+    match assumptions_of(trial) {
+        Ok(left) => {
+            let describer = Describer::new(trial, &course.times, &course.points);
+            weigh(describer.setting(left), &measured)
+        }
         Err(verdict) => *verdict,
     }
 }

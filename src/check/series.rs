@@ -40,16 +40,11 @@ pub struct ResidualPoint {
     pub limit: f64,
 }
 
-/// The comparison `chosen` (group, comparison, time) at evenly spaced samples among those that count, and at that time.
+/// The comparison `chosen` (comparison, time) at evenly spaced samples among those that count, and at that time.
 ///
 /// For ± the sign that does best at each time is shown. Cost: a few hundred operations for a pair.
-pub(super) fn residuals(
-    setting: &Setting,
-    groups: &[Judged],
-    chosen: Option<(usize, usize, usize)>,
-) -> Option<Arc<Residuals>> {
-    let (group, comparison, at) = chosen?;
-    let judged = groups.get(group)?;
+pub(super) fn residuals(setting: &Setting, judged: &Judged, chosen: Option<(usize, usize)>) -> Option<Arc<Residuals>> {
+    let (comparison, at) = chosen?;
     if judged.measured.definedness {
         return None;
     }

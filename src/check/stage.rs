@@ -4,21 +4,21 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::CheckError;
 use super::account::TrajectoryAccount;
-use super::independence::expand;
+use super::comparison::traced_now;
 use super::measure::Compiled;
-use super::program::{Program, Use};
-use super::trial::{Course, Events, Values};
+use super::program::Program;
+use super::trial::{Course, Values};
 use crate::derivation::{Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{FlowError, Motion, Observable, Setup, Source, VectorField, Zeros};
+use crate::flow::{FlowError, Motion, Observable, Search, Setup, Source, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -72,7 +72,7 @@ impl Fields {
             let mut closed: Vec<(Expr, Expr)> = Vec::new();
             for relation in system.equations.iter().flat_map(|w| &w.value.relations) {
                 for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
-                    closed.push((expand(graph, scope, l), expand(graph, scope, r)));
+                    closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
                 }
             }
             match VectorField::solve(graph, Some(time), &system.states, &closed) {
@@ -121,10 +121,8 @@ struct Built {
     span: (f64, f64),
     /// Values of the parameters.
     given: Vec<(Symbol, Vec<Bounded>)>,
-    /// For each claim that asks for events.
-    events: BTreeMap<usize, Events>,
-    /// For each measure that is taken at events.
-    measured: BTreeMap<usize, Zeros>,
+    /// Searches for the zeros of expressions that claims and measures ask for.
+    searches: BTreeMap<Expr, Search>,
 }
 
 impl Stage {
@@ -208,14 +206,9 @@ impl Stage {
         built.places.iter().map(place).collect()
     }
 
-    /// The events that a claim asks for on a motion.
-    pub fn events(&self, claim: usize, trajectory: usize) -> Option<&Events> {
-        self.built(trajectory)?.events.get(&claim)
-    }
-
-    /// The events of a measure on a motion; `None` where it has no meaning.
-    pub fn measured(&self, measure: usize, trajectory: usize) -> Option<&Zeros> {
-        self.built(trajectory)?.measured.get(&measure)
+    /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.
+    pub fn zeros(&self, trajectory: usize, e: Expr) -> Option<&Zeros> {
+        self.built(trajectory)?.searches.get(&e).map(Search::zeros)
     }
 
     /// Samples a motion, and compares the two routes to its values.
@@ -450,49 +443,24 @@ fn prepare(
     motion.prepare(graph, &asked).map_err(|e| CheckError::Defect(e.to_string()))?;
     let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
     let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
-    let inside = |t: &f64| (span.0..=span.1).contains(t);
-    // Claims and measures ask for the same events again and again.
-    let mut known_zeros: BTreeMap<Expr, Option<Zeros>> = BTreeMap::new();
-    let mut search = |e: Expr| {
-        let mut found = if all_known(graph, &known, &[e]) { motion.zeros(graph, e).ok() } else { None }?;
-        found.times.retain(inside);
-        found.touching.retain(inside);
-        Some(found)
-    };
-    let mut zeros = |e: Expr| known_zeros.entry(e).or_insert_with(|| search(e)).clone();
-    let mut events = BTreeMap::new();
-    let mut measured = BTreeMap::new();
+    // Claims and measures ask for the same zeros again and again.
+    let mut searched: BTreeSet<Expr> = BTreeSet::new();
     if requests.tried.contains(&trajectory) {
         for (k, &c) in requests.claimed.iter().enumerate() {
-            if !derivation.claims[c].trajectories.contains(&trajectory) {
-                continue;
-            }
-            let program = &requests.programs[k][requests.start_of[trajectory]];
-            let at = program.at.and_then(&mut zeros);
-            let mut occurrences = Vec::new();
-            for (position, (how, _)) in program.groups.iter().enumerate() {
-                if let Use::Never(Some(e)) | Use::Eventually(Some(e)) = how
-                    && let Some(found) = zeros(*e)
-                {
-                    occurrences.push((position, found));
-                }
-            }
-            if at.is_some() || !occurrences.is_empty() {
-                events.insert(k, Events { at, occurrences });
+            if derivation.claims[c].trajectories.contains(&trajectory) {
+                searched.extend(requests.programs[k][requests.start_of[trajectory]].searched());
             }
         }
-        for (k, measure) in requests.measures.iter().enumerate() {
-            if let Some(e) = measure.at
-                && measure.is_taken_on(derivation, trajectory)
-                && let Some(found) = zeros(e)
-            {
-                measured.insert(k, found);
-            }
-        }
+        let taken = requests.measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
+        searched.extend(taken.filter_map(|m| m.at));
     }
+    let searched: Vec<Expr> = searched.into_iter().collect();
+    // What a motion does not know is not searched for.
+    let searches = motion.searches(graph, &searched, span);
+    let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, s.ok()?))).collect();
     let of = &derivation.trajectories[trajectory].parameters;
     let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
-    Ok(Built { motion: Arc::new(motion), known, places, span, given, events, measured })
+    Ok(Built { motion: Arc::new(motion), known, places, span, given, searches })
 }
 
 /// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal

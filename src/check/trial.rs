@@ -3,19 +3,20 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
-use super::comparison::{Comparison, Group, Standing};
+use super::between::{Between, between_samples};
+use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
-use super::occurrence::{eventually, never};
+use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Verdict};
-use super::weigh::{Judged, Left, MeasuredGroup, Series, Setting, TOLERATED_INCONCLUSIVE, weigh};
+use super::weigh::{Judged, Left, MeasuredGroup, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::Claim;
-use crate::expr::{Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::tape::Slots;
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -42,6 +43,16 @@ impl Course<'_> {
         self.stage.values(self.trajectory, t)
     }
 
+    /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
+    pub fn zeros(&self, e: Expr) -> Option<&Zeros> {
+        self.stage.zeros(self.trajectory, e)
+    }
+
+    /// The values of all leaves at events.
+    pub fn values_at_events(&self, zeros: &Zeros) -> Vec<Values> {
+        zeros.times.iter().zip(&zeros.slack).map(|(&t, &slack)| self.values_at_event(t, slack)).collect()
+    }
+
     /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
     /// their error.
     pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
@@ -56,72 +67,66 @@ impl Course<'_> {
     }
 }
 
-/// How well the time of an event is known: the error of the expression that vanishes there, over its speed.
-pub(super) fn slack(tape: &Tape, output: usize, course: &Course, t: f64, slots: &mut Slots<Bounded>) -> f64 {
-    let (from, to) = course.stage.span(course.trajectory);
-    let step = 1e-6 * (to - from);
-    let floor = 4.0 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
-    let mut value = |t: f64| -> Option<Bounded> {
-        for (i, v) in course.values(t).into_iter().enumerate() {
-            slots.set(i, v);
-        }
-        tape.run(&(), slots);
-        tape.output(output, slots).ok().copied()
-    };
-    match (value(t), value((t - step).max(from)), value((t + step).min(to))) {
-        (Some(here), Some(before), Some(after)) => {
-            let speed = (after.value - before.value).abs() / ((t + step).min(to) - (t - step).max(from));
-            if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor }
-        }
-        _ => floor,
-    }
-}
-
-/// Events that a claim asks for on a motion: times at which `at` holds, and zeros for `never` and `eventually`.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Events {
-    /// Zeros of the event expression of the claim.
-    pub at: Option<Zeros>,
-    /// Zeros of what must vanish, for each `never` and `eventually` group, by its position.
-    pub occurrences: Vec<(usize, Zeros)>,
+/// A claim to be tried on a motion.
+#[derive(Clone, Copy)]
+pub(super) struct Trial<'a> {
+    /// The expressions.
+    pub graph: &'a Graph,
+    /// The claim.
+    pub claim: &'a Claim,
+    /// The claim, compiled.
+    pub program: &'a Program,
+    /// The motion.
+    pub course: &'a Course<'a>,
 }
 
 /// Everything measured for one claim at a list of times.
-pub(super) struct Measurements {
-    /// Those of the assumptions: `[group][sign][comparison][time]`.
-    pub assumptions: Vec<Vec<Vec<Series>>>,
-    /// Those of the claim, likewise.
-    pub groups: Vec<Vec<Vec<Series>>>,
+pub(super) struct Measurements<'a> {
+    /// The assumptions.
+    pub assumptions: Vec<MeasuredGroup<'a>>,
+    /// What the claim says.
+    pub groups: Vec<MeasuredGroup<'a>>,
 }
 
-/// Measures all groups of a program at the given points: `[group][sign][comparison][time]`.
-pub(super) fn measure(program: &Program, points: &[Values]) -> Measurements {
+/// Measures all groups of a program at the given points. What is typical of the size of their terms is that of `along`, the
+/// measurements along the whole motion; without it, that of the points.
+pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option<&Measurements>) -> Measurements<'a> {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
     let mut slots: Option<Slots<Bounded>> = None;
     let by_sign: Vec<Vec<Vec<_>>> =
         signs.iter().map(|&sign| points.iter().map(|p| program.measure(p, sign, &mut slots)).collect()).collect();
     let mut next = 0;
-    let mut gather = |group: &Group| -> Vec<Vec<Series>> {
+    let mut gather = |group: &'a Group, definedness: bool, along: Option<&MeasuredGroup>| {
         let first = next;
         next += group.comparisons.len();
         let used = if group.branching { by_sign.len() } else { 1 };
         let series = |s: usize, c: usize| by_sign[s].iter().map(|point: &Vec<_>| point[first + c]).collect();
-        (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect()
+        let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
+        match along {
+            Some(along) => MeasuredGroup { group, signs, definedness, floors: along.floors.clone() },
+            None => MeasuredGroup::new(group, signs, definedness),
+        }
     };
-    let assumptions = program.assumptions.iter().map(|a| gather(&a.group)).collect();
-    let groups = program.groups.iter().map(|(_, g)| gather(g)).collect();
+    let assumptions = program.assumptions.iter().enumerate();
+    let assumptions =
+        assumptions.map(|(k, a)| gather(&a.group, false, along.and_then(|m| m.assumptions.get(k)))).collect();
+    let groups = program.groups.iter().enumerate();
+    let groups = groups
+        .map(|(k, (how, g))| gather(g, matches!(how, Use::Defined), along.and_then(|m| m.groups.get(k))))
+        .collect();
     Measurements { assumptions, groups }
 }
 
 /// Tries a claim on a motion.
-pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course: &Course, events: &Events) -> Verdict {
-    let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, &events.at) {
+pub(super) fn try_claim(trial: &Trial) -> Verdict {
+    let Trial { program, course, .. } = *trial;
+    let zeros = program.at.and_then(|e| course.zeros(e));
+    let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, zeros) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let at = |&t: &f64| course.values_at_event(t, program.event_slack(course, t));
-            Some((zeros.times.clone(), zeros.times.iter().map(at).collect()))
+            Some((zeros.times.clone(), course.values_at_events(zeros)))
         }
-        (Some(_), zeros) => return no_event(claim, course, zeros.as_ref()),
+        (Some(_), zeros) => return no_event(trial, zeros),
     };
     let (times, points) = match &at_events {
         Some((t, p)) => (t.as_slice(), p.as_slice()),
@@ -130,56 +135,37 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
         let (first, point) = (&times[..1], &points[..1]);
-        let describer = Describer::new(graph, program, course, first, point);
-        if let Err(verdict) = apply_assumptions(claim, program, &measure(program, point), &describer)
-            && verdict.outcome() == Outcome::NotApplicable
-            && verdict.evidence().excluded.is_empty()
-            && program.assumptions.iter().all(|a| a.throughout)
-        {
-            return *verdict;
+        let applied = apply(trial, &measure(program, point, None), &Describer::new(trial, first, point));
+        if let Some(reason) = applied.unmet {
+            return not_applicable(reason);
         }
     }
-    let describer = Describer::new(graph, program, course, times, points);
-    let measured = measure(program, points);
-
-    let left = match apply_assumptions(claim, program, &measured, &describer) {
+    let describer = Describer::new(trial, times, points);
+    let measured = measure(program, points, None);
+    let left = match apply(trial, &measured, &describer).conclude() {
         Ok(left) => left,
         Err(verdict) => return *verdict,
     };
-    let values = |c: &Comparison, i: usize| describer.values(c, i);
-    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
-    let setting = || Setting {
-        times,
-        left: left.clone(),
-        precision: claim.precision,
-        one_sign_throughout: claim.branches_throughout,
-        values: &values,
-        fault: &fault,
-    };
+    let setting = || describer.setting(left.clone());
 
     let mut verdicts = Vec::new();
-    let mut weighed = Vec::new();
-    for (position, ((how, group), signs)) in program.groups.iter().zip(measured.groups).enumerate() {
-        let group = MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) };
+    let mut held = Vec::new();
+    for (position, ((how, _), group)) in program.groups.iter().zip(&measured.groups).enumerate() {
         match how {
-            Use::Always | Use::Defined => weighed.push(group),
-            Use::Never(vanishing) => {
-                let zeros = vanishing.and_then(|_| find(&events.occurrences, position));
-                verdicts.push(never(claim, &setting(), &group, course, &describer, zeros));
+            // Formula by formula: where one has no value, the others still count.
+            Use::Always | Use::Defined => held.push(weigh(setting(), group)),
+            Use::Never(_) | Use::Eventually(_) => {
+                let between = || at_events.is_none().then(|| Between::look(trial, &measured, position));
+                verdicts.push(occurrence(trial, &setting(), group, how, &between));
             }
-            Use::Eventually(vanishing) => {
-                let zeros = vanishing.and_then(|_| find(&events.occurrences, position));
-                verdicts.push(eventually(claim, &setting(), &group, course, zeros));
-            }
-            Use::Limit(point) => verdicts.push(limit(graph, claim, program, position, course, point)),
+            Use::Limit(point) => verdicts.push(limit(trial, position, point)),
         }
     }
-    if !weighed.is_empty() {
-        // Formula by formula: where one has no value, the others still count.
-        let verdict = all_of(weighed.iter().map(|group| weigh(setting(), std::slice::from_ref(group))).collect());
-        verdicts.push(match at_events {
-            Some(_) => verdict,
-            None => look_closer(graph, claim, program, course, verdict),
+    if !held.is_empty() {
+        let verdict = all_of(held);
+        verdicts.push(match zeros {
+            Some(zeros) => only_at_events(trial, zeros, verdict),
+            None => between_samples(trial, &measured, look_closer(trial, &measured, verdict)),
         });
     }
     all_of(verdicts)
@@ -189,7 +175,8 @@ pub(super) fn try_claim(graph: &Graph, claim: &Claim, program: &Program, course:
 const CLOSER: usize = 4;
 
 /// Tries a claim that holds at further times around its worst sample: the worst of all times lies between samples.
-fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course, verdict: Verdict) -> Verdict {
+fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
+    let Trial { program, course, .. } = *trial;
     let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
     let neighbours = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| course.times.get(i));
@@ -200,26 +187,12 @@ fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course,
     let mut times: Vec<f64> = neighbours.flat_map(between).collect();
     times.sort_by(f64::total_cmp);
     let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
-    let describer = Describer::new(graph, program, course, &times, &points);
-    let measured = measure(program, &points);
-    let Ok(left) = apply_assumptions(claim, program, &measured, &describer) else { return verdict };
-    let values = |c: &Comparison, i: usize| describer.values(c, i);
-    let fault = |c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason);
-    let setting = || Setting {
-        times: &times,
-        left: left.clone(),
-        precision: claim.precision,
-        one_sign_throughout: claim.branches_throughout,
-        values: &values,
-        fault: &fault,
-    };
-    let held =
-        program.groups.iter().zip(measured.groups).filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
-    let weigh_one = |((how, group), signs): (&(Use, Group), Vec<Vec<Series>>)| {
-        let group = MeasuredGroup { group, signs, definedness: matches!(how, Use::Defined) };
-        weigh(setting(), &[group])
-    };
-    let closer = all_of(held.map(weigh_one).collect());
+    let describer = Describer::new(trial, &times, &points);
+    let measured = measure(program, &points, Some(along));
+    let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };
+    let held = program.groups.iter().zip(&measured.groups);
+    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
+    let closer = all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect());
     match (closer.outcome(), &closer.evidence().residual) {
         (Outcome::Fails(_), _) => closer,
         (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -229,10 +202,6 @@ fn look_closer(graph: &Graph, claim: &Claim, program: &Program, course: &Course,
         }
         _ => verdict,
     }
-}
-
-fn find(occurrences: &[(usize, Zeros)], position: usize) -> Option<&Zeros> {
-    occurrences.iter().find(|(p, _)| *p == position).map(|(_, z)| z)
 }
 
 /// The verdict of a claim all of whose parts must hold: failing, undecided, not applicable, holding, in this order.
@@ -267,82 +236,97 @@ pub(super) fn incomplete(problem: &Incomplete) -> String {
 }
 
 /// The points that the assumptions of a claim leave of a course; a verdict when they leave none.
-pub(super) fn assumptions_of(
-    graph: &Graph,
-    claim: &Claim,
-    program: &Program,
-    course: &Course,
-) -> Result<Vec<Left>, Box<Verdict>> {
+pub(super) fn assumptions_of(trial: &Trial) -> Result<Vec<Left>, Box<Verdict>> {
+    let Trial { program, course, .. } = *trial;
     if program.assumptions.is_empty() {
         return Ok(vec![Left::In; course.times.len()]);
     }
-    let describer = Describer::new(graph, program, course, &course.times, &course.points);
-    apply_assumptions(claim, program, &measure(program, &course.points), &describer)
-}
-
-/// Weighs groups that were measured at the points of a course.
-pub(super) fn settle(
-    graph: &Graph,
-    claim: &Claim,
-    program: &Program,
-    course: &Course,
-    left: Vec<Left>,
-    groups: &[MeasuredGroup],
-) -> Verdict {
-    let describer = Describer::new(graph, program, course, &course.times, &course.points);
-    let setting = Setting {
-        times: &course.times,
-        left,
-        precision: claim.precision,
-        one_sign_throughout: claim.branches_throughout,
-        values: &|c: &Comparison, i: usize| describer.values(c, i),
-        fault: &|c: &Comparison, i: usize, reason: NoValue| describer.fault(c, i, reason),
-    };
-    weigh(setting, groups)
+    let describer = Describer::new(trial, &course.times, &course.points);
+    apply(trial, &measure(program, &course.points, None), &describer).conclude()
 }
 
 /// The verdict where the event of a claim is not found.
-fn no_event(claim: &Claim, course: &Course, zeros: Option<&Zeros>) -> Verdict {
-    let text = claim.at.as_ref().map_or("", |w| w.text.as_str());
+fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Verdict {
+    let course = trial.course;
+    if let Some(reason) = zeros.and_then(|z| open_events(trial, z, |_| true)) {
+        return Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
+    }
+    let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
     let (from, to) = course.stage.span(course.trajectory);
-    let mut evidence = Evidence::default();
-    if let Some(&t) = zeros.and_then(|z| z.touching.first()) {
-        evidence.reason = Some(format!(
+    not_applicable(format!("`{text}` does not happen between t = {from} and t = {to}"))
+}
+
+/// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
+fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
+    let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
+    if let Some(&t) = zeros.touching.first() {
+        return Some(format!(
             "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
             short(t)
         ));
-        return Verdict::new(Outcome::Undecided, evidence);
     }
-    match zeros.and_then(|z| z.incomplete.as_ref()) {
-        Some(problem) => {
-            evidence.reason = Some(format!("the search for `{text}` is incomplete: {}", incomplete(problem)));
-            Verdict::new(Outcome::Undecided, evidence)
+    let open = zeros.incomplete.iter().find(|i| counts(i));
+    open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
+}
+
+/// The verdict of a claim that was tried at events: where some may be missing, it cannot hold.
+fn only_at_events(trial: &Trial, zeros: &Zeros, verdict: Verdict) -> Verdict {
+    // Where the sides have no value, they do not meet.
+    let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    match (verdict.outcome(), open_events(trial, zeros, counts)) {
+        (Outcome::Holds(_) | Outcome::NotApplicable, Some(reason)) => {
+            let reason = Some(format!("it was tried at {} events, but {reason}", zeros.times.len()));
+            Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() })
         }
-        None => {
-            evidence.reason = Some(format!("`{text}` does not happen between t = {from} and t = {to}"));
-            Verdict::new(Outcome::NotApplicable, evidence)
-        }
+        _ => verdict,
     }
 }
 
-/// Which points the assumptions leave; a verdict when they leave none, or when an equation among them is not met.
-fn apply_assumptions(
-    claim: &Claim,
-    program: &Program,
-    measured: &Measurements,
-    describer: &Describer,
-) -> Result<Vec<Left>, Box<Verdict>> {
+pub(super) fn not_applicable(reason: String) -> Verdict {
+    Verdict::new(Outcome::NotApplicable, Evidence { reason: Some(reason), ..Evidence::default() })
+}
+
+/// What the assumptions of a claim say about a list of times.
+pub(super) struct Applied {
+    /// Which times are left.
+    pub left: Vec<Left>,
+    /// An equation among them that is not met.
+    pub unmet: Option<String>,
+    /// An equation among them that cannot be decided at too many times.
+    unclear: Option<String>,
+}
+
+impl Applied {
+    /// The times that are left; a verdict when none is, or when an equation among the assumptions is not met.
+    fn conclude(self) -> Result<Vec<Left>, Box<Verdict>> {
+        if let Some(reason) = self.unmet {
+            return Err(Box::new(not_applicable(reason)));
+        }
+        if let Some(reason) = self.unclear {
+            let evidence = Evidence { reason: Some(reason), ..Evidence::default() };
+            return Err(Box::new(Verdict::new(Outcome::Undecided, evidence)));
+        }
+        if self.left.iter().all(|l| *l != Left::In) {
+            let reason = self.left.into_iter().find_map(|l| match l {
+                Left::Out(reason) => Some(reason),
+                Left::In => None,
+            });
+            let reason = reason.unwrap_or_else(|| "there is no time to try it at".to_owned());
+            return Err(Box::new(not_applicable(reason)));
+        }
+        Ok(self.left)
+    }
+}
+
+/// Which times the assumptions leave.
+pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describer) -> Applied {
     let count = describer.times.len();
-    let mut left = vec![Left::In; count];
-    let conclude = |outcome, reason: String| {
-        Err(Box::new(Verdict::new(outcome, Evidence { reason: Some(reason), ..Evidence::default() })))
-    };
-    for (assumption, signs) in program.assumptions.iter().zip(&measured.assumptions) {
-        let group = MeasuredGroup { group: &assumption.group, signs: signs.clone(), definedness: false };
-        let judged = Judged::new(&group, claim.precision);
+    let mut applied = Applied { left: vec![Left::In; count], unmet: None, unclear: None };
+    for (assumption, group) in trial.program.assumptions.iter().zip(&measured.assumptions) {
+        let judged = Judged::new(group, trial.claim.precision);
         let mut unclear = None;
         let mut unclear_count = 0;
-        for (i, left) in left.iter_mut().enumerate() {
+        for (i, left) in applied.left.iter_mut().enumerate() {
             let Some(standing) = judged.best(i) else { continue };
             if standing == Standing::Satisfied {
                 continue;
@@ -368,7 +352,8 @@ fn apply_assumptions(
                     }
                 }
                 Standing::Violated if assumption.throughout => {
-                    return conclude(Outcome::NotApplicable, sides("is not met"));
+                    applied.unmet = Some(sides("is not met"));
+                    return applied;
                 }
                 Standing::Inconclusive if assumption.throughout => {
                     unclear.get_or_insert_with(|| sides("cannot be decided"));
@@ -384,18 +369,10 @@ fn apply_assumptions(
                 }
             }
         }
-        if let Some(reason) = unclear
-            && unclear_count as f64 > TOLERATED_INCONCLUSIVE * count as f64
-        {
-            return conclude(Outcome::Undecided, reason);
+        if unclear_count as f64 > TOLERATED_INCONCLUSIVE * count as f64 {
+            applied.unclear = unclear;
+            return applied;
         }
     }
-    if left.iter().all(|l| *l != Left::In) {
-        let reason = left.iter().find_map(|l| match l {
-            Left::Out(reason) => Some(reason.clone()),
-            Left::In => None,
-        });
-        return conclude(Outcome::NotApplicable, reason.unwrap_or_else(|| "there is no time to try it at".to_owned()));
-    }
-    Ok(left)
+    applied
 }

@@ -7,6 +7,7 @@
 //! are named too; more than two in a hundred of them, and the verdict is `undecided`.
 
 use super::comparison::{Comparison, Group, Standing, judge};
+use super::describe::Describer;
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
@@ -41,6 +42,54 @@ pub(super) struct MeasuredGroup<'a> {
     pub signs: Vec<Vec<Series>>,
     /// Whether the group only says that its left sides have values.
     pub definedness: bool,
+    /// What is typical of the size of the terms along the motion, for each sign.
+    pub floors: Vec<f64>,
+}
+
+impl<'a> MeasuredGroup<'a> {
+    /// A group measured along a motion: what is typical of it is what is typical there.
+    pub fn new(group: &'a Group, signs: Vec<Vec<Series>>, definedness: bool) -> MeasuredGroup<'a> {
+        let floors = signs.iter().map(|s| floor(s)).collect();
+        MeasuredGroup { group, signs, definedness, floors }
+    }
+
+    /// What a residual must be small against: the size of the terms at that time, or what is typical of the group along
+    /// the motion, whichever is larger.
+    fn scale(&self, sign: usize, m: &Measured) -> f64 {
+        m.magnitude.max(self.floors[sign])
+    }
+
+    /// How a comparison stands at a time.
+    fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Standing {
+        let kind = self.group.comparisons[comparison].kind;
+        // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
+        let exists = self.definedness && kind == RelationKind::Equal;
+        match &self.signs[sign][comparison][time] {
+            Ok(_) if exists => Standing::Satisfied,
+            Ok(m) => judge(kind, m.difference, self.scale(sign, m), precision),
+            Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
+            Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
+            // A value may exist: this is a bound that is too large, not a formula that says nothing.
+            Err(_) => Standing::Inconclusive,
+        }
+    }
+}
+
+/// What is typical of the size of the terms of a group. The components of a vector share it: that one of them vanishes does
+/// not make its rounding significant.
+fn floor(group: &[Series]) -> f64 {
+    let typical = group.iter().map(typical).fold(0.0, f64::max);
+    if typical > 0.0 { typical } else { 1.0 }
+}
+
+/// The median size of the terms of a comparison along the motion.
+fn typical(series: &Series) -> f64 {
+    let mut sizes: Vec<f64> = series.iter().filter_map(|m| m.as_ref().ok().map(|m| m.magnitude)).collect();
+    if sizes.is_empty() {
+        return 0.0;
+    }
+    let middle = sizes.len() / 2;
+    *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
 /// Why a point does not count.
@@ -52,12 +101,6 @@ pub(super) enum Left {
     Out(String),
 }
 
-/// Values, with their LaTeX names, that a comparison depends on at a time.
-pub(super) type Values<'a> = dyn Fn(&Comparison, usize) -> Vec<(String, f64)> + 'a;
-
-/// Why a comparison has no value at a time, in words.
-pub(super) type Fault<'a> = dyn Fn(&Comparison, usize, NoValue) -> String + 'a;
-
 /// What is known of each time before the claim itself is looked at, and how to describe a point.
 pub(super) struct Setting<'a> {
     /// The times, increasing.
@@ -68,69 +111,45 @@ pub(super) struct Setting<'a> {
     pub precision: f64,
     /// Whether one sign of ± must serve the whole motion.
     pub one_sign_throughout: bool,
-    /// Values that a comparison depends on at a time, for a witness.
-    pub values: &'a Values<'a>,
-    /// Why a comparison has no value at a time, in words.
-    pub fault: &'a Fault<'a>,
+    /// What describes the points.
+    pub describer: &'a Describer<'a>,
 }
 
-/// What a residual must be small against, for every comparison of a group and every time: the size of the terms at that
-/// time, or what is typical of the group along the motion, whichever is larger. The components of a vector share what is
-/// typical: that one of them vanishes does not make its rounding significant.
-fn scales(group: &[Series]) -> Vec<Vec<f64>> {
-    let typical = group.iter().map(typical).fold(0.0, f64::max);
-    let floor = if typical > 0.0 { typical } else { 1.0 };
-    let scale = |m: &Result<Measured, NoValue>| m.as_ref().map_or(floor, |m| m.magnitude.max(floor));
-    group.iter().map(|series| series.iter().map(scale).collect()).collect()
-}
-
-/// The median size of the terms of a comparison along the motion.
-fn typical(series: &Series) -> f64 {
-    let mut sizes: Vec<f64> = series.iter().filter_map(|m| m.as_ref().ok().map(|m| m.magnitude)).collect();
-    sizes.sort_by(f64::total_cmp);
-    sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
-}
-
-/// A measured group, judged: everything that the rules look at, computed once.
+/// A measured group, judged.
 pub(super) struct Judged<'a, 'g> {
     /// The measurements.
     pub measured: &'a MeasuredGroup<'g>,
-    /// `[s][c][i]`: standing of comparison c at time i for the sign s.
-    each: Vec<Vec<Vec<Standing>>>,
-    /// `[s][c][i]`: what its difference is compared with.
-    scales: Vec<Vec<Vec<f64>>>,
-    /// `[s][i]`: standing of the whole group.
+    precision: f64,
+    /// `[s][i]`: standing of the whole group at time i for the sign s.
     pub whole: Vec<Vec<Standing>>,
 }
 
 impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
-        let scales: Vec<Vec<Vec<f64>>> = measured.signs.iter().map(|s| scales(s)).collect();
-        let one = |(s, series): (usize, &Vec<Series>)| -> Vec<Vec<Standing>> {
-            let rows = measured.group.comparisons.iter().zip(series).zip(&scales[s]);
-            rows.map(|((comparison, series), scales)| {
-                standings(comparison, series, scales, measured.definedness, precision)
-            })
-            .collect()
+        let whole = |(s, series): (usize, &Vec<Series>)| -> Vec<Standing> {
+            let count = series.first().map_or(0, Vec::len);
+            let at = |i: usize| {
+                let each = (0..series.len()).map(|c| measured.standing(s, c, i, precision));
+                each.fold(Standing::Satisfied, Standing::and)
+            };
+            (0..count).map(at).collect()
         };
-        let each: Vec<Vec<Vec<Standing>>> = measured.signs.iter().enumerate().map(one).collect();
-        let together = |rows: &Vec<Vec<Standing>>| -> Vec<Standing> {
-            let count = rows.first().map_or(0, Vec::len);
-            (0..count).map(|i| rows.iter().map(|r| r[i]).fold(Standing::Satisfied, Standing::and)).collect()
-        };
-        let whole = each.iter().map(together).collect();
-        Judged { measured, each, scales, whole }
+        Judged { measured, precision, whole: measured.signs.iter().enumerate().map(whole).collect() }
     }
 
     /// The comparison that decides the standing at a time, for one sign: the one that is furthest off among the worst.
     pub fn deciding(&self, sign: usize, time: usize) -> usize {
         let worst = self.whole[sign][time];
-        let off = |c: usize| match &self.measured.signs[sign][c][time] {
-            Ok(m) => m.difference.value.abs() / self.scales[sign][c][time],
+        let series = &self.measured.signs[sign];
+        if series.len() == 1 {
+            return 0;
+        }
+        let off = |c: usize| match &series[c][time] {
+            Ok(m) => m.difference.value.abs() / self.measured.scale(sign, m),
             Err(_) => f64::INFINITY,
         };
-        let candidates = (0..self.each[sign].len()).filter(|&c| self.each[sign][c][time] == worst);
+        let candidates = (0..series.len()).filter(|&c| self.measured.standing(sign, c, time, self.precision) == worst);
         candidates.max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
     }
 
@@ -143,36 +162,13 @@ impl<'a, 'g> Judged<'a, 'g> {
         };
         let sign = (0..self.whole.len()).min_by_key(rank)?;
         let m = self.measured.signs[sign].get(comparison)?.get(time)?.as_ref().ok()?;
-        Some((m, *self.scales[sign].get(comparison)?.get(time)?))
+        Some((m, self.measured.scale(sign, m)))
     }
 
     /// The standing at a time with the sign that does best.
     pub fn best(&self, time: usize) -> Option<Standing> {
         self.whole.iter().map(|s| s[time]).reduce(Standing::or)
     }
-}
-
-/// Standing of a comparison at every time.
-fn standings(
-    comparison: &Comparison,
-    series: &Series,
-    scales: &[f64],
-    definedness: bool,
-    precision: f64,
-) -> Vec<Standing> {
-    // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
-    let exists = definedness && comparison.kind == RelationKind::Equal;
-    let at = |(m, &scale): (&Result<Measured, NoValue>, &f64)| match (m, definedness) {
-        (Ok(_), true) if exists => Standing::Satisfied,
-        (Ok(m), true) => judge(comparison.kind, m.difference, scale, precision),
-        (Err(NoValue::OutOfDomain), true) => Standing::Violated,
-        (Err(_), true) => Standing::Inconclusive,
-        (Ok(m), false) => judge(comparison.kind, m.difference, scale, precision),
-        (Err(NoValue::OutOfDomain), false) => Standing::NoValue(NoValue::OutOfDomain),
-        // A value may exist: this is a bound that is too large, not a formula that says nothing.
-        (Err(_), false) => Standing::Inconclusive,
-    };
-    series.iter().zip(scales).map(at).collect()
 }
 
 /// A point of a comparison that a reader can check.
@@ -183,7 +179,7 @@ pub(super) fn witness(setting: &Setting, comparison: &Comparison, time: usize, m
         left: m.left.value,
         right: m.right.value,
         bound: m.difference.error,
-        values: (setting.values)(comparison, time),
+        values: setting.describer.values(comparison, time),
     }
 }
 
@@ -258,36 +254,33 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
 /// A violated comparison: where it is, and how far off in units of the size of its terms.
 struct Failure {
     size: f64,
-    group: usize,
     sign: usize,
     comparison: usize,
     time: usize,
 }
 
-/// Weighs the groups of a claim, all of which must hold.
-pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
+/// Weighs a group, all comparisons of which must hold.
+pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let count = setting.times.len();
     let mut evidence = Evidence::default();
-    let mut unclear_before = vec![false; count];
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
     let mut clearest: Option<Failure> = None;
-    let mut worst: Option<(usize, usize, usize)> = None;
+    let mut worst: Option<(usize, usize)> = None;
     let mut fail = |failure: Failure| {
         // The clearest failure is the witness; among equals the earliest.
         if clearest.as_ref().is_none_or(|c| failure.size > c.size) {
             clearest = Some(failure);
         }
     };
-    let all: Vec<Judged> = groups.iter().map(|g| Judged::new(g, setting.precision)).collect();
+    let judged = Judged::new(group, setting.precision);
+    let standing = &judged.whole;
+    let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
 
-    // First what has no value: such points are left out of the claim as a whole.
-    for judged in &all {
-        for i in 0..count {
-            if let (Some(Standing::NoValue(reason)), Left::In) = (judged.best(i), &setting.left[i]) {
-                let c = judged.deciding(0, i);
-                setting.left[i] = Left::Out((setting.fault)(&judged.measured.group.comparisons[c], i, reason));
-            }
+    // First what has no value: such points are left out.
+    for (i, left) in setting.left.iter_mut().enumerate() {
+        if let (Some(Standing::NoValue(reason)), Left::In) = (judged.best(i), &*left) {
+            *left = Left::Out(fault(judged.deciding(0, i), i, reason));
         }
     }
     let counted: Vec<usize> = (0..count).filter(|&i| setting.left[i] == Left::In).collect();
@@ -302,86 +295,77 @@ pub(super) fn weigh(mut setting: Setting, groups: &[MeasuredGroup]) -> Verdict {
         return Verdict::new(Outcome::NotApplicable, evidence);
     }
 
-    for (g, judged) in all.iter().enumerate() {
-        let (group, standing) = (judged.measured, &judged.whole);
-        let sign = signs(setting.times, &setting.left, standing);
-        if sign.words.is_some() {
-            evidence.branch = sign.words;
-        }
-        for &i in &counted {
-            // For ±: the sign that does best at this time.
-            let best = (0..standing.len()).min_by_key(|&s| match standing[s][i] {
-                Standing::Satisfied => 0,
-                Standing::Inconclusive => 1,
-                Standing::Violated => 2,
-                Standing::NoValue(_) => 3,
-            });
-            let Some(best) = best else { continue };
-            let c = judged.deciding(best, i);
-            let Ok(m) = &group.signs[best][c][i] else {
-                if standing[best][i] == Standing::Violated {
-                    // A claim of definedness: there is no value to show, the reason is.
-                    let reason = (setting.fault)(&group.group.comparisons[c], i, NoValue::OutOfDomain);
-                    evidence.reason.get_or_insert(reason);
-                    fail(Failure { size: 0.0, group: g, sign: best, comparison: c, time: i });
-                } else if standing[best][i] == Standing::Inconclusive {
-                    inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
-                    inconclusive.get_or_insert_with(|| {
-                        let reason = group.signs[best][c][i].err().unwrap_or(NoValue::Indeterminate);
-                        let why = (setting.fault)(&group.group.comparisons[c], i, reason);
-                        format!("at t = {:.6}, {why}", setting.times[i])
-                    });
-                }
-                continue;
-            };
-            let ratio = |m: f64, b: f64| if m == 0.0 { 0.0 } else { m / b };
-            let (size, bound) = (m.difference.value.abs(), m.difference.error);
-            let worse = evidence.residual.as_ref().is_none_or(|r| ratio(size, bound) > ratio(r.max, r.bound));
-            if worse && !group.definedness {
-                evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
-                worst = Some((g, c, i));
+    let sign = signs(setting.times, &setting.left, standing);
+    evidence.branch = sign.words;
+    for &i in &counted {
+        // For ±: the sign that does best at this time.
+        let best = (0..standing.len()).min_by_key(|&s| match standing[s][i] {
+            Standing::Satisfied => 0,
+            Standing::Inconclusive => 1,
+            Standing::Violated => 2,
+            Standing::NoValue(_) => 3,
+        });
+        let Some(best) = best else { continue };
+        let c = judged.deciding(best, i);
+        let Ok(m) = &group.signs[best][c][i] else {
+            if standing[best][i] == Standing::Violated {
+                // A claim of definedness: there is no value to show, the reason is.
+                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain));
+                fail(Failure { size: 0.0, sign: best, comparison: c, time: i });
+            } else if standing[best][i] == Standing::Inconclusive {
+                inconclusive_count += 1;
+                inconclusive.get_or_insert_with(|| {
+                    let why = fault(c, i, group.signs[best][c][i].err().unwrap_or(NoValue::Indeterminate));
+                    format!("at t = {:.6}, {why}", setting.times[i])
+                });
             }
-            match standing[best][i] {
-                Standing::Satisfied | Standing::NoValue(_) => {}
-                Standing::Inconclusive => {
-                    inconclusive_count += usize::from(!std::mem::replace(&mut unclear_before[i], true));
-                    inconclusive.get_or_insert_with(|| {
-                        format!(
-                            "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}",
-                            setting.times[i], m.difference.value, bound
-                        )
-                    });
-                }
-                Standing::Violated => {
-                    let size = size / judged.scales[best][c][i];
-                    fail(Failure { size, group: g, sign: best, comparison: c, time: i });
-                }
+            continue;
+        };
+        let ratio = |m: f64, b: f64| if m == 0.0 { 0.0 } else { m / b };
+        let (size, bound) = (m.difference.value.abs(), m.difference.error);
+        let worse = evidence.residual.as_ref().is_none_or(|r| ratio(size, bound) > ratio(r.max, r.bound));
+        if worse && !group.definedness {
+            evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
+            worst = Some((c, i));
+        }
+        match standing[best][i] {
+            Standing::Satisfied | Standing::NoValue(_) => {}
+            Standing::Inconclusive => {
+                inconclusive_count += 1;
+                inconclusive.get_or_insert_with(|| {
+                    format!(
+                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}",
+                        setting.times[i], m.difference.value, bound
+                    )
+                });
+            }
+            Standing::Violated => {
+                fail(Failure { size: size / group.scale(best, m), sign: best, comparison: c, time: i });
             }
         }
-        if let (true, Some((plus, minus))) = (setting.one_sign_throughout, sign.change) {
-            // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
-            let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
-            let c = judged.deciding(wrong, i);
-            if let Ok(m) = &group.signs[wrong][c][i] {
-                let size = m.difference.value.abs() / judged.scales[wrong][c][i];
-                fail(Failure { size, group: g, sign: wrong, comparison: c, time: i });
-                evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
-            }
+    }
+    if let (true, Some((plus, minus))) = (setting.one_sign_throughout, sign.change) {
+        // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
+        let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
+        let c = judged.deciding(wrong, i);
+        if let Ok(m) = &group.signs[wrong][c][i] {
+            let size = m.difference.value.abs() / group.scale(wrong, m);
+            fail(Failure { size, sign: wrong, comparison: c, time: i });
+            evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
         }
     }
 
-    let telling = clearest.as_ref().map(|f| (f.group, f.comparison, f.time)).or(worst);
-    evidence.series = super::series::residuals(&setting, &all, telling);
+    let telling = clearest.as_ref().map(|f| (f.comparison, f.time)).or(worst);
+    evidence.series = super::series::residuals(&setting, &judged, telling);
     if let Some(f) = clearest {
         let none = Bounded { value: 0.0, error: 0.0 };
         let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
-        let measured = all[f.group].measured;
-        let m = measured.signs[f.sign][f.comparison][f.time].as_ref().unwrap_or(&absent);
-        evidence.witness = Some(witness(&setting, &measured.group.comparisons[f.comparison], f.time, m));
+        let m = group.signs[f.sign][f.comparison][f.time].as_ref().unwrap_or(&absent);
+        evidence.witness = Some(witness(&setting, &group.group.comparisons[f.comparison], f.time, m));
         return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
     }
     // That something has a value is claimed of every point: one that cannot tell leaves it open.
-    let definedness = groups.iter().any(|g| g.definedness) && inconclusive_count > 0;
+    let definedness = group.definedness && inconclusive_count > 0;
     if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
         evidence.reason = Some(format!(

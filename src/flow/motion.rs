@@ -105,7 +105,7 @@ struct Scratch {
 /// Formulas are compiled once by [`Motion::prepare`]; then [`Motion::at`] yields the values at a time.
 #[derive(Debug)]
 pub struct Motion {
-    core: Core,
+    pub(super) core: Core,
     /// Leaves with a definition that was given, not derived.
     given: Vec<Leaf>,
     /// The states of a motion that is not integrated.

@@ -19,11 +19,16 @@ const DEGREE: usize = 20;
 pub struct Zeros {
     /// Times at which the sign changes; also a zero at an end of the span that is passed with a speed other than 0.
     pub times: Vec<f64>,
+    /// How well each of these times is known: the error of the expression there, over its speed.
+    pub slack: Vec<f64>,
     /// Times at which the expression comes within its error of 0 and turns back: a double zero, or two close ones, or
     /// none; the values cannot tell.
     pub touching: Vec<f64>,
-    /// The first stretch on which nothing could be decided.
-    pub incomplete: Option<Incomplete>,
+    /// For every stretch of time on which the expression keeps its sign, the time among those looked at at which it is
+    /// farthest from 0.
+    pub peaks: Vec<f64>,
+    /// The stretches on which nothing could be decided, in their order.
+    pub incomplete: Vec<Incomplete>,
 }
 
 /// Why zeros on a stretch of time are not known.
@@ -52,6 +57,17 @@ pub enum Incomplete {
         /// To when.
         end: f64,
     },
+}
+
+impl Incomplete {
+    /// From when to when.
+    pub fn stretch(&self) -> (f64, f64) {
+        match *self {
+            Incomplete::NoValue { start, end, .. }
+            | Incomplete::Vanishing { start, end }
+            | Incomplete::Unresolved { start, end } => (start, end),
+        }
+    }
 }
 
 /// Where an expression comes closest to 0.
@@ -88,28 +104,63 @@ impl Node {
 /// Nodes of a stretch without gaps.
 type Run = Vec<Node>;
 
-/// Covers the motion and yields, for every run without gaps, ends and turning points.
-fn nodes(explorer: &mut Explorer) -> (Vec<Run>, Option<Incomplete>) {
+/// What is seen of an expression along a motion.
+struct Seen {
+    /// For every run without gaps, ends and turning points.
+    runs: Vec<Run>,
+    /// Times at which no polynomial describes the expression, although it has values around.
+    kinks: Vec<f64>,
+    incomplete: Vec<Incomplete>,
+}
+
+/// Two notes that follow one another and say the same are one.
+fn note(incomplete: &mut Vec<Incomplete>, what: Incomplete) {
+    if let (Some(Incomplete::Vanishing { end, .. }), Incomplete::Vanishing { start, end: last }) =
+        (incomplete.last_mut(), what)
+        && *end == start
+    {
+        *end = last;
+        return;
+    }
+    incomplete.push(what);
+}
+
+/// Covers the motion.
+fn look(explorer: &mut Explorer) -> Seen {
     let times = explorer.core.boundaries();
-    let stretches = explorer.cover(&times, |_, piece| {
+    let stretches = explorer.cover(&times, |explorer, piece| {
         let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
         let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
-        tail(c, DEGREE, piece.radius()) <= 0.25 * x.error + 4.0 * f64::EPSILON * size
+        if tail(c, DEGREE, piece.radius()) > 0.25 * x.error + 4.0 * f64::EPSILON * size {
+            return false;
+        }
+        // Behind a kink or a jump the polynomial goes on, and the expression does not follow it.
+        let mut follows = |t: f64| match explorer.values(t).first() {
+            Some(Ok(y)) => {
+                let gap = (y.value - horner(c, t - piece.centre)).abs();
+                gap <= 4.0 * (x.error + y.error) + 64.0 * f64::EPSILON * (size + y.value.abs())
+            }
+            // A piece may end where there is no value.
+            _ => true,
+        };
+        follows(piece.start) && follows(piece.end)
     });
-    let mut incomplete = None;
+    let (mut incomplete, mut kinks) = (Vec::new(), Vec::new());
     let mut runs: Vec<Run> = vec![Vec::new()];
-    let mut note = |what: Incomplete| incomplete = incomplete.or(Some(what));
     let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
     for stretch in &stretches {
         match *stretch {
             Stretch::Gap { start, end, reason } => {
                 // A kink at one time is no obstacle: the expression is continuous across it, or has a pole.
                 if end - start > 1e-12 * length || reason.is_some() {
-                    note(match reason {
+                    let what = match reason {
                         Some(reason) => Incomplete::NoValue { start, end, reason },
                         None => Incomplete::Unresolved { start, end },
-                    });
+                    };
+                    note(&mut incomplete, what);
                     runs.push(Vec::new());
+                } else {
+                    kinks.push(start + 0.5 * (end - start));
                 }
             }
             Stretch::Piece(ref piece) => {
@@ -121,7 +172,7 @@ fn nodes(explorer: &mut Explorer) -> (Vec<Run>, Option<Incomplete>) {
                 let flat = turning_points(piece, &mut inner);
                 inner.push(piece.end);
                 if flat {
-                    note(Incomplete::Vanishing { start: piece.start, end: piece.end });
+                    note(&mut incomplete, Incomplete::Vanishing { start: piece.start, end: piece.end });
                 }
                 for time in inner {
                     if run.last().is_some_and(|n: &Node| n.time >= time) {
@@ -134,7 +185,7 @@ fn nodes(explorer: &mut Explorer) -> (Vec<Run>, Option<Incomplete>) {
             }
         }
     }
-    (runs, incomplete)
+    Seen { runs, kinks, incomplete }
 }
 
 /// Appends the turning points of the first output in ascending order; true if it stays within its error of 0 throughout.
@@ -262,12 +313,22 @@ fn separate(explorer: &mut Explorer, run: &mut Run, shortest: f64) {
 /// All zeros of the only output of `program`.
 pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     let mut explorer = Explorer::new(core, program, DEGREE);
-    let (runs, incomplete) = nodes(&mut explorer);
+    let Seen { runs, kinks, incomplete } = look(&mut explorer);
     let (from, to) = core.reach();
     let shortest = 1e-9 * (to - from);
     let mut out = Zeros { incomplete, ..Zeros::default() };
     for mut run in runs {
         separate(&mut explorer, &mut run, shortest);
+        out.peaks(&mut explorer, &run);
+        // A kink that is no wider than the errors is not seen as one: what comes so close to 0 there may reach it.
+        for three in run.windows(3) {
+            let [a, b, c] = [three[0], three[1], three[2]];
+            let size = |n: &Node| n.value.value.abs();
+            let lowest = size(&b) < size(&a) && size(&b) < size(&c) && size(&b) <= 16.0 * b.value.error;
+            if lowest && b.sign() != 0 && a.sign() == b.sign() && b.sign() == c.sign() {
+                out.touch(&mut explorer, b);
+            }
+        }
         let mut at = 0;
         let mut before: Option<Node> = None;
         while at < run.len() {
@@ -291,15 +352,15 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
             let closest = closest.unwrap_or(node);
             match (before, after) {
                 (Some(b), Some(a)) if a.sign() != b.sign() => out.cross(&mut explorer, b, a),
-                (Some(_), Some(_)) => out.touching.push(closest.time),
+                (Some(_), Some(_)) => out.touch(&mut explorer, closest),
                 (None, None) => {}
                 // A zero at an end of the run: passed, or only touched.
                 (b, a) => {
                     let (Some(other), end) = (b.or(a), closest) else { break };
                     if passes(&mut explorer, end, other) {
-                        out.times.push(end.time);
+                        out.crossing(&mut explorer, end.time, end.value);
                     } else {
-                        out.touching.push(end.time);
+                        out.touch(&mut explorer, end);
                     }
                 }
             }
@@ -307,22 +368,139 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
             at = until + usize::from(after.is_some());
         }
     }
+    for gap in &mut out.incomplete {
+        if is_pole(&mut explorer, gap.stretch()) {
+            *gap = pole(gap.stretch().0);
+        }
+    }
+    for kink in kinks {
+        let near = |t: &f64| (t - kink).abs() <= 2.0 * shortest;
+        let known = out.times.iter().chain(&out.touching).any(near);
+        if !known && !is_pole(&mut explorer, (kink, kink)) && vanishes(&mut explorer, kink) {
+            out.touching.push(kink);
+        }
+    }
+    out.touching.sort_by(f64::total_cmp);
+    out.incomplete.sort_by(|a, b| a.stretch().0.total_cmp(&b.stretch().0));
+    out.incomplete.dedup();
     out
 }
 
+/// The largest size of the expression a little before and after a time; `None` where it has no value.
+fn beside(explorer: &mut Explorer, t: f64) -> Option<f64> {
+    let (from, to) = explorer.core.reach();
+    let step = 1e-6 * (to - from);
+    let mut size = |t: f64| match explorer.values(t.clamp(from, to)).first() {
+        Some(Ok(x)) => Some(x.value.abs()),
+        _ => None,
+    };
+    Some(size(t - step)?.max(size(t + step)?))
+}
+
+/// A pole as a gap of the search.
+fn pole(time: f64) -> Incomplete {
+    Incomplete::NoValue { start: time, end: time, reason: NoValue::OutOfDomain }
+}
+
+/// Whether the expression grows towards a point from both sides: it has no value there, and no zero near.
+fn is_pole(explorer: &mut Explorer, (start, end): (f64, f64)) -> bool {
+    let (from, to) = explorer.core.reach();
+    let step = 1e-6 * (to - from);
+    if end - start > 1e-6 * step {
+        return false;
+    }
+    let mut grows = |near: f64, far: f64| match (explorer.values(near).first(), explorer.values(far).first()) {
+        (Some(Ok(a)), Some(Ok(b))) => a.value.abs() > 10.0 * b.value.abs() + 10.0 * a.error,
+        _ => false,
+    };
+    grows(start - step, start - 100.0 * step) && grows(end + step, end + 100.0 * step)
+}
+
+/// Whether the expression is so small at a kink, compared with its size beside it, that it may vanish there.
+fn vanishes(explorer: &mut Explorer, kink: f64) -> bool {
+    match (explorer.values(kink).first(), beside(explorer, kink)) {
+        (Some(Ok(x)), Some(size)) => x.value.abs() <= 1e-3 * size + x.error,
+        // A pole, or nothing that could be 0.
+        _ => false,
+    }
+}
+
 impl Zeros {
+    /// What lies inside a span.
+    pub(super) fn within(mut self, (from, to): (f64, f64)) -> Zeros {
+        let inside = |t: &f64| (from..=to).contains(t);
+        let kept = self.times.iter().zip(&self.slack).filter(|(t, _)| inside(t)).map(|(&t, &s)| (t, s));
+        (self.times, self.slack) = kept.unzip();
+        self.touching.retain(inside);
+        self.peaks.retain(inside);
+        self.incomplete.retain(|i| i.stretch().0 <= to && i.stretch().1 >= from);
+        self
+    }
+
+    /// Records the peak of every stretch of a run on which the sign stays.
+    fn peaks(&mut self, explorer: &mut Explorer, run: &Run) {
+        let mut best: Option<&Node> = None;
+        let mut peaks: Vec<Node> = Vec::new();
+        // What is very large close to a pole is not well known: a clear value counts more than a large one.
+        let clear = |n: &Node| ((n.value.value / n.value.error).abs().min(1e6), n.value.value.abs());
+        for node in run.iter().filter(|n| n.sign() != 0) {
+            let farther = best.is_some_and(|b| clear(node) > clear(b));
+            let other = best.is_some_and(|b| b.sign() != node.sign());
+            if other {
+                peaks.extend(best);
+            }
+            if best.is_none() || other || farther {
+                best = Some(node);
+            }
+        }
+        peaks.extend(best);
+        for peak in peaks {
+            if peak.value.value.abs() > 10.0 * peak.value.error {
+                self.peaks.push(peak.time);
+            } else {
+                self.touch(explorer, peak);
+            }
+        }
+    }
+
+    /// Records a time at which the expression comes within its error of 0, unless this is only because it is large.
+    fn touch(&mut self, explorer: &mut Explorer, node: Node) {
+        if is_pole(explorer, (node.time, node.time)) {
+            self.incomplete.push(pole(node.time));
+        } else {
+            self.touching.push(node.time);
+        }
+    }
+
+    /// Records a zero.
+    fn crossing(&mut self, explorer: &mut Explorer, time: f64, here: Bounded) {
+        let (from, to) = explorer.core.reach();
+        let step = 1e-6 * (to - from);
+        let (before, after) = ((time - step).max(from), (time + step).min(to));
+        let mut value = |t: f64| explorer.values(t).first().copied().and_then(Result::ok).map(|x| x.value);
+        let speed = match (value(before), value(after)) {
+            (Some(a), Some(b)) => (b - a).abs() / (after - before),
+            _ => 0.0,
+        };
+        let floor = 4.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE);
+        self.times.push(time);
+        self.slack.push(if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor });
+    }
+
     /// Records the change of sign between two nodes: a zero, unless the expression jumps there.
     fn cross(&mut self, explorer: &mut Explorer, a: Node, b: Node) {
         let time = refine(explorer, a, b);
         match explorer.values(time).first() {
             Some(Ok(x)) if x.value.abs() <= 1e-6 * a.value.value.abs().max(b.value.value.abs()) + 4.0 * x.error => {
-                self.times.push(time);
+                let here = *x;
+                self.crossing(explorer, time, here);
             }
             Some(Err(reason)) => {
-                let gap = Incomplete::NoValue { start: time, end: time, reason: *reason };
-                self.incomplete = self.incomplete.or(Some(gap));
+                self.incomplete.push(Incomplete::NoValue { start: time, end: time, reason: *reason });
             }
-            _ => self.incomplete = self.incomplete.or(Some(Incomplete::Unresolved { start: time, end: time })),
+            // At a pole the sign changes and the values grow; at a jump they do not.
+            _ if is_pole(explorer, (time, time)) => self.incomplete.push(pole(time)),
+            _ => self.incomplete.push(Incomplete::Unresolved { start: time, end: time }),
         }
     }
 }
@@ -358,7 +536,8 @@ fn refine(explorer: &mut Explorer, a: Node, b: Node) -> f64 {
 /// The smallest absolute value of the only output of `program`.
 pub(super) fn minimum(core: &Core, program: &Program) -> Option<Minimum> {
     let mut explorer = Explorer::new(core, program, DEGREE);
-    let (runs, incomplete) = nodes(&mut explorer);
+    let Seen { runs, incomplete, .. } = look(&mut explorer);
+    let incomplete = incomplete.first().copied();
     let mut best: Option<Minimum> = None;
     let mut offer = |time: f64, value: Bounded| {
         if best.is_none_or(|b| value.value.abs() < b.value.value.abs()) {

@@ -27,7 +27,7 @@ use rayon::prelude::*;
 
 use super::account::ClaimAccount;
 use super::program::Program;
-use super::trial::{Course, Events, Values};
+use super::trial::{Course, Values};
 use super::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
@@ -102,11 +102,11 @@ impl Altered {
             return None;
         }
         let at_events: Vec<Values>;
-        let points: Vec<&Values> = match &found.program.at {
-            Some(_) => {
-                let times = found.events.at.as_ref().map_or(&[][..], |z| z.times.as_slice());
-                let at = |&t: &f64| found.course.values_at_event(t, found.program.event_slack(found.course, t));
-                at_events = times.iter().filter(|t| found.counts(**t)).map(at).collect();
+        let points: Vec<&Values> = match found.program.at {
+            Some(event) => {
+                let zeros = found.course.zeros(event)?;
+                let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
+                at_events = times.map(|(&t, &slack)| found.course.values_at_event(t, slack)).collect();
                 at_events.iter().collect()
             }
             None => {
@@ -179,8 +179,6 @@ pub(super) struct Found<'a> {
     pub program: &'a Program,
     /// The motion.
     pub course: &'a Course<'a>,
-    /// The events that it asks for.
-    pub events: &'a Events,
     /// What came out.
     pub verdict: &'a Verdict,
 }
