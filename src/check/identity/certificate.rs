@@ -116,7 +116,7 @@ pub fn certify(
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert_definitions(graph, &solved.definitions, e)).collect();
     let positive: Vec<Expr> =
         given.positive.iter().map(|&e| insert_definitions(graph, &solved.definitions, e)).collect();
-    let lowered = lower(graph, &solved.rest, &inserted, (&nonzero, &positive), &[]).map_err(wrong)?;
+    let lowered = lower(graph, &solved.rest, &inserted, [&nonzero, &positive, &[]], &[]).map_err(wrong)?;
     let mut system = System::new(graph, &lowered, effort)?;
     let mut out = Vec::new();
     for (equation, &(l, r)) in lowered.claim.iter().enumerate() {

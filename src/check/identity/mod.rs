@@ -89,6 +89,7 @@ mod field;
 mod growth;
 mod linear;
 mod lower;
+pub mod order;
 mod orthogonal;
 mod outcome;
 mod polynomial;
@@ -102,5 +103,6 @@ mod witness;
 
 #[cfg(feature = "certificates")]
 pub use certificate::{Certificate, Effort, NoCertificate, certify};
+pub(super) use conditions::domains;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
 pub use prove::{Branches, branches_test, identity_test};

@@ -110,8 +110,10 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
+    let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
-    let mut lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &definitions)?;
+    let facts = [nonzero.as_slice(), &positive, &not_negative];
+    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions)?;
     let probe = Probe::new(&mut draws);
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
@@ -223,7 +225,7 @@ fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), S
 
 impl Proof {
     /// Both proofs together.
-    fn absorb(&mut self, other: Proof) {
+    pub(in crate::check) fn absorb(&mut self, other: Proof) {
         self.log2_error = sum_log2(self.log2_error, other.log2_error);
         self.degree_bound = self.degree_bound.max(other.degree_bound);
         self.height_bound = self.height_bound.max(other.height_bound);
@@ -231,6 +233,11 @@ impl Proof {
         self.primes.extend(other.primes);
         self.signs = self.signs.max(other.signs);
         self.cases += other.cases;
+        for condition in other.conditions {
+            if !self.conditions.contains(&condition) {
+                self.conditions.push(condition);
+            }
+        }
         self.example = self.example.take().or(other.example);
     }
 }
@@ -358,6 +365,7 @@ impl Examination<'_> {
             premises: self.premises,
             nonzero: &self.given.nonzero,
             positive: &self.given.positive,
+            not_negative: &self.given.not_negative,
             explicit: self.explicit,
             defined: &map,
         };
@@ -423,12 +431,12 @@ pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
     claim: &[(Expr, Expr)],
-    (nonzero, positive): (&[Expr], &[Expr]),
+    [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(definitions));
+    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
     let mut lowering = Lowering::new(graph, &roots);
     let mut images = Vec::new();
     for (&e, premise) in residuals.iter().zip(premises) {
@@ -442,6 +450,10 @@ pub(super) fn lower(
     for &e in positive {
         let image = lowering.lower(e)?;
         facts.positive.insert(image);
+    }
+    for &e in not_negative {
+        let image = lowering.lower(e)?;
+        facts.not_negative.insert(image);
     }
     let mut not_zero = Vec::new();
     for &e in nonzero {
