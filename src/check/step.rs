@@ -180,7 +180,7 @@ impl<'a> Step<'a> {
     /// One question, with more and more definitions.
     fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let mut tried: Option<Premises> = None;
-        for which in [Definitions::None, Definitions::OfClaims] {
+        for which in Definitions::PARTS {
             let premises = self.premises(gathered, equations, which);
             if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
                 continue;
@@ -321,7 +321,7 @@ impl<'a> Step<'a> {
 
     /// Whether a proof is found, at any level; nothing is refuted.
     fn levels_proved(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
-        Definitions::ALL.into_iter().any(|which| {
+        Definitions::PARTS.into_iter().chain([Definitions::All]).any(|which| {
             let premises = self.premises(gathered, equations, which);
             let options = Options { attempts: 1, ..Options::default() };
             matches!(self.test(&premises, equations, &options), Identity::Proved(_))

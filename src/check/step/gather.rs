@@ -14,12 +14,15 @@ pub(super) enum Definitions {
     None,
     /// Those of symbols that are declared for a claim.
     OfClaims,
-    /// All.
+    /// All, at the present time.
+    Now,
+    /// All, also at the fixed times that occur.
     All,
 }
 
 impl Definitions {
-    pub(super) const ALL: [Definitions; 3] = [Definitions::None, Definitions::OfClaims, Definitions::All];
+    /// Those that leave something out, in the order of trying.
+    pub(super) const PARTS: [Definitions; 3] = [Definitions::None, Definitions::OfClaims, Definitions::Now];
 }
 
 /// Everything that is named.
@@ -242,7 +245,7 @@ impl Step<'_> {
     /// The definition of a component, as far as definitions are used.
     fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
         let Derivation { claims, scope, .. } = self.derivation;
-        let in_file = || scope.definition(leaf.symbol).filter(|_| which == Definitions::All);
+        let in_file = || scope.definition(leaf.symbol).filter(|_| matches!(which, Definitions::Now | Definitions::All));
         let in_claim = || {
             let own = scope.definition(leaf.symbol).is_none();
             claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
@@ -298,6 +301,9 @@ impl Step<'_> {
             .chain(sides(&premises.equations))
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
+        if which == Definitions::Now {
+            return;
+        }
         let scope = &self.claim.scope;
         let mut open: Vec<Leaf> = self.graph.leaves(roots);
         open.retain(|l| l.instant.is_some());
