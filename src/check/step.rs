@@ -42,6 +42,10 @@ pub(super) struct Step<'a> {
     graph: Graph,
 }
 
+/// Why a step between several times is open.
+const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
+                          would need the solution of a differential equation";
+
 type Pairs = Vec<(Expr, Expr)>;
 
 /// The present value of a component.
@@ -162,6 +166,12 @@ impl<'a> Step<'a> {
         {
             (identity, moved) = (by_rate, true);
         }
+        if matches!(identity, Identity::Refuted(_)) && self.joins_times(&gathered, &equations) {
+            identity = Identity::Undecided(Reason::NoDerivative);
+            let mut account = self.account(identity, gathered.from.clone(), gathered.complete);
+            account.reason = Some(ONLY_RATES.to_owned());
+            return Some(account);
+        }
         let mut account = self.account(identity, gathered.from.clone(), gathered.complete);
         account.generic |= moved && self.jumps(&equations);
         if account.verdict == "proved" {
@@ -186,14 +196,43 @@ impl<'a> Step<'a> {
                 continue;
             }
             let options = Options { attempts: FEW_POINTS, ..Options::default() };
-            let identity = self.ask(&premises, equations, &options, split);
-            tried = Some(premises);
-            if let Identity::Proved(proof) = identity {
+            let equations = &self.beyond(equations, &premises);
+            if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
+                if proof.example.is_none()
+                    && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
+                {
+                    proof = again;
+                }
                 return self.with_all_definitions(proof, gathered, equations, split);
             }
+            if std::env::var("STEP_DEBUG").is_ok() { let x=self.ask(&premises, equations, &options, split); eprintln!("{} {which:?} split {split}: {}", self.claim.name(), match x { Identity::Undecided(Reason::Unsolved(e)) => format!("unsolved {}", self.graph.to_latex(e)), Identity::Undecided(r) => r.to_string(), o => o.word().to_owned() }); }
+            tried = Some(premises);
         }
         let premises = self.premises(gathered, equations, Definitions::All);
         self.ask(&premises, equations, &Options::default(), split)
+    }
+
+    /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
+    /// given: then a point that satisfies everything given need not belong to a motion.
+    fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let said = self.graph.leaves(sides(equations));
+        let now = said.iter().any(|l| moves(l) && l.instant.is_none());
+        let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
+        let given = self.graph.leaves(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
+        now && elsewhere && given.iter().any(|l| l.rate > 0)
+    }
+
+    /// What the premises do not say already, as it stands.
+    fn beyond(&mut self, equations: &Pairs, premises: &Premises) -> Pairs {
+        let mut rest: Pairs = equations.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
+        if rest.is_empty() {
+            let zero = self.graph.integer(0);
+            rest.push((zero, zero));
+        }
+        rest
     }
 
     /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
@@ -313,9 +352,11 @@ impl<'a> Step<'a> {
             (0..count).filter(|i| !left_out.contains(i)).map(|i| self.claim.assuming[i].text.as_str()).collect();
         let unused: Vec<&str> = left_out.iter().map(|&i| self.claim.assuming[i].text.as_str()).collect();
         Some(match (used.is_empty(), unused.is_empty()) {
-            (false, true) => format!("of the assumptions it uses {}: all", used.join(", ")),
-            (false, false) => format!("of the assumptions it uses {}, and not {}", used.join(", "), unused.join(", ")),
-            _ => format!("of the assumptions it uses none ({})", unused.join(", ")),
+            (false, true) => format!("this step itself uses all assumptions: {}", used.join(", ")),
+            (false, false) => {
+                format!("of the assumptions this step itself uses {}, and not {}", used.join(", "), unused.join(", "))
+            }
+            _ => format!("this step itself uses none of the assumptions ({})", unused.join(", ")),
         })
     }
 
@@ -333,12 +374,5 @@ impl<'a> Step<'a> {
         let question = self.order_question();
         let found = order::decide(&mut self.graph, &question);
         Some(self.account_of_order(&question, found))
-    }
-}
-
-impl Premises {
-    /// Whether an equation is among them.
-    fn contains(&self, equation: (Expr, Expr)) -> bool {
-        self.equations.contains(&equation)
     }
 }

@@ -403,15 +403,23 @@ fn between(holds: &[&Order], all: &[(Order, Fate)], names: &[String]) -> Option<
     let [_, _, _] = names else { return None };
     let place = |order: &Order, x: usize| order.iter().position(|g| g.contains(&x)).unwrap_or(usize::MAX);
     for (a, b, c) in [(0, 1, 2), (1, 0, 2), (2, 0, 1)] {
-        for strict in [true, false] {
+        for kind in ["strictly", "weakly", "weakly, apart"] {
             let inside = |order: &Order| {
                 let (a, b, c) = (place(order, a), place(order, b), place(order, c));
                 let (low, high) = (b.min(c), b.max(c));
-                if strict { low < a && a < high } else { low <= a && a <= high }
+                match kind {
+                    "strictly" => low < a && a < high,
+                    "weakly" => low <= a && a <= high,
+                    _ => low <= a && a <= high && low < high,
+                }
             };
             if all.iter().all(|(order, _)| inside(order) == holds.contains(&order)) {
-                let how = if strict { "strictly between" } else { "between" };
-                return Some(format!("{} lies {how} {} and {}", names[a], names[b], names[c]));
+                let (a, b, c) = (&names[a], &names[b], &names[c]);
+                return Some(match kind {
+                    "strictly" => format!("{a} lies strictly between {b} and {c}"),
+                    "weakly" => format!("{a} lies between {b} and {c} or is equal to one of them"),
+                    _ => format!("{b} and {c} differ, and {a} lies between them or is equal to one of them"),
+                });
             }
         }
     }

@@ -14,6 +14,8 @@ pub(super) enum Definitions {
     None,
     /// Those of symbols that are declared for a claim.
     OfClaims,
+    /// Those, and all at the fixed times that occur.
+    Then,
     /// All, at the present time.
     Now,
     /// All, also at the fixed times that occur.
@@ -22,7 +24,8 @@ pub(super) enum Definitions {
 
 impl Definitions {
     /// Those that leave something out, in the order of trying.
-    pub(super) const PARTS: [Definitions; 3] = [Definitions::None, Definitions::OfClaims, Definitions::Now];
+    pub(super) const PARTS: [Definitions; 4] =
+        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now];
 }
 
 /// Everything that is named.
@@ -117,7 +120,10 @@ impl Step<'_> {
                 continue;
             }
             // Of a claim with readings the first is meant.
-            let Some(premise) = derivation.claims.iter().find(|c| c.name() == name || c.id == name) else { continue };
+            let Some(premise) = derivation.claims.iter().find(|c| c.name() == name || c.id == name) else {
+                // A symbol: its definition is used anyway.
+                continue;
+            };
             match self.equations(premise) {
                 Some(equations) => {
                     let equations = self.without_branches(premise, equations, &mut out.complete);
@@ -132,7 +138,11 @@ impl Step<'_> {
                 None => out.complete = false,
             }
             let before = premises.equations.len();
-            self.assume(premise, &[], &mut premises);
+            // An assumption that is left out is left out everywhere.
+            let dropped = |text: &str| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].text == text));
+            let numbers: Vec<usize> =
+                (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].text)).collect();
+            self.assume(premise, &numbers, &mut premises);
             always.push((&premise.scope, premises.equations[before..].to_vec()));
             // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
             let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
@@ -189,7 +199,7 @@ impl Step<'_> {
                         continue;
                     }
                     let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
-                    if then != [l, r] && then[0] != then[1] && !premises.contains((then[0], then[1])) {
+                    if then != [l, r] && then[0] != then[1] && !premises.equations.contains(&(then[0], then[1])) {
                         premises.equations.push((then[0], then[1]));
                     }
                 }
@@ -287,7 +297,7 @@ impl Step<'_> {
                     open.extend(self.graph.leaves([e]));
                 }
             }
-            if !moving || systems.is_empty() || premises.contains(systems[0]) {
+            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
                 return;
             }
             premises.equations.extend(systems);
@@ -301,9 +311,11 @@ impl Step<'_> {
             .chain(sides(&premises.equations))
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
-        if which == Definitions::Now {
-            return;
-        }
+        let which = match which {
+            Definitions::Now => return,
+            Definitions::Then => Definitions::All,
+            other => other,
+        };
         let scope = &self.claim.scope;
         let mut open: Vec<Leaf> = self.graph.leaves(roots);
         open.retain(|l| l.instant.is_some());
@@ -355,13 +367,14 @@ impl Step<'_> {
             let rate = self.graph.time_derivative(residual, time, |l| case.moving.contains(&l.symbol));
             for e in [Some(residual), rate.ok()].into_iter().flatten() {
                 let bases = bases(&self.graph, e);
+                let product = bases.len() > 1;
                 let settled = |b: &Expr| case.equations.iter().any(|&(l, r)| l == *b && self.graph.is_zero(r));
                 if bases.iter().any(settled) {
                     continue;
                 }
                 let moving = |b: &Expr| self.graph.leaves([*b]).iter().any(|l| case.moving.contains(&l.symbol));
                 let bases: Vec<Expr> = bases.into_iter().filter(|b| !case.nonzero.contains(b)).collect();
-                if bases.len() > 1 && bases.iter().any(moving) {
+                if product && bases.iter().any(moving) {
                     return Some(bases);
                 }
             }
