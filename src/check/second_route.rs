@@ -151,6 +151,23 @@ fn product(graph: &mut Graph, [upper, lower]: &[Equations; 2]) -> Option<Equatio
     Some(out)
 }
 
+/// What an answer says by itself, without the second route.
+///
+/// # Errors
+/// A description of the contradiction, if the first route contradicts itself.
+pub(super) fn evidence_of(graph: &Graph, identity: &Identity) -> Result<IdentityEvidence, String> {
+    if let Identity::Undecided(Reason::Defect(what)) = identity {
+        return Err(format!("two computations of one identity disagree: {what}"));
+    }
+    let mut out = IdentityEvidence { contradiction: is_contradiction(identity), ..IdentityEvidence::default() };
+    match identity {
+        Identity::Proved(proof) => out.trials = Some(trials(proof)),
+        Identity::Refuted(refutation) => out.counterexample = Some(counterexample(graph, refutation)),
+        Identity::Undecided(_) => {}
+    }
+    Ok(out)
+}
+
 /// Runs the second route, and says what the answer rests on.
 ///
 /// # Errors
@@ -161,15 +178,7 @@ pub(super) fn evidence(
     premises: &Premises,
     identity: &Identity,
 ) -> Result<IdentityEvidence, String> {
-    if let Identity::Undecided(Reason::Defect(what)) = identity {
-        return Err(format!("two computations of one identity disagree: {what}"));
-    }
-    let mut out = IdentityEvidence { contradiction: is_contradiction(identity), ..IdentityEvidence::default() };
-    match identity {
-        Identity::Proved(proof) => out.trials = Some(trials(proof)),
-        Identity::Refuted(refutation) => out.counterexample = Some(counterexample(graph, refutation)),
-        Identity::Undecided(_) => {}
-    }
+    let mut out = evidence_of(graph, identity)?;
     // From a contradiction everything has a certificate.
     if out.contradiction {
         return Ok(out);

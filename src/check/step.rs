@@ -8,26 +8,58 @@
 //! every trajectory may well be refuted here: then it needs more than what is given, an initial condition for instance.
 //!
 //! Claims with several equations are one question: all must follow. Claims of other kinds than equations and first
-//! integrals are not identities, and have no answer.
+//! integrals are not identities, and have no answer, unless they say something about positive parameters only: then their
+//! signs are decided for every order of size of the parameters, see [`order`](super::identity::order).
+//!
+//! # How a step is decided
+//!
+//! 1. *From what is named alone*: observables are symbols of which only the premises are known. A proof without the
+//!    definitions is a proof with them, and needs no conditions for them. Then with the definitions that the claim itself
+//!    makes, then with all. Only the last can refute.
+//! 2. *Along the motion*, where that leaves l = r open: both sides agree at a fixed time that the formulas name, and their
+//!    rates agree always. Then they agree always, where they are differentiable. Along a motion, a product that vanishes
+//!    throughout has, on every interval that is short enough, a factor that vanishes throughout, with its derivative; so
+//!    products are taken apart, before they are differentiated.
+//!
+//! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
+
+mod gather;
+mod wording;
 
 use super::account::IdentityAccount;
 use super::comparison::at_instant;
-use super::identity::{Condition, Identity, Point, Premises, Reason};
-use super::second_route::{IdentityEvidence, Signs, answer};
+use super::identity::{
+    Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order,
+};
+use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of};
 use super::verdict::Witness;
-use crate::derivation::{Claim, Derivation, Form, Motion, Premise};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
+use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::latex::{Relation, RelationKind, Role};
+use gather::{Definitions, Gathered};
 
-/// A claim whose equations are decided for all values.
+/// A claim that is decided for all values.
 pub(super) struct Step<'a> {
     derivation: &'a Derivation,
     claim: &'a Claim,
     graph: Graph,
+    /// The last question that was settled, where it was one question: what the second route is asked.
+    settled: Option<Settled>,
 }
 
-/// Most characters of a formula that is shown whole.
-const LONGEST: usize = 160;
+/// A question that the random test answered.
+#[derive(Clone, Debug)]
+struct Settled {
+    premises: Premises,
+    equations: Pairs,
+    identity: Identity,
+}
+
+/// Why a step between several times is open.
+const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
+                          would need the solution of a differential equation";
+
+type Pairs = Vec<(Expr, Expr)>;
 
 /// The present value of a component.
 fn now(symbol: Symbol, component: usize) -> Leaf {
@@ -38,21 +70,53 @@ fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {
     relation.left.components.iter().copied().zip(relation.right.components.iter().copied())
 }
 
+/// Real points that are tried while definitions are left out: nothing is refuted then.
+const FEW_POINTS: u32 = 24;
+/// Most cases into which products are taken apart.
+const MOST_CASES: usize = 12;
+/// Claims with more assumptions are not tried without each of them.
+const MOST_ASSUMPTIONS: usize = 6;
+
 impl<'a> Step<'a> {
-    /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals.
+    /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
+    /// about parameters only.
     pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
+        let step = Step { derivation, claim, graph: derivation.graph.clone(), settled: None };
+        let possible = !claim.forms.is_empty() && claim.at.is_none();
+        (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
+    }
+
+    fn is_equations(&self) -> bool {
         let equations =
             |relations: &[Relation]| relations.iter().all(|r| r.kind == RelationKind::Equal && r.limit.is_none());
-        let decidable = claim.forms.iter().all(|form| match form {
+        self.claim.forms.iter().all(|form| match form {
             Form::Always(w) => equations(&w.value.relations),
             Form::FirstIntegral(_) => true,
             _ => false,
-        });
-        (decidable && claim.at.is_none() && !claim.forms.is_empty()).then(|| Step {
-            derivation,
-            claim,
-            graph: derivation.graph.clone(),
         })
+    }
+
+    /// Whether everything that the claim says and assumes has a sign in the positive parameters.
+    fn is_about_parameters(&self) -> bool {
+        let mut roots: Vec<Expr> = Vec::new();
+        for form in &self.claim.forms {
+            match form {
+                Form::Always(w) if w.value.relations.iter().all(|r| r.limit.is_none()) => {
+                    roots.extend(w.value.relations.iter().flat_map(pairs).flat_map(|(l, r)| [l, r]));
+                }
+                Form::Defined(w) => roots.extend(&w.value.components),
+                _ => return false,
+            }
+        }
+        let assumed = self.claim.assuming.iter().flat_map(|w| &w.value.relations).flat_map(pairs);
+        roots.extend(assumed.flat_map(|(l, r)| [l, r]));
+        let leaves = self.graph.leaves(roots);
+        !leaves.is_empty() && leaves.iter().all(|&l| self.is_positive_parameter(l))
+    }
+
+    fn is_positive_parameter(&self, leaf: Leaf) -> bool {
+        let symbols = self.derivation.symbols.iter();
+        symbols.clone().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
@@ -80,11 +144,15 @@ impl<'a> Step<'a> {
 
     /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
     pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
+        let conditions = match self.is_about_parameters() {
+            true => Step { graph: self.graph.clone(), settled: None, ..*self }.where_real(),
+            false => Vec::new(),
+        };
         IdentityAccount {
             verdict: "refuted",
             log2_error: None,
             from: Step::given(self.derivation, self.claim),
-            conditions: Vec::new(),
+            conditions,
             generic: false,
             reason: None,
             witness: Some(format!(
@@ -95,324 +163,263 @@ impl<'a> Step<'a> {
         }
     }
 
-    /// The rate of a first integral as an equation `… = 0`.
-    fn constancy(&mut self, claim: &Claim, e: Expr) -> Option<(Expr, Expr)> {
-        let scope = &claim.scope;
-        let time = scope.time()?;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        let rate = self.graph.time_derivative(e, time, moves).ok()?;
-        Some((rate, self.graph.integer(0)))
-    }
-
-    /// What a claim says as equations; `None` where it says something else.
-    fn equations(&mut self, claim: &Claim) -> Option<Vec<(Expr, Expr)>> {
-        let mut out = Vec::new();
-        for form in &claim.forms {
-            match form {
-                Form::Always(w) => {
-                    for relation in &w.value.relations {
-                        if relation.kind != RelationKind::Equal || relation.limit.is_some() {
-                            return None;
-                        }
-                        out.extend(pairs(relation));
-                    }
-                }
-                Form::FirstIntegral(w) => {
-                    for &e in &w.value.components {
-                        out.push(self.constancy(claim, e)?);
-                    }
-                }
-                Form::Solves { system } => {
-                    let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
-                    out.extend(relations.flat_map(pairs));
-                }
-                _ => return None,
-            }
-        }
-        Some(out)
-    }
-
-    /// Adds the assumptions of a claim; whether all could be used.
-    fn assume(&mut self, claim: &Claim, premises: &mut Premises) -> bool {
-        let mut complete = true;
-        for relation in claim.assuming.iter().flat_map(|w| &w.value.relations) {
-            for (l, r) in pairs(relation) {
-                match relation.kind {
-                    RelationKind::Equal => premises.equations.push((l, r)),
-                    RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
-                    RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
-                    RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
-                    // Left out: a proof without it is a proof, a refutation may be wrong.
-                    RelationKind::GreaterEqual | RelationKind::LessEqual => complete = false,
-                }
-            }
-        }
-        complete
-    }
-
-    /// Which symbols move, and which are positive.
-    fn roles(&mut self, premises: &mut Premises) {
-        let Derivation { symbols, claims, scope, .. } = self.derivation;
-        premises.time = scope.time();
-        for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {
-            let count = self.graph.component_count(entry.symbol);
-            match entry.role {
-                Role::State | Role::Observable => premises.moving.push(entry.symbol),
-                Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
-                Role::Time | Role::Abbreviation | Role::Argument => {}
-            }
-        }
-    }
-
-    /// What is positive among the parameters that occur.
-    fn positive_parameters(&mut self, equations: &[(Expr, Expr)], premises: &mut Premises) {
-        let Derivation { symbols, .. } = self.derivation;
-        let roots: Vec<Expr> = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]).collect();
-        for leaf in self.graph.leaves(roots) {
-            if symbols.iter().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter) {
-                let node = self.graph.leaf(leaf);
-                premises.positive.push(node);
-            }
-        }
-    }
-
-    /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
-    /// are given join in. What does not occur is left out: a premise less can only lose a proof.
-    fn definitions(&mut self, equations: &[(Expr, Expr)], systems: &[(Expr, Expr)], premises: &mut Premises) {
-        let Derivation { claims, scope, .. } = self.derivation;
-        let mut seen: Vec<Leaf> = Vec::new();
-        let mut moving = false;
-        let mut open: Vec<Leaf> = {
-            let given = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]);
-            let roots: Vec<Expr> = given.chain(premises.nonzero.clone()).chain(premises.positive.clone()).collect();
-            self.graph.leaves(roots)
-        };
-        loop {
-            while let Some(leaf) = open.pop() {
-                moving |= leaf.rate > 0;
-                let value = Leaf { rate: 0, ..leaf };
-                if value.instant.is_some() || seen.contains(&value) {
-                    continue;
-                }
-                seen.push(value);
-                let in_claim = || claims.iter().find_map(|c| c.scope.definition(value.symbol));
-                let Some(definition) = scope.definition(value.symbol).or_else(in_claim) else { continue };
-                if let Some(&e) = definition.components.get(usize::from(value.component)) {
-                    let node = self.graph.leaf(value);
-                    premises.equations.push((node, e));
-                    open.extend(self.graph.leaves([e]));
-                }
-            }
-            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
-                return;
-            }
-            premises.equations.extend(systems);
-            let roots: Vec<Expr> = systems.iter().flat_map(|&(l, r)| [l, r]).collect();
-            open.extend(self.graph.leaves(roots));
-        }
-    }
-
-    /// The values at fixed times that the equations name obey the definitions at these times.
-    fn definitions_at_instants(&mut self, equations: &[(Expr, Expr)], premises: &mut Premises) {
-        let roots: Vec<Expr> = equations
-            .iter()
-            .chain(&premises.equations)
-            .flat_map(|&(l, r)| [l, r])
-            .chain(premises.nonzero.clone())
-            .collect();
-        let scope = &self.claim.scope;
-        let mut open: Vec<Leaf> = self.graph.leaves(roots);
-        open.retain(|l| l.instant.is_some());
-        let mut seen: Vec<Leaf> = Vec::new();
-        while let Some(leaf) = open.pop() {
-            let (Some(instant), false) = (leaf.instant, seen.contains(&leaf)) else { continue };
-            seen.push(leaf);
-            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0);
-            if let Some(&e) = definition.and_then(|d| d.components.get(usize::from(leaf.component))) {
-                let then = at_instant(&mut self.graph, scope, e, instant);
-                open.extend(self.graph.leaves([then]));
-                let node = self.graph.leaf(leaf);
-                premises.equations.push((node, then));
-            }
-        }
-    }
-
-    /// What is given as constant has its present value at the fixed times that occur, too.
-    fn constants_at_instants(&mut self, constant: &[Expr], equations: &[(Expr, Expr)], premises: &mut Premises) {
-        let roots: Vec<Expr> = equations.iter().chain(&premises.equations).flat_map(|&(l, r)| [l, r]).collect();
-        let mut instants: Vec<Expr> = self.graph.leaves(roots).into_iter().filter_map(|l| l.instant).collect();
-        instants.sort_unstable();
-        instants.dedup();
-        for &e in constant {
-            for &instant in &instants {
-                let then = at_instant(&mut self.graph, &self.claim.scope, e, instant);
-                premises.equations.push((e, then));
-            }
-        }
-    }
-
     /// Decides the step; `Err` if the two routes contradict each other.
     pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
-        let (derivation, claim) = (self.derivation, self.claim);
-        let mut premises = Premises::default();
-        self.roles(&mut premises);
-        let mut systems: Vec<(Expr, Expr)> = Vec::new();
-        let mut constant: Vec<Expr> = Vec::new();
-        let mut inherited: Vec<String> = Vec::new();
-        let mut complete = self.assume(claim, &mut premises);
-        let mut from = Vec::new();
-        for name in Step::given(derivation, claim) {
-            let name = name.as_str();
-            from.push(name.to_owned());
-            let premise = match derivation.premise(name) {
-                Premise::System(system) => {
-                    let equations = &derivation.systems[system].equations;
-                    systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
-                    continue;
-                }
-                Premise::Claim(claim) => &derivation.claims[claim],
-                Premise::Definition => continue,
-            };
-            // What holds at some times only is not given at the others.
-            if premise.at.is_some() {
-                complete = false;
-                continue;
-            }
-            for form in &premise.forms {
-                if let Form::FirstIntegral(w) = form {
-                    constant.extend(w.value.components.iter().copied());
-                }
-            }
-            match self.equations(premise) {
-                Some(equations) => premises.equations.extend(equations),
-                None => complete = false,
-            }
-            complete &= self.assume(premise, &mut premises);
-            // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
-            let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
-            inherited.extend(premise.assuming.iter().filter(|w| !own(&w.text)).map(|w| w.text.clone()));
+        if !self.is_equations() {
+            return self.by_order().map(Ok);
         }
-        let mut equations = self.equations(claim)?;
+        let gathered = self.gather(None);
+        let mut equations = self.equations(self.claim)?;
         equations.retain(|(l, r)| l != r);
         if equations.is_empty() {
             return None;
         }
-        self.constants_at_instants(&constant, &equations, &mut premises);
-        self.definitions(&equations, &systems, &mut premises);
-        self.definitions_at_instants(&equations, &mut premises);
-        self.positive_parameters(&equations, &mut premises);
-        let sign = claim.scope.branch_sign();
-        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let branching = self.graph.leaves(roots).contains(&sign);
-        let signs = branching.then_some(Signs { leaf: sign, throughout: claim.branches_throughout });
-        let (identity, evidence) = match answer(&mut self.graph, &equations, &premises, signs) {
-            Ok(found) => found,
-            Err(defect) => return Some(Err(format!("{}: {defect}", claim.name()))),
+        let (mut identity, mut moved) = (self.levels(&gathered, &equations, false), false);
+        if !matches!(identity, Identity::Proved(_)) {
+            let settled = self.settled.take();
+            match self.by_rate(&gathered, &equations) {
+                Some(by_rate) => (identity, moved) = (by_rate, true),
+                None => self.settled = settled,
+            }
+        }
+        if matches!(identity, Identity::Refuted(_)) && self.joins_times(&gathered, &equations) {
+            identity = Identity::Undecided(Reason::NoDerivative);
+            let mut account = self.account(identity, gathered.from.clone(), gathered.complete);
+            account.reason = Some(ONLY_RATES.to_owned());
+            return Some(Ok(account));
+        }
+        let evidence = match self.evidence(&identity) {
+            Ok(evidence) => evidence,
+            Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
-        let mut account = IdentityAccount { evidence, ..self.account(identity, from, complete) };
-        if account.verdict == "proved" && !inherited.is_empty() {
-            inherited.dedup();
-            account.generic = true;
-            account.conditions.extend(inherited.into_iter().map(|a| format!("{a} (assumed by what is given)")));
+        let account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let mut account = IdentityAccount { evidence, ..account };
+        account.generic |= moved && self.jumps(&equations);
+        if account.verdict == "proved" {
+            if let Some(line) = self.assumptions_used(&equations, moved) {
+                account.conditions.push(line);
+            }
+            if !gathered.inherited.is_empty() {
+                account.generic = true;
+                let inherited = gathered.inherited.iter().map(|a| format!("{a} (assumed by what is given)"));
+                account.conditions.extend(inherited);
+            }
         }
         Some(Ok(account))
     }
 
-    /// Whether a condition is a false statement about a number.
-    fn is_impossible(&self, condition: &Condition) -> bool {
-        let number = |e: Expr| self.graph.as_constant(e).cloned();
-        let (zero, one) = (Rational::ZERO, Rational::ONE);
-        match condition {
-            Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
-            Condition::Radicand(e) => number(*e).is_some_and(|r| r < zero),
-            Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
-            Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
+    /// What the second route says of the question that was settled.
+    fn evidence(&mut self, identity: &Identity) -> Result<IdentityEvidence, String> {
+        let of_question = |s: &Settled| s.identity.word() == identity.word();
+        let Some(Settled { premises, equations, identity: found }) = self.settled.take().filter(of_question) else {
+            // What the answer itself says: of several questions, or of one that stayed open.
+            return evidence_of(&self.graph, identity);
+        };
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        if !self.graph.leaves(roots).contains(&sign) {
+            return evidence(&mut self.graph, &equations, &premises, &found);
         }
+        let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
+        answer(&mut self.graph, &equations, &premises, Some(signs)).map(|(_, evidence)| evidence)
     }
 
-    fn shown(&self, e: Expr) -> String {
-        let text = self.graph.to_latex(e);
-        if text.len() <= LONGEST { text } else { format!("(an expression of {} characters)", text.len()) }
+    /// One question, with more and more definitions.
+    fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
+        let mut tried: Option<Premises> = None;
+        for which in Definitions::PARTS {
+            let premises = self.premises(gathered, equations, which);
+            if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
+                continue;
+            }
+            let options = Options { attempts: FEW_POINTS, ..Options::default() };
+            let equations = &self.beyond(equations, &premises);
+            if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
+                if proof.example.is_none()
+                    && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
+                {
+                    proof = again;
+                }
+                let settled = self.settled.take();
+                let identity = self.with_all_definitions(proof, gathered, equations, split);
+                self.settled = settled;
+                return identity;
+            }
+            tried = Some(premises);
+        }
+        let premises = self.premises(gathered, equations, Definitions::All);
+        self.ask(&premises, equations, &Options::default(), split)
     }
 
-    fn point(&self, point: &Point) -> String {
-        let value = |(leaf, value): &(Leaf, super::identity::PointValue)| {
-            let name = self.graph.leaf_latex(*leaf);
-            match (&value.exact, &value.circle) {
-                (Some(r), _) => format!("{name} = {r}"),
-                (None, Some((c, s))) => format!("cos {name} = {c}, sin {name} = {s}"),
-                (None, None) => format!("{name} = {}", value.decimal),
-            }
-        };
-        point.values.iter().map(value).collect::<Vec<_>>().join("; ")
+    /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
+    /// given: then a point that satisfies everything given need not belong to a motion.
+    fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let said = self.graph.leaves(sides(equations));
+        let now = said.iter().any(|l| moves(l) && l.instant.is_none());
+        let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
+        let given = self.graph.leaves(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
+        now && elsewhere && given.iter().any(|l| l.rate > 0)
     }
 
-    fn account(&self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
-        // A locally constant function may still jump.
-        let jumps = self.claim.forms.iter().any(|form| match form {
-            Form::FirstIntegral(w) => self
-                .graph
-                .reachable(w.value.components.iter().copied())
-                .iter()
-                .any(|&e| matches!(self.graph.node(e), Node::Unary(Op::Abs, _) | Node::Binary(Op::Arctan2, ..))),
-            _ => false,
-        });
-        let mut out = IdentityAccount {
-            verdict: identity.word(),
-            log2_error: None,
-            from,
-            conditions: Vec::new(),
-            generic: false,
-            reason: None,
-            witness: None,
-            evidence: IdentityEvidence::default(),
-        };
-        match identity {
-            Identity::Proved(proof) => {
-                out.log2_error = Some(proof.log2_error);
-                for condition in &proof.conditions {
-                    out.conditions.push(match condition {
-                        Condition::Denominator(e) => format!("{} ≠ 0", self.shown(*e)),
-                        Condition::Pivot(e) => format!("{} ≠ 0 (the other case was not reached)", self.shown(*e)),
-                        Condition::Radicand(e) => format!("{} ≥ 0", self.shown(*e)),
-                        Condition::Unit(e) => format!("|{}| ≤ 1", self.shown(*e)),
-                        Condition::Positive(e) => format!("{} > 0", self.shown(*e)),
-                    });
-                    out.generic |= matches!(condition, Condition::Pivot(_));
-                }
-                out.generic |= jumps;
-                if proof.conditions.iter().any(|c| self.is_impossible(c)) {
-                    out.verdict = "undecided";
-                    out.log2_error = None;
-                    out.reason = Some("what is given makes a formula have no value".to_owned());
-                }
-                if proof.example.is_none() {
-                    out.reason = Some("no real point was found that satisfies what is given".to_owned());
-                    out.generic = true;
-                }
-            }
-            Identity::Refuted(refutation) if complete => {
-                let side = |s: &super::identity::Side| match &s.exact {
-                    Some(r) => r.to_string(),
-                    None => s.decimal.to_string(),
-                };
-                out.witness = Some(format!(
-                    "left {}, right {} at {}",
-                    side(&refutation.left),
-                    side(&refutation.right),
-                    self.point(&refutation.point)
-                ));
-            }
+    /// What the premises do not say already, as it stands.
+    fn beyond(&mut self, equations: &Pairs, premises: &Premises) -> Pairs {
+        let mut rest: Pairs = equations.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
+        if rest.is_empty() {
+            let zero = self.graph.integer(0);
+            rest.push((zero, zero));
+        }
+        rest
+    }
+
+    /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
+    /// lie among the exceptions of the proof.
+    fn with_all_definitions(&mut self, proof: Proof, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
+        let premises = self.premises(gathered, equations, Definitions::All);
+        let options = Options { attempts: FEW_POINTS, ..Options::default() };
+        let generic = proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)));
+        match self.ask(&premises, equations, &options, split) {
+            contradiction @ Identity::Undecided(Reason::Contradiction) => contradiction,
+            refuted @ Identity::Refuted(_) if generic => refuted,
             Identity::Refuted(_) => {
-                out.verdict = "undecided";
-                out.reason = Some("refuted without an assumption that could not be used".to_owned());
+                let what = "a step is proved without definitions, and refuted with them".to_owned();
+                Identity::Undecided(Reason::Defect(what))
             }
-            Identity::Undecided(Reason::Unsolved(e)) => {
-                out.reason =
-                    Some(format!("a premise could not be solved for any of its unknowns: {} = 0", self.shown(e)));
-            }
-            Identity::Undecided(reason) => out.reason = Some(reason.to_string()),
+            _ => Identity::Proved(proof),
         }
-        out
+    }
+
+    /// The test of one set of premises; with `split`, of every choice of factors of those that are products.
+    fn ask(&mut self, premises: &Premises, equations: &Pairs, options: &Options, split: bool) -> Identity {
+        if !split {
+            return self.test(premises, equations, options);
+        }
+        let mut all: Option<Proof> = None;
+        let cases = self.cases(premises);
+        let several = cases.len() > 1;
+        for case in cases {
+            let found = self.test(&case, equations, options);
+            if several {
+                self.settled = None;
+            }
+            match found {
+                Identity::Proved(proof) => match &mut all {
+                    None => all = Some(proof),
+                    Some(sum) => sum.absorb(proof),
+                },
+                Identity::Undecided(Reason::Contradiction) => {}
+                other => return other,
+            }
+        }
+        all.map_or(Identity::Undecided(Reason::Contradiction), Identity::Proved)
+    }
+
+    fn test(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
+        let identity = self.test_only(premises, equations, options);
+        self.settled = match &identity {
+            Identity::Undecided(_) => None,
+            _ => Some(Settled { premises: premises.clone(), equations: equations.clone(), identity: identity.clone() }),
+        };
+        identity
+    }
+
+    fn test_only(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        if !self.graph.leaves(roots).contains(&sign) {
+            return identity_test(&mut self.graph, equations, premises, options);
+        }
+        let branches = [1, -1].map(|value| self.branch(equations, value));
+        let Branches { throughout: mut each, pointwise } = branches_test(&mut self.graph, &branches, premises, options);
+        if !self.claim.branches_throughout {
+            return pointwise;
+        }
+        // Proved if one branch is; a refutation needs both.
+        let proved = each.iter().position(|i| matches!(i, Identity::Proved(_)));
+        each.swap_remove(proved.unwrap_or(0))
+    }
+
+    /// Equations with one sign in place of ±.
+    fn branch(&mut self, equations: &Pairs, value: i64) -> Pairs {
+        let sign = self.claim.scope.branch_sign();
+        let graph = &mut self.graph;
+        let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
+        equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
+    }
+
+    /// Whether both sides agree at a fixed time that is named, and their rates always.
+    fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        let time = self.claim.scope.time()?;
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaves = self.graph.leaves(roots);
+        if leaves.contains(&self.claim.scope.branch_sign()) {
+            return None;
+        }
+        let start = leaves.iter().find_map(|l| l.instant)?;
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut all = Pairs::new();
+        for &(l, r) in equations {
+            let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, start));
+            let rates = [l, r].map(|e| self.graph.time_derivative(e, time, moves));
+            let [Ok(left), Ok(right)] = rates else { return None };
+            all.extend([(then[0], then[1]), (left, right)]);
+        }
+        all.retain(|(l, r)| l != r);
+        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
+        let found = self.levels(gathered, &all, false);
+        if proved(&found) {
+            return Some(found);
+        }
+        Some(self.levels(gathered, &all, true)).filter(proved)
+    }
+
+    /// The assumptions of the claim that its proof needs, in words; `None` where it has none.
+    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<String> {
+        let count = self.claim.assuming.len();
+        if count == 0 || count > MOST_ASSUMPTIONS {
+            return None;
+        }
+        let mut left_out: Vec<usize> = Vec::new();
+        for at in 0..count {
+            let mut without = left_out.clone();
+            without.push(at);
+            let gathered = self.gather(Some(&without));
+            let holds = match moved {
+                false => self.levels_proved(&gathered, equations),
+                true => matches!(self.by_rate(&gathered, equations), Some(Identity::Proved(_))),
+            };
+            if holds {
+                left_out = without;
+            }
+        }
+        let used: Vec<&str> =
+            (0..count).filter(|i| !left_out.contains(i)).map(|i| self.claim.assuming[i].text.as_str()).collect();
+        let unused: Vec<&str> = left_out.iter().map(|&i| self.claim.assuming[i].text.as_str()).collect();
+        Some(match (used.is_empty(), unused.is_empty()) {
+            (false, true) => format!("this step itself uses all assumptions: {}", used.join(", ")),
+            (false, false) => {
+                format!("of the assumptions this step itself uses {}, and not {}", used.join(", "), unused.join(", "))
+            }
+            _ => format!("this step itself uses none of the assumptions ({})", unused.join(", ")),
+        })
+    }
+
+    /// Whether a proof is found, at any level; nothing is refuted.
+    fn levels_proved(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
+        Definitions::PARTS.into_iter().chain([Definitions::All]).any(|which| {
+            let premises = self.premises(gathered, equations, which);
+            let options = Options { attempts: 1, ..Options::default() };
+            matches!(self.test_only(&premises, equations, &options), Identity::Proved(_))
+        })
+    }
+
+    /// Claims about positive parameters: the sign of everything, for every order of size.
+    fn by_order(&mut self) -> Option<IdentityAccount> {
+        let question = self.order_question();
+        let found = order::decide(&mut self.graph, &question);
+        Some(self.account_of_order(&question, found))
     }
 }

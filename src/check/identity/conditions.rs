@@ -10,7 +10,7 @@ use crate::expr::{Expr, Graph, Node, Op};
 use crate::expr::{FastMap, FastSet};
 
 /// Radicands, denominators … of the operations of some formulas, see [`Condition`].
-fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
+pub(in crate::check) fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
     let mut out = Vec::new();
     for e in graph.reachable(exprs.iter().copied()) {
         match *graph.node(e) {
@@ -99,6 +99,7 @@ pub(super) fn conditions(
     // Declared facts need no mention.
     let mut facts = Facts::default();
     facts.positive.extend(given.positive.iter().copied());
+    facts.not_negative.extend(given.not_negative.iter().copied());
     for &e in &given.nonzero {
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));

@@ -36,7 +36,7 @@ fn add_to(sum: &mut Combination, monomial: Monomial, q: Rational) {
     }
 }
 
-fn times(a: &Monomial, b: &Monomial) -> Monomial {
+pub(super) fn times(a: &Monomial, b: &Monomial) -> Monomial {
     let mut product: BTreeMap<Expr, i32> = a.iter().copied().collect();
     for &(base, n) in b {
         let power = product.entry(base).or_insert(0);

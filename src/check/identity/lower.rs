@@ -206,6 +206,8 @@ impl<'g> Lowering<'g> {
                         self.opaque_node(node, op, vec![image])?
                     }
                 }
+                Op::Arcsin | Op::Arctan if self.graph.is_zero(self.image[&a]) => self.image[&a],
+                Op::Arccos if self.graph.is_one(self.image[&a]) => self.graph.integer(0),
                 Op::Arcsin | Op::Arccos | Op::Arctan => {
                     let image = self.image[&a];
                     self.opaque_node(node, op, vec![image])?
@@ -223,8 +225,13 @@ impl<'g> Lowering<'g> {
                     self.exponential(argument)?
                 }
                 _ => {
-                    let images = vec![self.image[&a], self.image[&b]];
-                    self.opaque_node(node, op, images)?
+                    let (y, x) = (self.image[&a], self.image[&b]);
+                    let ahead = self.graph.as_constant(x).is_some_and(|x| *x > Rational::ZERO);
+                    if op == Op::Arctan2 && self.graph.is_zero(y) && ahead {
+                        y
+                    } else {
+                        self.opaque_node(node, op, vec![y, x])?
+                    }
                 }
             },
         })

@@ -44,7 +44,7 @@ pub(super) fn certify(
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
-    let lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &[]).map_err(wrong)?;
+    let lowered = lower(graph, &solved.rest, &claim, [&nonzero, &positive, &[]], &[]).map_err(wrong)?;
     let sources: Vec<(Origin, String)> = solved
         .rest
         .iter()

@@ -92,6 +92,7 @@ mod linear;
 mod lower;
 #[cfg(feature = "certificates")]
 mod membership;
+pub mod order;
 mod orthogonal;
 mod outcome;
 mod polynomial;
@@ -104,5 +105,6 @@ mod solve;
 mod witness;
 
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
+pub(super) use conditions::domains;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
 pub use prove::{Branches, branches_test, identity_test};

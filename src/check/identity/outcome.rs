@@ -11,6 +11,8 @@ pub struct Premises {
     pub nonzero: Vec<Expr>,
     /// Expressions that are positive (declared parameters, assumptions).
     pub positive: Vec<Expr>,
+    /// Expressions that are not negative (assumptions).
+    pub not_negative: Vec<Expr>,
     /// The leaf for time. With it and `moving`, equations are differentiated by time as often as the rates that occur ask for.
     pub time: Option<Leaf>,
     /// Symbols that depend on time.

@@ -43,7 +43,7 @@ pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Prem
     match decide(graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
-        Err(Stop::Undecided(reason)) => Identity::Undecided(reason),
+        Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => Identity::Undecided(reason),
     }
 }
 
@@ -110,8 +110,10 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
+    let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
-    let mut lowered = lower(graph, &solved.rest, &claim, (&nonzero, &positive), &definitions)?;
+    let facts = [nonzero.as_slice(), &positive, &not_negative];
+    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions)?;
     let probe = Probe::new(&mut draws);
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
@@ -150,9 +152,11 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
                 pivots.nested[at] = Some(Pivots::of(&examination, &resolved).list);
             }
             Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
-            Err(Stop::Undecided(Reason::Contradiction)) => pivots.nested[at] = Some(Vec::new()),
+            Err(Stop::Empty(Reason::Contradiction, cases)) => {
+                pivots.nested[at] = Some(Pivots::of(&examination, &cases).list);
+            }
             Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
-            Err(Stop::Undecided(_)) => {}
+            Err(Stop::Undecided(_) | Stop::Empty(..)) => {}
         }
     }
     if proof.log2_error > options.target_log2_error {
@@ -187,6 +191,8 @@ enum Outcome {
 /// Why a list of cases does not amount to a proof.
 enum Stop {
     Refuted(Box<Refutation>),
+    /// No case is possible, where the pivots of these are not 0.
+    Empty(Reason, Vec<Resolved>),
     Undecided(Reason),
 }
 
@@ -200,11 +206,15 @@ impl From<Reason> for Stop {
 fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
     let mut proof: Option<Proof> = None;
     let (mut open, mut empty, mut resolved) = (None, None, Vec::new());
-    for (case, outcome) in outcomes {
+    for (mut case, outcome) in outcomes {
         match outcome {
             Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
             Outcome::Open(reason) => drop(open.get_or_insert(reason)),
-            Outcome::Empty(reason) => drop(empty.get_or_insert(reason)),
+            Outcome::Empty(reason) => {
+                empty.get_or_insert(reason);
+                case.empty = true;
+                resolved.push(case);
+            }
             Outcome::Holds(one) => {
                 resolved.push(case);
                 match &mut proof {
@@ -217,13 +227,13 @@ fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), S
     match (open, proof) {
         (Some(reason), _) => Err(Stop::Undecided(reason)),
         (None, Some(proof)) => Ok((proof, resolved)),
-        (None, None) => Err(Stop::Undecided(empty.unwrap_or(Reason::Contradiction))),
+        (None, None) => Err(Stop::Empty(empty.unwrap_or(Reason::Contradiction), resolved)),
     }
 }
 
 impl Proof {
     /// Both proofs together.
-    fn absorb(&mut self, other: Proof) {
+    pub(in crate::check) fn absorb(&mut self, other: Proof) {
         self.log2_error = sum_log2(self.log2_error, other.log2_error);
         self.degree_bound = self.degree_bound.max(other.degree_bound);
         self.height_bound = self.height_bound.max(other.height_bound);
@@ -231,6 +241,11 @@ impl Proof {
         self.primes.extend(other.primes);
         self.signs = self.signs.max(other.signs);
         self.cases += other.cases;
+        for condition in other.conditions {
+            if !self.conditions.contains(&condition) {
+                self.conditions.push(condition);
+            }
+        }
         self.example = self.example.take().or(other.example);
     }
 }
@@ -247,7 +262,9 @@ impl Pivots {
     fn of(examination: &Examination<'_>, cases: &[Resolved]) -> Pivots {
         let Examination { graph, lowered, .. } = examination;
         let mut list: Vec<Expr> = Vec::new();
-        for &pivot in cases.iter().flat_map(|c| &c.pivots) {
+        let claim = lowered.claim.iter().flat_map(|&(l, r)| [l, r]);
+        let roots: Vec<Expr> = claim.chain(lowered.assumed.iter().copied()).collect();
+        for pivot in cases.iter().flat_map(|c| c.pivots_for(graph, roots.iter().copied())) {
             for (base, _) in factors(graph, pivot).1 {
                 if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
                     list.push(base);
@@ -303,7 +320,7 @@ impl Examination<'_> {
                 break;
             }
             (self.strategy, self.seeded) = (strategy, seeded);
-            match self.run(premises).map_err(Stop::from).and_then(merge) {
+            match self.run(premises).map_err(Stop::from).and_then(merge).map_err(|s| self.emptiness(premises, s)) {
                 Err(Stop::Undecided(
                     reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
                 )) => drop(first.get_or_insert(reason)),
@@ -314,6 +331,27 @@ impl Examination<'_> {
             }
         }
         Err(Stop::Undecided(first.unwrap_or(Reason::NoValue)))
+    }
+
+    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either.
+    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Stop {
+        let Stop::Empty(reason, cases) = stop else { return stop };
+        if reason != Reason::Contradiction {
+            return Stop::Undecided(reason);
+        }
+        let pivots = Pivots::of(self, &cases).list;
+        for &pivot in &pivots {
+            let mut special = vec![(pivot, false)];
+            special.extend(premises);
+            let empty = match self.run(&special).map_err(Stop::from).and_then(merge) {
+                Err(Stop::Empty(Reason::Contradiction, cases)) => Pivots::of(self, &cases).list.is_empty(),
+                _ => false,
+            };
+            if !empty {
+                return Stop::Undecided(Reason::Unsolved(pivot));
+            }
+        }
+        Stop::Undecided(Reason::Contradiction)
     }
 
     /// All cases of the given lowered premises.
@@ -334,7 +372,10 @@ impl Examination<'_> {
         let each = Options { target_log2_error, ..*self.options };
         let mut out = Vec::new();
         for case in cases {
-            let outcome = self.case(&case, &each);
+            let outcome = match case.empty {
+                true => Outcome::Empty(Reason::Contradiction),
+                false => self.case(&case, &each),
+            };
             out.push((case, outcome));
         }
         Ok(out)
@@ -359,6 +400,7 @@ impl Examination<'_> {
             premises: self.premises,
             nonzero: &self.given.nonzero,
             positive: &self.given.positive,
+            not_negative: &self.given.not_negative,
             explicit: self.explicit,
             defined: &map,
         };
@@ -424,12 +466,12 @@ pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
     claim: &[(Expr, Expr)],
-    (nonzero, positive): (&[Expr], &[Expr]),
+    [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(definitions));
+    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
     let mut lowering = Lowering::new(graph, &roots);
     let mut images = Vec::new();
     for (&e, premise) in residuals.iter().zip(premises) {
@@ -443,6 +485,10 @@ pub(super) fn lower(
     for &e in positive {
         let image = lowering.lower(e)?;
         facts.positive.insert(image);
+    }
+    for &e in not_negative {
+        let image = lowering.lower(e)?;
+        facts.not_negative.insert(image);
     }
     let mut not_zero = Vec::new();
     for &e in nonzero {

@@ -16,8 +16,9 @@
 //! What was recognised by random points is put on a list to be tested with the identity itself, so that it is covered by the
 //! same error bound.
 
+use super::linear::{Combinations, Monomial, expression, times};
 use super::lower::{Generator, Generators};
-use super::polynomial::factors;
+use super::polynomial::{factors, fraction};
 use super::probe::{Probe, Sight};
 use super::sign::Facts;
 use super::solve::unmarked;
@@ -231,6 +232,7 @@ impl<'a> Roots<'a> {
             return e;
         }
         let (q, parts) = factors(self.graph, e);
+        let (q, parts) = self.without_content(q, parts);
         let mut out = self.graph.constant(if q < Rational::ZERO { -q } else { q });
         for (base, k) in parts {
             let power = self.graph.powi(base, k);
@@ -241,6 +243,55 @@ impl<'a> Roots<'a> {
             }
         }
         out
+    }
+
+    /// Sums among the factors written as a monomial times a polynomial without monomial factor, the same for all multiples:
+    /// the sign of a·x² + b·x² is that of a + b.
+    fn without_content(&mut self, q: Rational, parts: Vec<(Expr, i32)>) -> (Rational, Vec<(Expr, i32)>) {
+        let (mut q, mut out): (Rational, Vec<(Expr, i32)>) = (q, Vec::new());
+        let mut put = |base: Expr, k: i32| match out.iter_mut().find(|(b, _)| *b == base) {
+            Some((_, n)) => *n += k,
+            None => out.push((base, k)),
+        };
+        for (base, k) in parts {
+            let sum = matches!(self.graph.node(base), Node::Binary(Op::Add | Op::Sub, ..));
+            if !sum || k % 2 == 0 || k.unsigned_abs() > 64 {
+                put(base, k);
+                continue;
+            }
+            let (top, under) = fraction(self.graph, base);
+            for (polynomial, k) in [(top, k), (under, -k)] {
+                let all = Combinations::default().of(self.graph, polynomial);
+                let Some((first, lead)) = all.iter().next().map(|(m, q)| (m.clone(), q.clone())) else {
+                    // It vanishes identically.
+                    put(polynomial, k);
+                    continue;
+                };
+                let mut content = first;
+                for m in all.keys() {
+                    for (base, power) in &mut content {
+                        *power = (*power).min(m.iter().find(|(b, _)| b == base).map_or(0, |&(_, n)| n));
+                    }
+                }
+                content.retain(|&(_, power)| power != 0);
+                q *= lead.pow(k as isize);
+                for &(base, power) in &content {
+                    put(base, power.saturating_mul(k));
+                }
+                if all.len() == 1 {
+                    continue;
+                }
+                let inverse: Monomial = content.iter().map(|&(base, power)| (base, -power)).collect();
+                let mut rest = self.graph.integer(0);
+                for (m, coefficient) in &all {
+                    let term = expression(self.graph, &times(m, &inverse), &(coefficient / &lead));
+                    rest = self.graph.add(rest, term);
+                }
+                put(rest, k);
+            }
+        }
+        out.retain(|&(_, k)| k != 0);
+        (q, out)
     }
 
     fn sign_of(&mut self, base: Expr) -> Expr {

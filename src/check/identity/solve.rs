@@ -26,14 +26,20 @@ use std::collections::BTreeSet;
 pub(super) struct Resolved {
     /// In the order of solving; an expression may contain leaves that are solved later.
     pub(super) definitions: Vec<(Leaf, Expr)>,
-    /// Must not vanish: divided by while solving.
-    pub(super) pivots: Vec<Expr>,
+    /// Must not vanish: divided by while solving; with the number of the definition that it is for.
+    pub(super) pivots: Vec<(Expr, Option<usize>)>,
+    /// For each definition the earlier ones that were inserted into its equation.
+    needs: Vec<BTreeSet<usize>>,
     /// Must not be negative: discriminants.
     pub(super) radicands: Vec<Expr>,
     /// Taken as zero on the strength of a few random points; to be tested with everything else.
     pub(super) taken_as_zero: Vec<Expr>,
     /// Equations without an unknown that can be solved for.
     pub(super) unsolved: Vec<Expr>,
+    /// Definitions inserted into these.
+    unsolved_needs: BTreeSet<usize>,
+    /// Whether the premises cannot hold in this case, where the pivots are not 0.
+    pub(super) empty: bool,
     /// Factors set to 0, for the description of the case.
     pub(super) split_on: Vec<Expr>,
 }
@@ -93,12 +99,16 @@ struct Pending {
     plain: Expr,
     /// Whether it is a derivative by time of others.
     derived: bool,
+    /// A number for what was inserted into it, see [`Case::inserted`].
+    from: usize,
 }
 
 #[derive(Clone, Default)]
 struct Case {
     out: Resolved,
     pending: Vec<Pending>,
+    /// For each equation the definitions that were inserted into it.
+    inserted: Vec<BTreeSet<usize>>,
     on_circle: BTreeSet<Leaf>,
 }
 
@@ -126,8 +136,33 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap
     map
 }
 
+impl Resolved {
+    /// The pivots of the definitions that expressions depend on. The equations that the other definitions come from could
+    /// have been left out: so could what was divided by for them.
+    pub(super) fn pivots_for(&self, graph: &Graph, exprs: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
+        let mut needed: BTreeSet<usize> = BTreeSet::new();
+        let of = |leaf: Leaf| self.definitions.iter().position(|&(l, _)| l == leaf);
+        let roots = exprs.into_iter().chain(self.unsolved.iter().copied());
+        let mut open: Vec<usize> = graph.leaves(roots).into_iter().filter_map(of).collect();
+        open.extend(&self.unsolved_needs);
+        while let Some(number) = open.pop() {
+            if needed.insert(number) {
+                open.extend(graph.leaves([self.definitions[number].1]).into_iter().filter_map(of));
+                open.extend(&self.needs[number]);
+            }
+        }
+        let mut out: Vec<Expr> = Vec::new();
+        for &(pivot, number) in &self.pivots {
+            if (self.empty || number.is_none_or(|n| needed.contains(&n))) && !out.contains(&pivot) {
+                out.push(pivot);
+            }
+        }
+        out
+    }
+}
+
 impl Solver<'_> {
-    /// All cases; an empty list when the premises contradict each other in every case.
+    /// All cases, also those in which the premises contradict each other.
     ///
     /// `seeds` are definitions to begin with, see [`orthogonal`](super::orthogonal).
     pub(super) fn solve(
@@ -138,10 +173,18 @@ impl Solver<'_> {
         let map = closed(self.graph, seeds);
         let pending = equations
             .iter()
-            .map(|&(plain, derived)| Pending { e: insert_definitions(self.graph, &map, plain), plain, derived })
+            .enumerate()
+            .map(|(from, &(plain, derived))| Pending {
+                e: insert_definitions(self.graph, &map, plain),
+                plain,
+                derived,
+                from,
+            })
             .collect();
-        let out = Resolved { definitions: seeds.to_vec(), ..Resolved::default() };
-        let mut open = vec![Case { pending, out, ..Case::default() }];
+        let needs = vec![BTreeSet::new(); seeds.len()];
+        let out = Resolved { definitions: seeds.to_vec(), needs, ..Resolved::default() };
+        let inserted = vec![BTreeSet::new(); equations.len()];
+        let mut open = vec![Case { pending, out, inserted, ..Case::default() }];
         let mut done = Vec::new();
         while let Some(mut case) = open.pop() {
             if open.len() + done.len() > MOST_CASES {
@@ -149,12 +192,11 @@ impl Solver<'_> {
             }
             match self.advance(&mut case)? {
                 Next::Done => done.push(case.out),
-                Next::Contradiction => {}
+                Next::Contradiction => done.push(Resolved { empty: true, ..case.out }),
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
-                        let derived = one.pending[equation].derived;
-                        one.pending[equation] = Pending { e: part, plain: part, derived };
+                        one.pending[equation] = Pending { e: part, plain: part, ..one.pending[equation] };
                         one.out.split_on.push(part);
                         open.push(one);
                     }
@@ -178,7 +220,10 @@ impl Solver<'_> {
                 }
             }
             let Some(best) = best else {
-                case.out.unsolved.extend(case.pending.drain(..).map(|p| p.plain));
+                for p in case.pending.drain(..) {
+                    case.out.unsolved.push(p.plain);
+                    case.out.unsolved_needs.extend(&case.inserted[p.from]);
+                }
                 return Ok(Next::Done);
             };
             if let Some(next) = self.zero_root(case, &best) {
@@ -221,7 +266,7 @@ impl Solver<'_> {
                     Node::Leaf(leaf) => self.frozen.contains(leaf),
                     _ => false,
                 };
-                case.out.pivots.extend(parts.iter().copied().filter(free));
+                case.out.pivots.extend(parts.iter().copied().filter(free).map(|e| (e, None)));
                 parts.retain(|base| !free(base));
             }
             match parts.as_slice() {
@@ -437,7 +482,7 @@ impl Solver<'_> {
     /// Solves one equation for one unknown and inserts the result everywhere.
     fn define(&mut self, case: &mut Case, candidate: Candidate) {
         let Candidate { equation, unknown, coefficients, vanishing, .. } = candidate;
-        case.pending.remove(equation);
+        let from = case.pending.remove(equation).from;
         case.out.taken_as_zero.extend(vanishing.into_iter().filter(|&e| !self.graph.is_zero(e)));
         let value = match *coefficients.as_slice() {
             [b, a] => {
@@ -451,7 +496,10 @@ impl Solver<'_> {
             }
             _ => return,
         };
+        let number = case.out.definitions.len();
         case.out.definitions.push((unknown, value));
+        let needs = case.inserted[from].clone();
+        case.out.needs.push(needs.clone());
         if let Some((c, s)) = self.generators.circle(unknown)
             && case.on_circle.insert(c)
         {
@@ -460,16 +508,21 @@ impl Solver<'_> {
             let (cc, ss) = (g.powi(c, 2), g.powi(s, 2));
             let sum = g.add(cc, ss);
             let e = g.sub(sum, one);
-            case.pending.push(Pending { e, plain: e, derived: false });
+            case.inserted.push(BTreeSet::new());
+            case.pending.push(Pending { e, plain: e, derived: false, from: case.inserted.len() - 1 });
         }
         for p in &mut case.pending {
+            if self.graph.leaves([p.e]).contains(&unknown) {
+                case.inserted[p.from].insert(number);
+                case.inserted[p.from].extend(&needs);
+            }
             p.e = self.graph.substitute(p.e, |_, leaf| (leaf == unknown).then_some(value));
         }
     }
 
     fn pivot(&mut self, case: &mut Case, a: Expr) {
-        if self.graph.as_constant(a).is_none() && !case.out.pivots.contains(&a) {
-            case.out.pivots.push(a);
+        if self.graph.as_constant(a).is_none() {
+            case.out.pivots.push((a, Some(case.out.definitions.len())));
         }
     }
 

@@ -25,6 +25,7 @@ pub(super) struct Scene<'a> {
     pub(super) premises: &'a [(Expr, Expr)],
     pub(super) nonzero: &'a [Expr],
     pub(super) positive: &'a [Expr],
+    pub(super) not_negative: &'a [Expr],
     /// Definitions before lowering.
     pub(super) explicit: &'a FastMap<Leaf, Expr>,
     /// Definitions of the case, closed.
@@ -171,7 +172,8 @@ impl Scene<'_> {
 
     fn everything(&self) -> Vec<Expr> {
         let sides = self.claim.iter().chain(self.premises).flat_map(|&(l, r)| [l, r]);
-        sides.chain(self.nonzero.iter().copied()).chain(self.positive.iter().copied()).collect()
+        let facts = self.nonzero.iter().chain(self.positive).chain(self.not_negative);
+        sides.chain(facts.copied()).collect()
     }
 
     fn lowered_exprs(&self) -> Vec<Expr> {
@@ -368,7 +370,9 @@ impl Scene<'_> {
         });
         let nonzero = decimals(self.graph, self.nonzero, values);
         let positive = decimals(self.graph, self.positive, values);
+        let not_negative = decimals(self.graph, self.not_negative, values);
         equal
+            && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
             && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
             && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
     }

@@ -1,0 +1,402 @@
+//! What a step may use: the claims and systems that it names, assumptions, definitions.
+
+use super::super::comparison::at_instant;
+use super::super::identity::Premises;
+use super::{MOST_CASES, Pairs, Step, now, pairs};
+use crate::derivation::{Claim, Derivation, Form, Premise};
+use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::latex::{RelationKind, Role, Scope};
+
+/// Which definitions of observables are used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Definitions {
+    /// None: an observable is what the premises say of it.
+    None,
+    /// Those of symbols that are declared for a claim.
+    OfClaims,
+    /// Those, and all at the fixed times that occur.
+    Then,
+    /// All, at the present time.
+    Now,
+    /// All, also at the fixed times that occur.
+    All,
+}
+
+impl Definitions {
+    /// Those that leave something out, in the order of trying.
+    pub(super) const PARTS: [Definitions; 4] =
+        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now];
+}
+
+/// Everything that is named.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Gathered {
+    /// Equations of claims and assumptions, and what they say at the fixed times that occur.
+    pub(super) premises: Premises,
+    pub(super) systems: Pairs,
+    /// Assumptions of the claims that are named.
+    pub(super) inherited: Vec<String>,
+    /// The names.
+    pub(super) from: Vec<String>,
+    /// Whether all could be used: a refutation needs that.
+    pub(super) complete: bool,
+}
+
+fn sides(pairs: &[(Expr, Expr)]) -> impl Iterator<Item = Expr> + '_ {
+    pairs.iter().flat_map(|&(l, r)| [l, r])
+}
+
+impl Step<'_> {
+    /// The rate of a first integral as an equation `… = 0`.
+    fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
+        let time = scope.time()?;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let rate = self.graph.time_derivative(e, time, moves).ok()?;
+        Some((rate, self.graph.integer(0)))
+    }
+
+    /// What a claim says as equations; `None` where it says something else, or not at all times.
+    pub(super) fn equations(&mut self, claim: &Claim) -> Option<Pairs> {
+        let mut out = Vec::new();
+        if claim.at.is_some() {
+            return None;
+        }
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => {
+                    for relation in &w.value.relations {
+                        if relation.kind != RelationKind::Equal || relation.limit.is_some() {
+                            return None;
+                        }
+                        out.extend(pairs(relation));
+                    }
+                }
+                Form::FirstIntegral(w) => {
+                    for &e in &w.value.components {
+                        out.push(self.constancy(&claim.scope, e)?);
+                    }
+                }
+                Form::Solves { system } => {
+                    let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
+                    out.extend(relations.flat_map(pairs));
+                }
+                _ => return None,
+            }
+        }
+        Some(out)
+    }
+
+    /// Adds the assumptions of a claim but those with the given numbers.
+    fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) {
+        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        for relation in used.flat_map(|(_, w)| &w.value.relations) {
+            for (l, r) in pairs(relation) {
+                match relation.kind {
+                    RelationKind::Equal => premises.equations.push((l, r)),
+                    RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
+                    RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
+                    RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
+                    RelationKind::GreaterEqual => premises.not_negative.push(self.graph.sub(l, r)),
+                    RelationKind::LessEqual => premises.not_negative.push(self.graph.sub(r, l)),
+                }
+            }
+        }
+    }
+
+    /// What `follows-from` and the assumptions give; `without` some assumptions.
+    pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
+        let (derivation, claim) = (self.derivation, self.claim);
+        let mut out = Gathered { complete: true, ..Gathered::default() };
+        let mut premises = Premises::default();
+        self.roles(&mut premises);
+        self.assume(claim, without.unwrap_or(&[]), &mut premises);
+        // Each with the scope that says what moves in it.
+        let mut always: Vec<(&Scope, Pairs)> = vec![(&claim.scope, premises.equations.clone())];
+        let mut constant: Vec<(&Scope, Expr)> = Vec::new();
+        for name in Step::given(derivation, claim) {
+            out.from.push(name.clone());
+            let premise = match derivation.premise(&name) {
+                Premise::System(system) => {
+                    let equations = &derivation.systems[system].equations;
+                    out.systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                    continue;
+                }
+                Premise::Claim(claim) => &derivation.claims[claim],
+                Premise::Definition => continue,
+            };
+            match self.equations(premise) {
+                Some(equations) => {
+                    let equations = self.without_branches(premise, equations, &mut out.complete);
+                    premises.equations.extend(&equations);
+                    always.push((&premise.scope, equations));
+                    for form in &premise.forms {
+                        if let Form::FirstIntegral(w) = form {
+                            constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
+                        }
+                    }
+                }
+                None => out.complete = false,
+            }
+            let before = premises.equations.len();
+            // An assumption that is left out is left out everywhere.
+            let dropped = |text: &str| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].text == text));
+            let numbers: Vec<usize> =
+                (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].text)).collect();
+            self.assume(premise, &numbers, &mut premises);
+            always.push((&premise.scope, premises.equations[before..].to_vec()));
+            // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
+            let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
+            let more = premise.assuming.iter().filter(|w| !own(&w.text)).map(|w| w.text.clone());
+            out.inherited.extend(more);
+        }
+        let mut seen = Vec::new();
+        out.inherited.retain(|text| {
+            !seen.contains(text) && {
+                seen.push(text.clone());
+                true
+            }
+        });
+        self.at_instants(&always, &constant, &mut premises);
+        out.premises = premises;
+        out
+    }
+
+    /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
+    fn without_branches(&mut self, premise: &Claim, equations: Pairs, complete: &mut bool) -> Pairs {
+        let sign = premise.scope.branch_sign();
+        let branching = |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves([l, r]).contains(&sign);
+        let count = equations.iter().filter(|p| branching(&self.graph, p)).count();
+        // One sign for several equations, or for all times, says more than the products.
+        *complete &= count == 0 || count == 1 && !premise.branches_throughout;
+        let one = |this: &mut Self, pair: (Expr, Expr)| {
+            if !branching(&this.graph, &pair) {
+                return pair;
+            }
+            let residual = this.graph.sub(pair.0, pair.1);
+            let [p, q] = [1, -1].map(|v| this.graph.substitute(residual, |g, l| (l == sign).then(|| g.integer(v))));
+            (this.graph.mul(p, q), this.graph.integer(0))
+        };
+        equations.into_iter().map(|pair| one(self, pair)).collect()
+    }
+
+    /// What holds at all times holds at the fixed times that occur; constants have their present value there.
+    fn at_instants(&mut self, always: &[(&Scope, Pairs)], constant: &[(&Scope, Expr)], premises: &mut Premises) {
+        let mut roots: Vec<Expr> = always.iter().flat_map(|(_, p)| sides(p)).collect();
+        roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
+        let own = self.equations(self.claim).unwrap_or_default();
+        roots.extend(sides(&own));
+        let mut instants: Vec<Expr> = self.graph.leaves(roots).into_iter().filter_map(|l| l.instant).collect();
+        instants.sort_unstable();
+        instants.dedup();
+        for &instant in &instants {
+            for &(scope, e) in constant {
+                let then = at_instant(&mut self.graph, scope, e, instant);
+                premises.equations.push((e, then));
+            }
+            for (scope, list) in always {
+                for &(l, r) in list {
+                    if self.graph.leaves([l, r]).iter().any(|l| l.rate > 0) {
+                        continue;
+                    }
+                    let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
+                    if then != [l, r] && then[0] != then[1] && !premises.equations.contains(&(then[0], then[1])) {
+                        premises.equations.push((then[0], then[1]));
+                    }
+                }
+            }
+            let scope = &self.claim.scope;
+            for list in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+                for e in list.clone() {
+                    if self.graph.leaves([e]).iter().all(|l| l.rate == 0) {
+                        let then = at_instant(&mut self.graph, scope, e, instant);
+                        if !list.contains(&then) {
+                            list.push(then);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Which symbols move, and which are parameters.
+    fn roles(&mut self, premises: &mut Premises) {
+        let Derivation { symbols, claims, scope, .. } = self.derivation;
+        premises.time = scope.time();
+        for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {
+            let count = self.graph.component_count(entry.symbol);
+            match entry.role {
+                Role::State | Role::Observable => premises.moving.push(entry.symbol),
+                Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
+                Role::Time | Role::Abbreviation | Role::Argument => {}
+            }
+        }
+    }
+
+    /// All premises of a question, with some definitions.
+    pub(super) fn premises(&mut self, gathered: &Gathered, equations: &Pairs, which: Definitions) -> Premises {
+        let mut premises = gathered.premises.clone();
+        self.definitions(equations, &gathered.systems, which, &mut premises);
+        self.definitions_at_instants(equations, which, &mut premises);
+        self.positive_parameters(equations, &mut premises);
+        premises
+    }
+
+    /// What is positive among the parameters that occur.
+    fn positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
+        let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
+        for leaf in self.graph.leaves(roots) {
+            if self.is_positive_parameter(leaf) {
+                let node = self.graph.leaf(leaf);
+                premises.positive.push(node);
+            }
+        }
+    }
+
+    /// The definition of a component, as far as definitions are used.
+    fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
+        let Derivation { claims, scope, .. } = self.derivation;
+        let in_file = || scope.definition(leaf.symbol).filter(|_| matches!(which, Definitions::Now | Definitions::All));
+        let in_claim = || {
+            let own = scope.definition(leaf.symbol).is_none();
+            claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
+        };
+        let definition = match which {
+            Definitions::None => None,
+            _ => in_file().or_else(in_claim),
+        };
+        definition?.components.get(usize::from(leaf.component)).copied()
+    }
+
+    /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
+    /// are given join in. What does not occur is left out: a premise less can only lose a proof.
+    fn definitions(
+        &mut self,
+        equations: &Pairs,
+        systems: &[(Expr, Expr)],
+        which: Definitions,
+        premises: &mut Premises,
+    ) {
+        let mut seen: Vec<Leaf> = Vec::new();
+        let mut moving = false;
+        let roots: Vec<Expr> = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
+            .collect();
+        let mut open = self.graph.leaves(roots);
+        loop {
+            while let Some(leaf) = open.pop() {
+                moving |= leaf.rate > 0;
+                let value = Leaf { rate: 0, ..leaf };
+                if value.instant.is_some() || seen.contains(&value) {
+                    continue;
+                }
+                seen.push(value);
+                if let Some(e) = self.definition(value, which) {
+                    let node = self.graph.leaf(value);
+                    premises.equations.push((node, e));
+                    open.extend(self.graph.leaves([e]));
+                }
+            }
+            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
+                return;
+            }
+            premises.equations.extend(systems);
+            open.extend(self.graph.leaves(sides(systems)));
+        }
+    }
+
+    /// The values at fixed times that occur obey the definitions at these times.
+    fn definitions_at_instants(&mut self, equations: &Pairs, which: Definitions, premises: &mut Premises) {
+        let roots: Vec<Expr> = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
+            .collect();
+        let which = match which {
+            Definitions::Now => return,
+            Definitions::Then => Definitions::All,
+            other => other,
+        };
+        let scope = &self.claim.scope;
+        let mut open: Vec<Leaf> = self.graph.leaves(roots);
+        open.retain(|l| l.instant.is_some());
+        let mut seen: Vec<Leaf> = Vec::new();
+        while let Some(leaf) = open.pop() {
+            let (Some(instant), false) = (leaf.instant, seen.contains(&leaf)) else { continue };
+            seen.push(leaf);
+            if leaf.rate > 0 {
+                continue;
+            }
+            if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
+                let then = at_instant(&mut self.graph, scope, e, instant);
+                open.extend(self.graph.leaves([then]));
+                let node = self.graph.leaf(leaf);
+                premises.equations.push((node, then));
+            }
+        }
+    }
+
+    /// Premises with every choice of factors of the equations `product = 0` among them and their derivatives.
+    pub(super) fn cases(&mut self, premises: &Premises) -> Vec<Premises> {
+        let (mut open, mut done) = (vec![premises.clone()], Vec::new());
+        while let Some(case) = open.pop() {
+            if open.len() + done.len() > MOST_CASES {
+                return vec![premises.clone()];
+            }
+            match self.factors_of_one(&case) {
+                None => done.push(case),
+                Some(factors) => {
+                    let zero = self.graph.integer(0);
+                    for factor in factors.into_iter().rev() {
+                        let mut one = case.clone();
+                        // First, so that it is solved first.
+                        one.equations.insert(0, (factor, zero));
+                        open.push(one);
+                    }
+                }
+            }
+        }
+        done
+    }
+
+    /// The factors of the first premise, or derivative of one, that is a product and has no factor among the premises yet.
+    fn factors_of_one(&mut self, case: &Premises) -> Option<Vec<Expr>> {
+        let time = case.time?;
+        for at in 0..case.equations.len() {
+            let (l, r) = case.equations[at];
+            let residual = self.graph.sub(l, r);
+            let rate = self.graph.time_derivative(residual, time, |l| case.moving.contains(&l.symbol));
+            for e in [Some(residual), rate.ok()].into_iter().flatten() {
+                let bases = bases(&self.graph, e);
+                let product = bases.len() > 1;
+                let settled = |b: &Expr| case.equations.iter().any(|&(l, r)| l == *b && self.graph.is_zero(r));
+                if bases.iter().any(settled) {
+                    continue;
+                }
+                let moving = |b: &Expr| self.graph.leaves([*b]).iter().any(|l| case.moving.contains(&l.symbol));
+                let bases: Vec<Expr> = bases.into_iter().filter(|b| !case.nonzero.contains(b)).collect();
+                if product && bases.iter().any(moving) {
+                    return Some(bases);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// The factors of a product, by its structure; powers and quotients are taken apart.
+fn bases(graph: &Graph, e: Expr) -> Vec<Expr> {
+    let mut out = Vec::new();
+    let mut stack = vec![e];
+    while let Some(e) = stack.pop() {
+        match *graph.node(e) {
+            Node::Constant(_) => {}
+            Node::Unary(Op::Neg, a) => stack.push(a),
+            Node::Unary(Op::Powi(n), a) if n > 0 => stack.push(a),
+            Node::Binary(Op::Mul, a, b) => stack.extend([b, a]),
+            Node::Binary(Op::Div, a, _) => stack.push(a),
+            _ if out.contains(&e) => {}
+            _ => out.push(e),
+        }
+    }
+    out
+}

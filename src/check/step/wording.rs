@@ -1,0 +1,244 @@
+//! What was found about a step, as the account has it.
+
+use super::super::account::IdentityAccount;
+use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
+use super::super::second_route::IdentityEvidence;
+use super::{Pairs, Step, pairs};
+use crate::derivation::Form;
+use crate::expr::{Expr, Leaf, Node, Op, Rational};
+use crate::latex::RelationKind;
+use order::{Question, Requirement};
+
+/// Most characters of a formula that is shown whole.
+const LONGEST: usize = 160;
+
+impl Step<'_> {
+    /// Whether something that is shown to be locally constant may still jump.
+    pub(super) fn jumps(&self, equations: &Pairs) -> bool {
+        let integrals = self.claim.forms.iter().filter_map(|form| match form {
+            Form::FirstIntegral(w) => Some(w.value.components.clone()),
+            _ => None,
+        });
+        let roots = integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r]));
+        let jumping = |&e: &Expr| matches!(self.graph.node(e), Node::Unary(Op::Abs, _) | Node::Binary(Op::Arctan2, ..));
+        self.graph.reachable(roots).iter().any(jumping)
+    }
+
+    /// Whether a condition is a false statement about a number.
+    fn is_impossible(&self, condition: &Condition) -> bool {
+        let number = |e: Expr| self.graph.as_constant(e).cloned();
+        let (zero, one) = (Rational::ZERO, Rational::ONE);
+        match condition {
+            Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
+            Condition::Radicand(e) => number(*e).is_some_and(|r| r < zero),
+            Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
+            Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
+        }
+    }
+
+    fn shown(&self, e: Expr) -> String {
+        let text = self.graph.to_latex(e);
+        // Names of auxiliary numbers begin with an invisible character.
+        let auxiliary = text.contains('\u{2063}');
+        if text.len() <= LONGEST && !auxiliary {
+            text
+        } else {
+            format!("(an expression of {} characters)", text.chars().count())
+        }
+    }
+
+    fn point(&self, point: &Point) -> String {
+        let value = |(leaf, value): &(Leaf, PointValue)| {
+            let name = self.graph.leaf_latex(*leaf);
+            match (&value.exact, &value.circle) {
+                (Some(r), _) => format!("{name} = {r}"),
+                (None, Some((c, s))) => format!("cos {name} = {c}, sin {name} = {s}"),
+                (None, None) => format!("{name} = {}", value.decimal),
+            }
+        };
+        point.values.iter().map(value).collect::<Vec<_>>().join("; ")
+    }
+
+    /// What an answer says of the claim, nothing being given.
+    pub fn of_identity(&mut self, identity: Identity, evidence: IdentityEvidence) -> IdentityAccount {
+        IdentityAccount { evidence, ..self.account(identity, Vec::new(), true) }
+    }
+
+    /// The account of an answer.
+    pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
+        let integrals: Pairs = Vec::new();
+        let jumps = self.jumps(&integrals);
+        let mut out = IdentityAccount {
+            verdict: identity.word(),
+            log2_error: None,
+            from,
+            conditions: Vec::new(),
+            generic: false,
+            reason: None,
+            witness: None,
+            evidence: IdentityEvidence::default(),
+        };
+        match identity {
+            Identity::Proved(proof) => {
+                out.log2_error = Some(proof.log2_error);
+                for condition in &proof.conditions {
+                    out.conditions.push(match condition {
+                        Condition::Denominator(e) => format!("{} ≠ 0", self.shown(*e)),
+                        Condition::Pivot(e) => format!("{} ≠ 0 (the other case was not reached)", self.shown(*e)),
+                        Condition::Radicand(e) => format!("{} ≥ 0", self.shown(*e)),
+                        Condition::Unit(e) => format!("|{}| ≤ 1", self.shown(*e)),
+                        Condition::Positive(e) => format!("{} > 0", self.shown(*e)),
+                    });
+                    out.generic |= matches!(condition, Condition::Pivot(_));
+                }
+                out.conditions.extend(self.orders_of(&proof.conditions));
+                out.generic |= jumps;
+                if proof.conditions.iter().any(|c| self.is_impossible(c)) {
+                    out.verdict = "undecided";
+                    out.log2_error = None;
+                    out.reason = Some("what is given makes a formula have no value".to_owned());
+                }
+                if proof.example.is_none() {
+                    out.reason = Some("no real point was found that satisfies what is given".to_owned());
+                    out.generic = true;
+                }
+            }
+            Identity::Refuted(refutation) if complete => {
+                let side = |s: &Side| match &s.exact {
+                    Some(r) => r.to_string(),
+                    None => s.decimal.to_string(),
+                };
+                let mut text = format!(
+                    "left {}, right {} at {}",
+                    side(&refutation.left),
+                    side(&refutation.right),
+                    self.point(&refutation.point)
+                );
+                if let Some((point, left, right)) = &refutation.second {
+                    text.push_str(&format!(
+                        " — and left {}, right {} at {}: what is given leaves the difference open",
+                        side(left),
+                        side(right),
+                        self.point(point)
+                    ));
+                }
+                out.witness = Some(text);
+            }
+            Identity::Refuted(_) => {
+                out.verdict = "undecided";
+                out.reason = Some("refuted without something given that could not be used".to_owned());
+            }
+            Identity::Undecided(Reason::Unsolved(e)) => {
+                out.reason =
+                    Some(format!("a premise could not be solved for any of its unknowns: {} = 0", self.shown(e)));
+            }
+            Identity::Undecided(reason) => out.reason = Some(reason.to_string()),
+        }
+        out
+    }
+
+    /// For which orders of positive parameters conditions about them hold; nothing where there are none.
+    fn orders_of(&mut self, conditions: &[Condition]) -> Option<String> {
+        let restricting: Vec<Condition> =
+            conditions.iter().filter(|c| !matches!(c, Condition::Pivot(_))).copied().collect();
+        let roots = restricting.iter().map(|c| match *c {
+            Condition::Denominator(e) | Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => e,
+            Condition::Pivot(e) => e,
+        });
+        let leaves = self.graph.leaves(roots);
+        let parameters: Vec<Leaf> = leaves.into_iter().filter(|&l| self.is_positive_parameter(l)).collect();
+        let all = order::of_conditions(&mut self.graph, &restricting, &parameters);
+        let roots: Vec<Expr> = all.iter().map(|&(_, e)| e).collect();
+        let mut parameters = self.graph.leaves(roots);
+        parameters.sort_unstable();
+        if parameters.len() < 2 {
+            return None;
+        }
+        let (claimed, assumed) = (all, Vec::new());
+        let words = self.words_of(&Question { parameters, assumed, claimed });
+        Some(format!("of these, what is about {} holds {}", words.0, words.1))
+    }
+
+    /// Names of the parameters, and in which orders of their sizes the claim holds.
+    fn words_of(&mut self, question: &Question) -> (String, String) {
+        let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
+        let found = order::decide(&mut self.graph, question);
+        (names.join(", "), found.words(&names))
+    }
+
+    /// The claim, about positive parameters only, as requirements of signs.
+    pub(super) fn order_question(&mut self) -> Question {
+        let claim = self.claim;
+        let mut out = Question::default();
+        let requirements = |this: &mut Self, kind: RelationKind, l: Expr, r: Expr| match kind {
+            RelationKind::Equal => (Requirement::Zero, this.graph.sub(l, r)),
+            RelationKind::NotEqual => (Requirement::NotZero, this.graph.sub(l, r)),
+            RelationKind::Greater => (Requirement::Positive, this.graph.sub(l, r)),
+            RelationKind::GreaterEqual => (Requirement::NotNegative, this.graph.sub(l, r)),
+            RelationKind::Less => (Requirement::Positive, this.graph.sub(r, l)),
+            RelationKind::LessEqual => (Requirement::NotNegative, this.graph.sub(r, l)),
+        };
+        for relation in claim.assuming.iter().flat_map(|w| &w.value.relations) {
+            for (l, r) in pairs(relation) {
+                let one = requirements(self, relation.kind, l, r);
+                out.assumed.push(one);
+            }
+        }
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => {
+                    for relation in &w.value.relations {
+                        for (l, r) in pairs(relation) {
+                            let one = requirements(self, relation.kind, l, r);
+                            out.claimed.push(one);
+                        }
+                    }
+                }
+                Form::Defined(w) => {
+                    let leaves = self.graph.leaves(w.value.components.iter().copied());
+                    let domains = super::super::identity::domains(&mut self.graph, &w.value.components);
+                    out.claimed.extend(order::of_conditions(&mut self.graph, &domains, &leaves));
+                }
+                _ => {}
+            }
+        }
+        let roots: Vec<Expr> = out.assumed.iter().chain(&out.claimed).map(|&(_, e)| e).collect();
+        out.parameters = self.graph.leaves(roots);
+        out.parameters.sort_unstable();
+        out
+    }
+
+    /// For which orders of the parameters the claim holds, as conditions.
+    pub(super) fn where_real(mut self) -> Vec<String> {
+        let question = self.order_question();
+        let (names, words) = self.words_of(&question);
+        vec![format!("for positive {names} that meet the assumptions it holds {words}")]
+    }
+
+    /// The account of a claim about parameters.
+    pub(super) fn account_of_order(&mut self, question: &Question, found: order::Orders) -> IdentityAccount {
+        let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
+        let words = found.words(&names);
+        let mut out = IdentityAccount {
+            verdict: "undecided",
+            log2_error: None,
+            from: Vec::new(),
+            conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
+            generic: false,
+            reason: None,
+            witness: None,
+            evidence: IdentityEvidence::default(),
+        };
+        if found.is_proved() {
+            out.verdict = "proved";
+        } else if let Some(values) = found.refuting() {
+            out.verdict = "refuted";
+            let values: Vec<String> = names.iter().zip(&values).map(|(n, v)| format!("{n} = {v}")).collect();
+            out.witness = Some(format!("it does not hold for {}", values.join("; ")));
+        } else {
+            out.reason =
+                Some("the signs of the coefficients do not decide in every order of the parameters".to_owned());
+        }
+        out
+    }
+}
