@@ -19,6 +19,7 @@ mod limit;
 mod measure;
 mod occurrence;
 mod program;
+mod proposition;
 mod same_motion;
 mod second_route;
 #[cfg(test)]
@@ -31,6 +32,7 @@ mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
+pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 

@@ -310,6 +310,11 @@ impl<'a> Step<'a> {
         Some(Ok(account))
     }
 
+    /// What an answer says of the claim, nothing being given.
+    pub fn of_identity(&self, identity: Identity, evidence: IdentityEvidence) -> IdentityAccount {
+        IdentityAccount { evidence, ..self.account(identity, Vec::new(), true) }
+    }
+
     /// Whether a condition is a false statement about a number.
     fn is_impossible(&self, condition: &Condition) -> bool {
         let number = |e: Expr| self.graph.as_constant(e).cloned();

@@ -4,6 +4,7 @@ mod check;
 mod explain;
 mod files;
 mod list;
+mod prove;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -78,6 +79,9 @@ enum Command {
     Explain(ExplainArguments),
     /// Lists claims, trajectories and measures of a derivation file
     List(ListArguments),
+    /// Decides an equation for all values of its symbols
+    #[command(after_help = prove::AFTER_HELP)]
+    Prove(prove::ProveArguments),
 }
 
 /// How results are printed.
@@ -166,6 +170,7 @@ pub fn run() -> ExitCode {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
+        Command::Prove(a) => prove::prove(a),
     });
     ExitCode::from(exit.code())
 }

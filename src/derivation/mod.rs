@@ -19,6 +19,7 @@ mod motions;
 mod number;
 mod symbols;
 mod table;
+mod typed;
 mod values;
 
 pub use claims::DEFAULT_PRECISION;

@@ -16,7 +16,7 @@ pub fn json(derivation: &Derivation, account: &Account) -> String {
 }
 
 /// A number, `null` where there is none.
-fn number(x: f64) -> Value {
+pub(super) fn number(x: f64) -> Value {
     serde_json::Number::from_f64(x).map_or(Value::Null, Value::Number)
 }
 
@@ -100,7 +100,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
     })
 }
 
-fn trials(trials: &Trials) -> Value {
+pub(super) fn trials(trials: &Trials) -> Value {
     json!({
         "count": trials.count, "primes": trials.primes, "degree": number(trials.degree), "height": number(trials.height),
         "signs": trials.signs, "cases": trials.cases,
@@ -140,7 +140,7 @@ fn pair(pair: &PairAccount) -> Value {
 /// Below this depth a value stands on one line: pairs of claim and trajectory do.
 const INLINE_DEPTH: usize = 4;
 
-fn write(value: &Value, depth: usize, out: &mut String) {
+pub(super) fn write(value: &Value, depth: usize, out: &mut String) {
     let line = |out: &mut String, depth: usize| {
         out.push('\n');
         out.extend(std::iter::repeat_n("  ", depth));

@@ -12,6 +12,7 @@ mod explain;
 mod json;
 mod markdown;
 mod numbers;
+mod proposition;
 mod summary;
 mod tally;
 mod text;
@@ -21,6 +22,7 @@ pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use explain::explain;
 pub use json::json;
 pub use markdown::markdown;
+pub use proposition::{proposition_json, proposition_text};
 pub use summary::{exceptions, summary};
 pub use write::{WriteError, write_files, write_report};
 
