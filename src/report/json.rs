@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::certificates::file_name;
+use super::graph::DerivationGraph;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
@@ -51,6 +52,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "problem": t.problem,
         })).collect::<Vec<_>>(),
         "claims": account.claims.iter().map(|c| claim(derivation, c)).collect::<Vec<_>>(),
+        "graph": DerivationGraph::new(derivation, account).json(),
         "measurements": account.measurements.iter().map(|m| json!({
             "measure": m.measure,
             "trajectory": m.trajectory,

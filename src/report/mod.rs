@@ -9,6 +9,7 @@
 
 mod certificates;
 mod explain;
+mod graph;
 mod json;
 mod markdown;
 mod numbers;
