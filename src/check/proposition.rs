@@ -180,7 +180,7 @@ fn claim_named<'d>(derivation: &'d Derivation, name: &str) -> Result<&'d Claim, 
     if !readings.is_empty() {
         return Err(format!("`{name}` has several readings: say which, {}", readings.join(", ")));
     }
-    let names: Vec<String> = derivation.claims.iter().map(Claim::name).collect();
+    let names: Vec<String> = derivation.claims.iter().flat_map(|c| [c.id.clone(), c.name()]).collect();
     let systems = derivation.systems.iter().map(|s| s.id.as_str());
     let near = nearest(name, names.iter().map(String::as_str).chain(systems));
     let hint = near.map(|n| format!("; did you mean `{n}`?")).unwrap_or_default();

@@ -33,7 +33,7 @@ pub fn proposition_text(
                 out.push_str(&paragraph(&format!("± holds {branch}."), 2));
             }
             if let Some(reason) = &account.reason {
-                out.push_str(&paragraph(&format!("But {reason}."), 2));
+                out.push_str(&paragraph(&format!("But note: {reason}."), 2));
             }
             out.push_str(&routes(account));
             let heading = if account.generic { "  under conditions, some of which leave out special cases\n" } else { "  where\n" };
@@ -43,7 +43,7 @@ pub fn proposition_text(
             }
         }
         "refuted" => match &evidence.counterexample {
-            Some(found) => out.push_str(&counterexample(found)),
+            Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
             None => out.push_str(&lines(account.witness.as_slice(), 2)),
         },
         _ => {
@@ -71,7 +71,7 @@ fn routes(account: &IdentityAccount) -> String {
     let mut out = String::new();
     match (&account.evidence.no_certificate, is_certified(account)) {
         (_, true) => out.push_str(&paragraph("Exact: there is a certificate, which --certificate prints.", 2)),
-        (Some(reason), false) => out.push_str(&paragraph(&format!("Not exact: {reason}."), 2)),
+        (Some(reason), false) => out.push_str(&paragraph(&format!("There is no exact certificate: {reason}."), 2)),
         (None, false) => {}
     }
     if let (Some(trials), Some(bound)) = (&account.evidence.trials, account.log2_error) {
@@ -81,17 +81,20 @@ fn routes(account: &IdentityAccount) -> String {
             "Random evaluation: {trials} over GF(p²), p above 2^61, degree at most {degree}, height at most {height:.0}"
         );
         if *signs > 0 {
-            words.push_str(&format!(", all choices of {signs} signs"));
+            words.push_str(&match signs {
+                1 => ", both choices of one sign".to_owned(),
+                n => format!(", all choices of {n} signs"),
+            });
         }
         if *cases > 1 {
             words.push_str(&format!(", {cases} cases"));
         }
-        out.push_str(&paragraph(&format!("{words}: the probability of an error is at most 2^{}.", bound.ceil()), 2));
+        out.push_str(&paragraph(&format!("{words}; the probability of an error is at most 2^{}.", bound.ceil()), 2));
     }
     out
 }
 
-fn counterexample(found: &Counterexample) -> String {
+fn counterexample(found: &Counterexample, given: bool) -> String {
     let place = |point: &[(String, String)], left: &str, right: &str| {
         let values: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         let at = if values.is_empty() { "as it stands".to_owned() } else { format!("at {}", values.join("; ")) };
@@ -102,8 +105,8 @@ fn counterexample(found: &Counterexample) -> String {
         out.push_str(&format!("  Equation {}:\n", found.equation + 1));
     }
     out.push_str(&place(&found.point, &found.left, &found.right));
-    if let Some((point, left, right)) = &found.second {
-        out.push_str("  What is given does not fix the difference of the sides: it is another\n");
+    if let Some((point, left, right)) = found.second.as_ref().filter(|_| given) {
+        out.push_str("\n  The premises leave it open: they hold there, and also\n");
         out.push_str(&place(point, left, right));
     }
     out
