@@ -21,9 +21,9 @@ mod occurrence;
 mod program;
 mod proposition;
 mod same_motion;
-mod second_route;
 #[cfg(test)]
 pub(crate) mod sample;
+mod second_route;
 mod stage;
 mod step;
 mod trial;

@@ -7,11 +7,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::CheckError;
 use super::account::IdentityAccount;
 use super::identity::Premises;
 use super::second_route::answer;
 use super::step::Step;
-use super::CheckError;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, Written};
 use crate::diag::{Diagnostic, Source, nearest};
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
@@ -147,7 +147,12 @@ fn read(
             })
             .collect(),
         Ok(_) => {
-            problems.push(Diagnostic::at(source, "derivation::empty-formula", 0..source.text.len(), "this says nothing"));
+            problems.push(Diagnostic::at(
+                source,
+                "derivation::empty-formula",
+                0..source.text.len(),
+                "this says nothing",
+            ));
             Vec::new()
         }
         Err(found) => {
@@ -195,6 +200,5 @@ fn premise_named(derivation: &Derivation, text: &str) -> Option<Result<String, S
     // Of a formula, a premise needs a relation: none of its signs can stand in a name.
     let could_be = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
     let nameable = !derivation.claims.is_empty() || !derivation.systems.is_empty();
-    (nameable && !text.is_empty() && text.chars().all(could_be))
-        .then(|| claim_named(derivation, text).map(Claim::name))
+    (nameable && !text.is_empty() && text.chars().all(could_be)).then(|| claim_named(derivation, text).map(Claim::name))
 }

@@ -8,8 +8,8 @@
 //! and no verdict is given.
 
 use super::identity::{
-    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason, Refutation, Side,
-    branches_test, certify, identity_test,
+    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason,
+    Refutation, Side, branches_test, certify, identity_test,
 };
 use crate::expr::{Expr, Graph, Leaf};
 

@@ -71,12 +71,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
     if let Some(claim) = &arguments.scope {
         with_symbols_of(&mut derivation, claim, "--scope")?;
     }
-    let typed: Vec<(String, String)> = arguments
-        .symbol
-        .iter()
-        .enumerate()
-        .map(|(at, text)| (format!("symbol {}", at + 1), text.clone()))
-        .collect();
+    let typed: Vec<(String, String)> =
+        arguments.symbol.iter().enumerate().map(|(at, text)| (format!("symbol {}", at + 1), text.clone())).collect();
     derivation.declare_typed(&typed).map_err(Stop::Diagnostics)?;
     let proposition = Proposition {
         formula: arguments.formula.clone(),

@@ -55,7 +55,11 @@ impl Derivation {
         }
         let moves = all.iter().any(|(_, t)| matches!(t.role, Role::State | Role::Observable));
         let taken = |t: &Typed| t.role == Role::Time || t.names.iter().any(|(name, _)| name == "t");
-        if moves && self.scope.time().is_none() && self.scope.symbol("t").is_none() && !all.iter().any(|(_, t)| taken(t)) {
+        if moves
+            && self.scope.time().is_none()
+            && self.scope.symbol("t").is_none()
+            && !all.iter().any(|(_, t)| taken(t))
+        {
             let source = Arc::new(Source { path: String::new(), text: "t: time".to_owned() });
             if let Ok(typed) = Typed::read(&source) {
                 all.insert(0, (source, typed));
@@ -159,10 +163,8 @@ impl Typed {
         let equals = text.find('=');
         let head = 0..equals.unwrap_or(text.len());
         let colon = text[head.clone()].find(':');
-        let names: Vec<(String, Range<usize>)> = parts(text, 0..colon.unwrap_or(head.end))
-            .into_iter()
-            .map(|r| (text[r.clone()].to_owned(), r))
-            .collect();
+        let names: Vec<(String, Range<usize>)> =
+            parts(text, 0..colon.unwrap_or(head.end)).into_iter().map(|r| (text[r.clone()].to_owned(), r)).collect();
         if let Some((_, span)) = names.iter().find(|(name, _)| name.is_empty()) {
             let hint = "for instance 'x', 'x, y: positive', 'I: diagonal 3', 'q: state' or 'r = x+y'";
             return Err(problem(span.clone(), "derivation::missing-key", "a name is missing".into(), hint));
@@ -202,7 +204,8 @@ impl Typed {
         }
         let defined = matches!(out.role, Role::Observable | Role::Abbreviation);
         if defined != out.formula.is_some() {
-            let message = if defined { "this needs a formula, after `=`" } else { "this has no formula" };
+            let message =
+                if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
             let hint = "observables and abbreviations are defined by a formula, nothing else is";
             return Err(problem(head, "derivation::bad-role", message.into(), hint));
         }

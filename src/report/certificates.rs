@@ -14,7 +14,8 @@ pub const CERTIFICATES: (&str, &str) = ("certificates", "py");
 pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
     let identity = claim.identity.as_ref().filter(|i| is_certified(i))?;
     let (folder, ending) = CERTIFICATES;
-    (!identity.evidence.certificates.is_empty()).then(|| format!("{folder}/{}.{ending}", name(claim).replace('/', "--")))
+    (!identity.evidence.certificates.is_empty())
+        .then(|| format!("{folder}/{}.{ending}", name(claim).replace('/', "--")))
 }
 
 /// Whether a proof has certificates for all of its equations.

@@ -122,13 +122,7 @@ impl DerivationGraph {
     fn leaf(&mut self, kind: Kind, id: &str) -> usize {
         let known = self.nodes.iter().position(|n| n.kind == kind && n.id == id);
         known.unwrap_or_else(|| {
-            self.nodes.push(Node {
-                id: id.to_owned(),
-                kind,
-                verdict: None,
-                assumptions: Vec::new(),
-                from: Vec::new(),
-            });
+            self.nodes.push(Node { id: id.to_owned(), kind, verdict: None, assumptions: Vec::new(), from: Vec::new() });
             self.nodes.len() - 1
         })
     }
@@ -221,7 +215,9 @@ impl DerivationGraph {
              that is not proved is dotted.\n\n",
         );
         if edges > MOST_EDGES {
-            out.push_str(&format!("There are {edges} arrows, too many for a drawing: see `graph` in `report.json`.\n\n"));
+            out.push_str(&format!(
+                "There are {edges} arrows, too many for a drawing: see `graph` in `report.json`.\n\n"
+            ));
             return out;
         }
         out.push_str("```mermaid\nflowchart TD\n");

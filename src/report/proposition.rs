@@ -36,7 +36,11 @@ pub fn proposition_text(
                 out.push_str(&paragraph(&format!("But note: {reason}."), 2));
             }
             out.push_str(&routes(account));
-            let heading = if account.generic { "  under conditions, some of which leave out special cases\n" } else { "  where\n" };
+            let heading = if account.generic {
+                "  under conditions, some of which leave out special cases\n"
+            } else {
+                "  where\n"
+            };
             if !account.conditions.is_empty() {
                 out.push_str(heading);
                 out.push_str(&lines(&account.conditions, 4));

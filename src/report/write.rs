@@ -46,7 +46,8 @@ fn replace_all(
         let failed = |source: io::Error| WriteError { path: path.clone(), source };
         let parent = path.parent().unwrap_or(folder).to_path_buf();
         // The innermost first, as they are removed.
-        let missing: Vec<PathBuf> = [&parent, folder].into_iter().filter(|p| !p.exists()).map(Path::to_path_buf).collect();
+        let missing: Vec<PathBuf> =
+            [&parent, folder].into_iter().filter(|p| !p.exists()).map(Path::to_path_buf).collect();
         fs::create_dir_all(&parent).map_err(|source| WriteError { path: parent.clone(), source })?;
         made.splice(0..0, missing);
         if path.is_dir() {

@@ -149,11 +149,6 @@ pub fn certify(
 /// # Errors
 /// Always.
 #[cfg(not(feature = "certificates"))]
-pub fn certify(
-    _: &mut Graph,
-    _: &[(Expr, Expr)],
-    _: &Premises,
-    _: Effort,
-) -> Result<Vec<Certificate>, NoCertificate> {
+pub fn certify(_: &mut Graph, _: &[(Expr, Expr)], _: &Premises, _: Effort) -> Result<Vec<Certificate>, NoCertificate> {
     Err(NoCertificate::NotBuilt)
 }

@@ -300,7 +300,17 @@ impl Search<'_> {
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
         let Written { formula, definitions, divided_by } = formula;
-        Ok(Certificate { equation, formula, definitions, divided_by, variables, multiplier, not_zero, conclusion, terms })
+        Ok(Certificate {
+            equation,
+            formula,
+            definitions,
+            divided_by,
+            variables,
+            multiplier,
+            not_zero,
+            conclusion,
+            terms,
+        })
     }
 
     /// A lowered expression in the words of the formulas.
@@ -505,9 +515,9 @@ struct Names {
 
 /// Words that are no names in Python, and names that the line for SymPy uses.
 const TAKEN: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del", "elif",
-    "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal", "not", "or",
-    "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N",
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
+    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
+    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N",
 ];
 
 impl Names {
