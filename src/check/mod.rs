@@ -20,6 +20,7 @@ mod limit;
 mod measure;
 mod occurrence;
 mod program;
+mod proposition;
 mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
@@ -35,6 +36,7 @@ mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
+pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK};

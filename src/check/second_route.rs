@@ -8,8 +8,8 @@
 //! and no verdict is given.
 
 use super::identity::{
-    Branches, Certificate, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason, Refutation, Side,
-    branches_test, certify, identity_test,
+    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason,
+    Refutation, Side, branches_test, certify, identity_test,
 };
 use crate::expr::{Expr, Graph, Leaf};
 
@@ -87,7 +87,7 @@ pub(super) fn answer(
     let Some(signs) = signs else {
         let identity = identity_test(graph, equations, premises, &options);
         let evidence = evidence(graph, equations, premises, &identity)?;
-        return Ok((identity, evidence));
+        return Ok((reach(identity, &evidence), evidence));
     };
     let with = |graph: &mut Graph, value: i64| -> Equations {
         let mut put = |e| graph.substitute(e, |g, l| (l == signs.leaf).then(|| g.integer(value)));
@@ -101,7 +101,7 @@ pub(super) fn answer(
         let mut each: Vec<(Identity, IdentityEvidence)> = Vec::new();
         for (identity, list) in throughout.into_iter().zip(&branches) {
             let evidence = evidence_of(list, &identity)?;
-            each.push((identity, evidence));
+            each.push((reach(identity, &evidence), evidence));
         }
         // Proved if one branch is; refuted only if both are.
         let worth = |i: &Identity| match i {
@@ -116,10 +116,23 @@ pub(super) fn answer(
             Some(list) => evidence(graph, &list, premises, &pointwise)?,
             None => IdentityEvidence::default(),
         };
-        (pointwise, evidence)
+        (reach(pointwise, &evidence), evidence)
     };
     evidence.branch = words;
     Ok((identity, evidence))
+}
+
+/// The identity as far as the evidence reaches: a certificate holds wherever the premises do and the formulas have a value, also
+/// where something vanishes that the first route divided by.
+fn reach(mut identity: Identity, evidence: &IdentityEvidence) -> Identity {
+    let certified = !evidence.certificates.is_empty();
+    if let Identity::Proved(proof) = &mut identity
+        && certified
+        && evidence.certificates.iter().all(|c| c.divided_by.is_empty())
+    {
+        proof.conditions.retain(|c| !matches!(c, Condition::Pivot(_)));
+    }
+    identity
 }
 
 fn branch_words(throughout: &[Identity], pointwise: &Identity) -> Option<&'static str> {

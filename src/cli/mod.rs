@@ -5,6 +5,7 @@ mod explain;
 mod files;
 mod list;
 mod outputs;
+mod prove;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -81,6 +82,9 @@ enum Command {
     Explain(ExplainArguments),
     /// Lists claims, trajectories and measures of a derivation file
     List(ListArguments),
+    /// Decides an equation for all values of its symbols
+    #[command(after_help = prove::AFTER_HELP)]
+    Prove(prove::ProveArguments),
 }
 
 /// How results are printed.
@@ -200,6 +204,7 @@ pub fn run() -> ExitCode {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
+        Command::Prove(a) => prove::prove(a),
     });
     ExitCode::from(exit.code())
 }

@@ -21,6 +21,7 @@ mod number;
 mod premise;
 mod symbols;
 mod table;
+mod typed;
 mod unit;
 mod values;
 

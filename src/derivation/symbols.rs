@@ -9,7 +9,7 @@ use super::table::{Literal, Table, Value, literal_of, note_double_quoted};
 use crate::expr::Shape;
 use crate::latex::{Declaration, DeclareError, Role, Scope};
 
-const ROLES: &[(&str, Role)] = &[
+pub(super) const ROLES: &[(&str, Role)] = &[
     ("time", Role::Time),
     ("state", Role::State),
     ("parameter", Role::Parameter),
@@ -190,7 +190,7 @@ fn shape(problems: &mut super::table::Problems<'_>, value: &Value<'_>) -> Option
     found
 }
 
-fn parse_shape(text: &str) -> Option<(Shape, bool)> {
+pub(super) fn parse_shape(text: &str) -> Option<(Shape, bool)> {
     let extent = |s: &str| s.trim().parse::<u16>().ok().filter(|n| *n > 0);
     if let Some(rest) = text.strip_prefix("diagonal") {
         let n = extent(rest)?;

@@ -47,7 +47,7 @@ pub fn certificate_text(title: &str, given: &[String], certificates: &[Certifica
         "#\n\
          # Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...\n\
          # N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,\n\
-         # and d is not 0 where the formulas have a value. So N is 0 there, and the equation holds.\n\
+         # and d is not 0 there, where the formulas have a value. So N is 0 there, and the equation holds.\n\
          # Run with Python and SymPy, this file prints one 0 for each equation.\n\
          \n\
          from sympy import expand, symbols\n",
@@ -69,6 +69,9 @@ fn one_equation(out: &mut String, certificate: &Certificate) {
     comment(out, &format!("Equation {}: {}", certificate.equation + 1, certificate.formula));
     for definition in &certificate.definitions {
         comment(out, &format!("where {definition}"));
+    }
+    for divisor in &certificate.divided_by {
+        comment(out, &format!("where {divisor} is not 0"));
     }
     if !certificate.variables.is_empty() {
         comment(out, "Variables:");

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::certificates::file_name;
 use super::discrimination;
+use super::graph::DerivationGraph;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
@@ -17,7 +18,7 @@ pub fn json(derivation: &Derivation, account: &Account) -> String {
 }
 
 /// A number, `null` where there is none.
-fn number(x: f64) -> Value {
+pub(super) fn number(x: f64) -> Value {
     serde_json::Number::from_f64(x).map_or(Value::Null, Value::Number)
 }
 
@@ -52,6 +53,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "problem": t.problem,
         })).collect::<Vec<_>>(),
         "claims": account.claims.iter().map(|c| claim(derivation, c)).collect::<Vec<_>>(),
+        "graph": DerivationGraph::new(derivation, account).json(),
         "measurements": account.measurements.iter().map(|m| json!({
             "measure": m.measure,
             "trajectory": m.trajectory,
@@ -103,7 +105,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
     })
 }
 
-fn trials(trials: &Trials) -> Value {
+pub(super) fn trials(trials: &Trials) -> Value {
     json!({
         "count": trials.count, "primes": trials.primes, "degree": number(trials.degree), "height": number(trials.height),
         "signs": trials.signs, "cases": trials.cases,
@@ -143,7 +145,7 @@ fn pair(pair: &PairAccount) -> Value {
 /// Below this depth a value stands on one line: pairs of claim and trajectory do.
 const INLINE_DEPTH: usize = 4;
 
-fn write(value: &Value, depth: usize, out: &mut String) {
+pub(super) fn write(value: &Value, depth: usize, out: &mut String) {
     let line = |out: &mut String, depth: usize| {
         out.push('\n');
         out.extend(std::iter::repeat_n("  ", depth));

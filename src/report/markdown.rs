@@ -1,6 +1,7 @@
 //! `report.md`: the report for people, as a forge renders it.
 
 use super::certificates::certificate_note;
+use super::graph::{DerivationGraph, rests_in_words};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, Standing, declared, glyph, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
@@ -15,11 +16,13 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     }
     out.push_str(&findings(derivation, account));
     out.push_str(&matrix(account));
+    let graph = DerivationGraph::new(derivation, account);
+    out.push_str(&graph.section());
     out.push_str(&conventions(derivation));
     out.push_str(&symbols(derivation));
     out.push_str(&systems(derivation));
     out.push_str(&trajectories(account));
-    out.push_str(&claims(derivation, account));
+    out.push_str(&claims(derivation, account, &graph));
     out.push_str(&measures(derivation, account));
     out.push_str(&super::units::section(&account.units));
     out.push_str(&repeat(derivation));
@@ -201,7 +204,7 @@ fn values(values: &[f64]) -> String {
     if all.len() == 1 { all.concat() } else { format!("({})", all.join(", ")) }
 }
 
-fn claims(derivation: &Derivation, account: &Account) -> String {
+fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -> String {
     let mut out = String::from("## Claims\n\n");
     let mut last = "";
     for claim in &account.claims {
@@ -231,6 +234,9 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
         if !claim.assumptions.is_empty() {
             let all: Vec<String> = claim.assumptions.iter().map(|a| math(a)).collect();
             out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
+        }
+        if let Some(rests) = graph.rests_of(claim) {
+            out.push_str(&rests_in_words(&rests, math));
         }
         if let Some(remark) = &claim.remark {
             out.push_str(&format!("> {}\n\n", prose(remark)));

@@ -23,6 +23,9 @@ pub struct Certificate {
     pub formula: String,
     /// Definitions that were put in for what the equation names, in LaTeX.
     pub definitions: Vec<String>,
+    /// What was divided by when a premise was solved for something to put in, in LaTeX: the certificate says nothing of points
+    /// where one of these is 0.
+    pub divided_by: Vec<String>,
     /// The variables of the polynomials, and what they stand for, in LaTeX.
     pub variables: Vec<(String, String)>,
     /// d: not 0 where the formulas have a value and the premises hold.

@@ -61,6 +61,7 @@ pub(super) fn certify(
         Written {
             formula: format!("{} = {}", shown(graph, l), shown(graph, r)),
             definitions: graph.leaves([l, r]).into_iter().filter_map(put_in).collect(),
+            divided_by: solved.pivots.iter().map(|&e| shown(graph, e)).collect(),
         }
     };
     let formulas: Vec<Written> = equations.iter().map(|pair| written(graph, pair)).collect();
@@ -77,6 +78,7 @@ pub(super) fn certify(
 struct Written {
     formula: String,
     definitions: Vec<String>,
+    divided_by: Vec<String>,
 }
 
 /// A relation between the variables.
@@ -297,8 +299,18 @@ impl Search<'_> {
             .filter(|(_, occurs)| *occurs)
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
-        let Written { formula, definitions } = formula;
-        Ok(Certificate { equation, formula, definitions, variables, multiplier, not_zero, conclusion, terms })
+        let Written { formula, definitions, divided_by } = formula;
+        Ok(Certificate {
+            equation,
+            formula,
+            definitions,
+            divided_by,
+            variables,
+            multiplier,
+            not_zero,
+            conclusion,
+            terms,
+        })
     }
 
     /// A lowered expression in the words of the formulas.

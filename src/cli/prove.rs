@@ -1,0 +1,105 @@
+//! `rederive prove`.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use rederive::check::{Proposition, with_symbols_of};
+use rederive::derivation::{Derivation, load};
+use rederive::diag::Diagnostic;
+use rederive::report;
+
+use super::{Exit, Format, Stop, print};
+
+pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words are
+those of [symbols] in a derivation file: a role (parameter, which is so unless given; state,
+observable, abbreviation, time), a shape (3, 3x3, diagonal 3), positive. Where a state is declared,
+and no time, t is the time.
+
+  rederive prove '\sin 2x=2\sin x\cos x' --symbol x
+  rederive prove '\sqrt{x^2}=x' --symbol x --given 'x>0'
+  rederive prove '\frac12\dot q^2-\omega^2\cos q=C' --symbol 'q: state' --symbol '\omega, C'
+  rederive prove '2E={\bf m}^TI^{-1}{\bf m}' --in derivations/top.toml --given t8 --given 'm_1=0'
+
+Exit codes:
+  0   proved
+  1   refuted
+  2   the command line, a formula or a file could not be read
+  3   undecided; also when what is given contradicts itself
+  70  a defect of rederive itself";
+
+/// For which points a sign of ± must serve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Signs {
+    /// At each point one sign or the other
+    Pointwise,
+    /// One sign for all points
+    Throughout,
+}
+
+#[derive(clap::Args)]
+pub struct ProveArguments {
+    /// The equation, in LaTeX; several are separated by commas, and all must hold
+    formula: String,
+    /// A premise: a relation in LaTeX, or with --in the name of a claim or system; may be repeated
+    #[arg(long, short, value_name = "FORMULA|NAME", allow_hyphen_values = true)]
+    given: Vec<String>,
+    /// Declares symbols, see below; may be repeated
+    #[arg(long, short, value_name = "SYMBOL")]
+    symbol: Vec<String>,
+    /// A derivation file whose symbols are known
+    #[arg(long = "in", value_name = "FILE")]
+    file: Option<PathBuf>,
+    /// A claim of this file whose own symbols are known, too
+    #[arg(long, value_name = "CLAIM", requires = "file")]
+    scope: Option<String>,
+    /// What ± means
+    #[arg(long, value_enum, default_value = "pointwise")]
+    branches: Signs,
+    /// Print the exact certificate, as a program for SymPy
+    #[arg(long)]
+    certificate: bool,
+    /// What is printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
+    let mut derivation = match &arguments.file {
+        Some(path) => load(path).map_err(Stop::Diagnostics)?,
+        None => Derivation::blank(),
+    };
+    if let Some(claim) = &arguments.scope {
+        with_symbols_of(&mut derivation, claim, "--scope")?;
+    }
+    let typed: Vec<(String, String)> =
+        arguments.symbol.iter().enumerate().map(|(at, text)| (format!("symbol {}", at + 1), text.clone())).collect();
+    derivation.declare_typed(&typed).map_err(Stop::Diagnostics)?;
+    let proposition = Proposition {
+        formula: arguments.formula.clone(),
+        given: arguments.given.clone(),
+        throughout: arguments.branches == Signs::Throughout,
+    };
+    let account = rederive::check::prove(&mut derivation, &proposition).map_err(|error| match Stop::from(error) {
+        Stop::Diagnostics(found) => Stop::Diagnostics(found.into_iter().map(how_to_declare).collect()),
+        other => other,
+    })?;
+    let text = match (arguments.format, arguments.certificate) {
+        (Format::Json, _) => report::proposition_json(&proposition, &account),
+        (Format::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
+    };
+    print(&text)?;
+    Ok(match account.verdict {
+        "proved" => Exit::Good,
+        "refuted" => Exit::Different,
+        _ => Exit::Undecided,
+    })
+}
+
+/// On a command line symbols are declared otherwise than in a file.
+fn how_to_declare(diagnostic: Diagnostic) -> Diagnostic {
+    if diagnostic.code != "latex::unknown-symbol" {
+        return diagnostic;
+    }
+    let known = diagnostic.hint.clone().filter(|h| !h.contains("[symbols]"));
+    diagnostic.hint(known.unwrap_or_else(|| "declare it with --symbol, or give a file that does with --in".to_owned()))
+}

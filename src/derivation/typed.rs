@@ -1,0 +1,235 @@
+//! Symbols typed on a command line, in the words of `[symbols]`.
+//!
+//! A declaration is `NAMES`, `NAMES: WORDS`, `NAME = FORMULA` or `NAME: WORDS = FORMULA`. Names are separated by commas; words,
+//! too: a role, a shape, `positive`, `angle`. Without a role a symbol is a parameter, with a formula an abbreviation. For
+//! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`.
+//!
+//! Where a state or an observable is declared, and no time, `t` is the time.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::model::{Derivation, SymbolEntry};
+use super::symbols::{ROLES, parse_shape};
+use crate::diag::{Diagnostic, Source, nearest};
+use crate::expr::{Graph, Shape};
+use crate::latex::{Declaration, DeclareError, Role, Scope};
+
+impl Derivation {
+    /// A derivation that says nothing: no symbols, no claims.
+    pub fn blank() -> Derivation {
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        Derivation {
+            id: String::new(),
+            title: String::new(),
+            concerns: String::new(),
+            source: None,
+            remark: None,
+            file: Arc::new(Source { path: String::new(), text: String::new() }),
+            sha256: String::new(),
+            conventions: Vec::new(),
+            symbols: Vec::new(),
+            graph,
+            scope,
+            systems: Vec::new(),
+            trajectories: Vec::new(),
+            claims: Vec::new(),
+            measures: Vec::new(),
+            conditions: Vec::new(),
+            given: Vec::new(),
+        }
+    }
+
+    /// Declares typed symbols, each text on its own, in their order; `shown` is what each is called in problems.
+    ///
+    /// # Errors
+    /// Everything that is wrong with them.
+    pub fn declare_typed(&mut self, texts: &[(String, String)]) -> Result<(), Vec<Diagnostic>> {
+        let mut problems = Vec::new();
+        let mut all = Vec::new();
+        for (shown, text) in texts {
+            let source = Arc::new(Source { path: shown.clone(), text: text.clone() });
+            match Typed::read(&source) {
+                Ok(typed) => all.push((source, typed)),
+                Err(problem) => problems.push(*problem),
+            }
+        }
+        let moves = all.iter().any(|(_, t)| matches!(t.role, Role::State | Role::Observable));
+        let taken = |t: &Typed| t.role == Role::Time || t.names.iter().any(|(name, _)| name == "t");
+        if moves
+            && self.scope.time().is_none()
+            && self.scope.symbol("t").is_none()
+            && !all.iter().any(|(_, t)| taken(t))
+        {
+            let source = Arc::new(Source { path: String::new(), text: "t: time".to_owned() });
+            if let Ok(typed) = Typed::read(&source) {
+                all.insert(0, (source, typed));
+            }
+        }
+        for (source, typed) in &all {
+            for (name, span) in &typed.names {
+                if let Err(found) = self.declare_one(source, typed, name, span) {
+                    problems.extend(found);
+                }
+            }
+        }
+        if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+
+    fn declare_one(
+        &mut self,
+        source: &Arc<Source>,
+        typed: &Typed,
+        name: &str,
+        span: &Range<usize>,
+    ) -> Result<(), Vec<Diagnostic>> {
+        if self.scope.symbol(name).is_some() {
+            let message = format!("`{name}` is declared already");
+            return Err(vec![Diagnostic::at(source, "derivation::duplicate-id", span.clone(), message)]);
+        }
+        let arguments = typed.arguments(name, &self.scope);
+        let names: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let formula = typed.formula.as_ref().map(|(text, _)| text.as_str());
+        let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
+        let declaration = Declaration { role: typed.role, shape, diagonal, formula, arguments: &names };
+        let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
+            let at = |start: usize, found: Vec<crate::diag::Problem>| {
+                found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()
+            };
+            match error {
+                DeclareError::Key(problem) => at(span.start, vec![problem]),
+                DeclareError::Formula(found) => at(typed.formula.as_ref().map_or(0, |(_, start)| *start), found),
+            }
+        })?;
+        self.symbols.push(SymbolEntry {
+            name: name.to_owned(),
+            symbol,
+            role: typed.role,
+            unit: None,
+            measured_in: None,
+            positive: typed.positive,
+            angle: typed.angle,
+            formula: formula.map(str::to_owned),
+            arguments,
+            says: None,
+            span: span.clone(),
+        });
+        Ok(())
+    }
+}
+
+/// One declaration.
+struct Typed {
+    /// Names, with their places.
+    names: Vec<(String, Range<usize>)>,
+    role: Role,
+    shape: Option<(Shape, bool)>,
+    positive: bool,
+    angle: bool,
+    /// The formula, and where it begins.
+    formula: Option<(String, usize)>,
+}
+
+/// The place of a part without the blanks around it.
+fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
+    let part = &text[range.clone()];
+    let start = range.start + (part.len() - part.trim_start().len());
+    start..start + part.trim().len()
+}
+
+/// The parts of a text between commas that stand in no bracket.
+fn parts(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
+    let (mut out, mut depth, mut from) = (Vec::new(), 0i32, range.start);
+    for (at, c) in text[range.clone()].char_indices() {
+        match c {
+            '{' | '(' | '[' => depth += 1,
+            '}' | ')' | ']' => depth -= 1,
+            ',' if depth == 0 => {
+                out.push(trimmed(text, from..range.start + at));
+                from = range.start + at + 1;
+            }
+            _ => {}
+        }
+    }
+    out.push(trimmed(text, from..range.end));
+    out
+}
+
+impl Typed {
+    fn read(source: &Arc<Source>) -> Result<Typed, Box<Diagnostic>> {
+        let text = source.text.as_str();
+        let problem = |span: Range<usize>, code, message: String, hint: &str| {
+            let d = Diagnostic::at(source, code, span, message);
+            Box::new(if hint.is_empty() { d } else { d.hint(hint) })
+        };
+        let equals = text.find('=');
+        let head = 0..equals.unwrap_or(text.len());
+        let colon = text[head.clone()].find(':');
+        let names: Vec<(String, Range<usize>)> =
+            parts(text, 0..colon.unwrap_or(head.end)).into_iter().map(|r| (text[r.clone()].to_owned(), r)).collect();
+        if let Some((_, span)) = names.iter().find(|(name, _)| name.is_empty()) {
+            let hint = "for instance 'x', 'x, y: positive', 'I: diagonal 3', 'q: state' or 'r = x+y'";
+            return Err(problem(span.clone(), "derivation::missing-key", "a name is missing".into(), hint));
+        }
+        let formula = equals.map(|at| {
+            let range = trimmed(text, at + 1..text.len());
+            (text[range.clone()].to_owned(), range.start)
+        });
+        let mut out = Typed {
+            role: if formula.is_some() { Role::Abbreviation } else { Role::Parameter },
+            names,
+            shape: None,
+            positive: false,
+            angle: false,
+            formula,
+        };
+        let words = colon.map_or(Vec::new(), |at| parts(text, at + 1..head.end));
+        let mut positive = 0..0;
+        for span in words {
+            let word = &text[span.clone()];
+            match (word, ROLES.iter().find(|(known, _)| *known == word), parse_shape(word)) {
+                ("positive", ..) => (out.positive, positive) = (true, span),
+                ("angle", ..) => out.angle = true,
+                (_, Some((_, role)), _) => out.role = *role,
+                (_, None, Some(shape)) => out.shape = Some(shape),
+                _ => {
+                    let known = ["positive", "angle", "diagonal 3", "3x3"];
+                    let known = ROLES.iter().map(|(word, _)| *word).chain(known);
+                    let hint = match nearest(word, known.clone()) {
+                        Some(near) => format!("did you mean `{near}`?"),
+                        None => format!("known: {}", known.collect::<Vec<_>>().join(", ")),
+                    };
+                    let message = format!("`{word}` says nothing about a symbol");
+                    return Err(problem(span, "derivation::bad-role", message, &hint));
+                }
+            }
+        }
+        let defined = matches!(out.role, Role::Observable | Role::Abbreviation);
+        if defined != out.formula.is_some() {
+            let message =
+                if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
+            let hint = "observables and abbreviations are defined by a formula, nothing else is";
+            return Err(problem(head, "derivation::bad-role", message.into(), hint));
+        }
+        if out.formula.is_some() && out.names.len() > 1 {
+            let span = out.names[1].1.clone();
+            return Err(problem(span, "derivation::bad-role", "a formula defines one symbol".into(), ""));
+        }
+        if out.positive && out.role != Role::Parameter {
+            let message = "only parameters are declared positive".to_owned();
+            return Err(problem(positive, "derivation::bad-role", message, "write it as a premise: --given 'x>0'"));
+        }
+        Ok(out)
+    }
+
+    /// The formal arguments of a function: what stands in the parentheses of its name and is not declared.
+    fn arguments(&self, name: &str, scope: &Scope) -> Vec<String> {
+        let Some(open) = name.find('(').filter(|_| self.formula.is_some() && name.ends_with(')')) else {
+            return Vec::new();
+        };
+        let inner = parts(name, open + 1..name.len() - 1);
+        let names = inner.into_iter().map(|r| name[r].to_owned());
+        names.filter(|n| !n.is_empty() && scope.symbol(n).is_none()).collect()
+    }
+}

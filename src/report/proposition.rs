@@ -1,0 +1,157 @@
+//! The answer to a proposition: what `rederive prove` prints.
+
+use serde_json::{Map, Value, json};
+
+use super::certificates::{certificate_text, is_certified};
+use super::json::{number, trials, write};
+use super::text::{Paint, paragraph};
+use crate::check::{Counterexample, IdentityAccount, Proposition, Trials};
+
+/// The answer for a person; with `certificate`, followed by the exact proof as a program. `colour`: with escape codes.
+pub fn proposition_text(
+    proposition: &Proposition,
+    account: &IdentityAccount,
+    certificate: bool,
+    colour: bool,
+) -> String {
+    let evidence = &account.evidence;
+    let mut out = format!("{}\n", Paint(colour).bold(account.verdict));
+    out.push_str(&lines(&[proposition.formula.as_str()], 2));
+    if !proposition.given.is_empty() {
+        out.push_str("  given\n");
+        out.push_str(&lines(&proposition.given, 4));
+    }
+    out.push('\n');
+    match account.verdict {
+        "proved" => {
+            let where_true = if proposition.given.is_empty() { "" } else { " for which the premises hold" };
+            out.push_str(&paragraph(
+                &format!("Holds for all values of the symbols{where_true} and both sides have a value."),
+                2,
+            ));
+            if let Some(branch) = evidence.branch {
+                out.push_str(&paragraph(&format!("± holds {branch}."), 2));
+            }
+            if let Some(reason) = &account.reason {
+                out.push_str(&paragraph(&format!("But note: {reason}."), 2));
+            }
+            out.push_str(&routes(account));
+            let heading = if account.generic {
+                "  under conditions, some of which leave out special cases\n"
+            } else {
+                "  where\n"
+            };
+            if !account.conditions.is_empty() {
+                out.push_str(heading);
+                out.push_str(&lines(&account.conditions, 4));
+            }
+        }
+        "refuted" => match &evidence.counterexample {
+            Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
+            None => out.push_str(&lines(account.witness.as_slice(), 2)),
+        },
+        _ => {
+            let reason = account.reason.as_deref().unwrap_or("no reason is known");
+            out.push_str(&paragraph(&format!("Neither proved nor refuted: {reason}."), 2));
+        }
+    }
+    if certificate && is_certified(account) {
+        out.push('\n');
+        out.push_str(&certificate_text(&proposition.formula, &proposition.given, &evidence.certificates));
+    }
+    out
+}
+
+fn lines<S: AsRef<str>>(texts: &[S], indent: usize) -> String {
+    let one = |text: &S| {
+        let line = text.as_ref().split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("{}{line}\n", " ".repeat(indent))
+    };
+    texts.iter().map(one).collect()
+}
+
+/// How it was proved.
+fn routes(account: &IdentityAccount) -> String {
+    let mut out = String::new();
+    match (&account.evidence.no_certificate, is_certified(account)) {
+        (_, true) => out.push_str(&paragraph("Exact: there is a certificate, which --certificate prints.", 2)),
+        (Some(reason), false) => out.push_str(&paragraph(&format!("There is no exact certificate: {reason}."), 2)),
+        (None, false) => {}
+    }
+    if let (Some(trials), Some(bound)) = (&account.evidence.trials, account.log2_error) {
+        let Trials { count, degree, height, signs, cases, .. } = trials;
+        let trials = if *count == 1 { "1 trial".to_owned() } else { format!("{count} trials") };
+        let mut words = format!(
+            "Random evaluation: {trials} over GF(p²), p above 2^61, degree at most {degree}, height at most {height:.0}"
+        );
+        if *signs > 0 {
+            words.push_str(&match signs {
+                1 => ", both choices of one sign".to_owned(),
+                n => format!(", all choices of {n} signs"),
+            });
+        }
+        if *cases > 1 {
+            words.push_str(&format!(", {cases} cases"));
+        }
+        out.push_str(&paragraph(&format!("{words}; the probability of an error is at most 2^{}.", bound.ceil()), 2));
+    }
+    out
+}
+
+fn counterexample(found: &Counterexample, given: bool) -> String {
+    let place = |point: &[(String, String)], left: &str, right: &str| {
+        let values: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let at = if values.is_empty() { "as it stands".to_owned() } else { format!("at {}", values.join("; ")) };
+        format!("{}    left   {left}\n    right  {right}\n", paragraph(&at, 2))
+    };
+    let mut out = String::new();
+    if found.equation > 0 {
+        out.push_str(&format!("  Equation {}:\n", found.equation + 1));
+    }
+    out.push_str(&place(&found.point, &found.left, &found.right));
+    if let Some((point, left, right)) = found.second.as_ref().filter(|_| given) {
+        out.push_str("\n  The premises leave it open: they hold there, and also\n");
+        out.push_str(&place(point, left, right));
+    }
+    out
+}
+
+/// The answer as JSON.
+pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) -> String {
+    let evidence = &account.evidence;
+    let point = |point: &[(String, String)]| -> Map<String, Value> {
+        point.iter().map(|(name, value)| (name.clone(), Value::String(value.clone()))).collect()
+    };
+    let document = json!({
+        "schema": 1,
+        "tool": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
+        "formula": proposition.formula,
+        "given": proposition.given,
+        "branches": if proposition.throughout { "throughout" } else { "pointwise" },
+        "verdict": account.verdict,
+        "log2_error": account.log2_error.map(number),
+        "field": evidence.trials.as_ref().map(|_| "GF(p^2)"),
+        "trials": evidence.trials.as_ref().map(trials),
+        "branch": evidence.branch,
+        "conditions": account.conditions,
+        "generic": account.generic,
+        "reason": account.reason,
+        "contradiction": evidence.contradiction,
+        "witness": evidence.counterexample.as_ref().map(|c| json!({
+            "equation": c.equation,
+            "left": c.left,
+            "right": c.right,
+            "point": point(&c.point),
+            "second": c.second.as_ref().map(|(p, left, right)| json!({
+                "left": left, "right": right, "point": point(p),
+            })),
+        })),
+        "certificate": is_certified(account)
+            .then(|| certificate_text(&proposition.formula, &proposition.given, &evidence.certificates)),
+        "no_certificate": evidence.no_certificate,
+    });
+    let mut out = String::new();
+    write(&document, 0, &mut out);
+    out.push('\n');
+    out
+}
