@@ -20,6 +20,7 @@ mod measure;
 mod occurrence;
 mod program;
 mod same_motion;
+pub mod separation;
 #[cfg(test)]
 pub(crate) mod sample;
 mod stage;
@@ -76,6 +77,18 @@ struct Prepared<'a> {
 /// [`CheckError::Problems`] for systems that cannot be solved for their rates and trajectories that cannot be built;
 /// [`CheckError::Defect`] when two independent computations of the same value disagree.
 pub fn check(
+    derivation: &mut Derivation,
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let mut account = check_claims(derivation, options, progress)?;
+    account.units = units::units(derivation);
+    separation::separate(derivation, options, &mut account)?;
+    Ok(account)
+}
+
+/// The verdicts alone.
+fn check_claims(
     derivation: &mut Derivation,
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
@@ -181,7 +194,6 @@ pub fn check(
         .collect();
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
-    account.units = units::units(derivation);
     Ok(account)
 }
 
@@ -345,6 +357,7 @@ fn assemble(
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
             identity,
+            conditions: Default::default(),
             results: columns.iter().zip(tried).filter_map(pair).collect(),
         });
     }

@@ -92,6 +92,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "reason": i.reason,
             "witness": i.witness,
         })),
+        "conditions": super::conditions::json(&claim.conditions),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }
