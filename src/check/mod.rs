@@ -20,6 +20,7 @@ mod measure;
 mod occurrence;
 mod program;
 mod same_motion;
+pub mod search;
 pub mod separation;
 #[cfg(test)]
 pub(crate) mod sample;

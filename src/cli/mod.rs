@@ -4,6 +4,7 @@ mod check;
 mod explain;
 mod files;
 mod list;
+mod search;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -79,6 +80,9 @@ enum Command {
     Explain(ExplainArguments),
     /// Lists claims, trajectories and measures of a derivation file
     List(ListArguments),
+    /// Searches for a motion on which a claim fails, and prints it as a table of a derivation file
+    #[command(after_help = search::EXIT_CODES)]
+    Search(search::SearchArguments),
 }
 
 /// How results are printed.
@@ -167,6 +171,7 @@ pub fn run() -> ExitCode {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
+        Command::Search(a) => search::search(a),
     });
     ExitCode::from(exit.code())
 }

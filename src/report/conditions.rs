@@ -19,10 +19,12 @@ struct Style {
     formula: fn(&str) -> String,
     id: fn(&str) -> String,
     text: fn(&str) -> String,
+    /// Most rivals that are named.
+    rivals: usize,
 }
 
-const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned() };
-const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose };
+const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: 2 };
+const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, rivals: usize::MAX };
 
 fn condition(c: &ConditionName, style: &Style) -> String {
     let formula = (style.formula)(&c.formula);
@@ -46,13 +48,13 @@ fn listed(names: &[String], style: &Style) -> String {
     if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
 }
 
-/// Why a rival is one, and what would tell.
+/// A rival, and where it differs.
 fn rival(r: &Rival, style: &Style) -> String {
-    let seen = match r.differ_on.as_slice() {
-        [] => "no trajectory of the file meets one without the other".to_owned(),
-        some => format!("{} would tell if the claim applied there", listed(some, style)),
-    };
-    format!("{} ({seen})", explanation(&r.explanation, style))
+    let name = explanation(&r.explanation, style);
+    match r.differ_on.as_slice() {
+        [] => name,
+        some => format!("{name} (they differ on {}, to which the claim does not apply)", listed(some, style)),
+    }
 }
 
 /// The sentences on what separates the trajectories of a claim.
@@ -70,13 +72,14 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
         Some(e) => {
             out.push(format!("It holds exactly where {}; {sides}; {tried}.", explanation(e, style)));
             if !s.rivals.is_empty() {
-                let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
-                let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };
-                out.push(format!("These trajectories cannot tell it from: {}{more}.", all.join("; ")));
-                out.push(
-                    "A trajectory would tell that meets the claim's assumptions, and one of the two without the other."
-                        .to_owned(),
-                );
+                let all: Vec<String> = s.rivals.iter().take(style.rivals).map(|r| rival(r, style)).collect();
+                let hidden = s.more_rivals + s.rivals.len() - all.len();
+                let more = if hidden > 0 { format!("; and {hidden} more") } else { String::new() };
+                out.push(format!(
+                    "The trajectories to which it applies cannot tell this from: {}{more}. A trajectory would tell that \
+                     meets the claim's assumptions, and one condition of the two without the other.",
+                    all.join("; ")
+                ));
             }
         }
         None => {

@@ -28,11 +28,12 @@ fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
     })
 }
 
-/// Every claim that holds somewhere, without each of its assumptions in turn, on the trajectories where that may matter.
+/// Every claim that holds wherever it applies and is decided, and does so somewhere, without each of its assumptions in turn, on the trajectories where that may matter.
 pub(super) fn without_one(derivation: &Derivation, account: &Account) -> Vec<Dropped> {
     let mut out = Vec::new();
     for (of, found) in account.claims.iter().enumerate() {
-        let holds = found.results.iter().any(|p| matches!(p.verdict.outcome(), Outcome::Holds(_)));
+        let any = |want: fn(Outcome) -> bool| found.results.iter().any(|p| want(p.verdict.outcome()));
+        let holds = any(|o| matches!(o, Outcome::Holds(_))) && !any(|o| matches!(o, Outcome::Fails(_)));
         let declared = derivation.claims.iter().find(|c| c.id == found.id && c.reading == found.reading);
         let Some(declared) = declared.filter(|_| holds) else { continue };
         for k in 0..declared.assuming.len() {

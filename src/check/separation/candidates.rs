@@ -6,8 +6,8 @@
 use super::PROBE;
 use super::account::ConditionName;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, SymbolEntry, Written};
-use crate::expr::{Leaf, Tensor};
-use crate::latex::{self, Role, Statement};
+use crate::expr::{Expr, Leaf, Tensor};
+use crate::latex::{self, RelationKind, Role, Statement};
 
 /// Most conditions that are built from the symbols.
 const MOST: usize = 240;
@@ -42,15 +42,10 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
         let claim = claim(derivation, out.len(), Says::Statements(condition.holds.clone()));
         out.push(Candidate { name, claim });
     }
-    let declared = out.len();
     let mut texts = parameters(derivation);
     texts.extend(starts(derivation));
     texts.extend(moving(derivation));
     for text in texts.into_iter().take(MOST) {
-        let same = |c: &Candidate| c.name.formula == text;
-        if out[..declared].iter().any(same) {
-            continue;
-        }
         let written = 0..0;
         let says = match text.strip_suffix(CONSTANT) {
             Some(quantity) => latex::read_expression(quantity, &derivation.scope, &mut derivation.graph).ok().map(|value| {
@@ -66,8 +61,34 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
         let constant = matches!(says, Says::Constant(_)).then(|| "does not change".to_owned());
         let name = ConditionName { id: None, formula, says: constant, negated: false };
         let claim = claim(derivation, out.len(), says);
-        out.push(Candidate { name, claim });
+        // The file may have said it in other words.
+        if !out.iter().any(|c| said(&c.claim) == said(&claim)) {
+            out.push(Candidate { name, claim });
+        }
     }
+    out
+}
+
+/// What a claim says, in whatever words: the sides of its relations, and what is constant, in a fixed order.
+pub(super) fn said(claim: &Claim) -> Vec<(Option<RelationKind>, Expr, Option<Expr>)> {
+    let mut out = Vec::new();
+    for form in &claim.forms {
+        match form {
+            Form::Always(w) => {
+                for relation in &w.value.relations {
+                    let sides = relation.left.components.iter().zip(&relation.right.components);
+                    // 0 = 0 off a diagonal says nothing.
+                    let telling = sides.filter(|(l, r)| l != r);
+                    out.extend(telling.map(|(l, r)| (Some(relation.kind), *l, Some(*r))));
+                }
+            }
+            Form::FirstIntegral(w) => out.extend(w.value.components.iter().map(|e| (None, *e, None))),
+            // Said of no condition.
+            _ => return Vec::new(),
+        }
+    }
+    out.sort_unstable_by_key(|(kind, l, r)| (kind.map(|k| k as u8), *l, *r));
+    out.dedup();
     out
 }
 

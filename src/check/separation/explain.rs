@@ -54,7 +54,7 @@ fn implies(a: &Truth, b: &Truth) -> bool {
 }
 
 /// What separates the trajectories of a claim. `ids` are those of all trajectories, in the order of the truths.
-pub(super) fn separation(claim: &ClaimAccount, ids: &[String], judged: &[(&Candidate, Truth)]) -> Separation {
+pub(super) fn separation(claim: &ClaimAccount, ids: &[String], judged: &[(&Candidate, &Truth)]) -> Separation {
     let outcome = |id: &String| claim.results.iter().find(|p| p.trajectory == *id).map(|p| p.verdict.outcome());
     let stands: Vec<Option<bool>> = ids
         .iter()
@@ -67,16 +67,14 @@ pub(super) fn separation(claim: &ClaimAccount, ids: &[String], judged: &[(&Candi
     let named = |want: bool| -> Vec<String> {
         ids.iter().zip(&stands).filter(|(_, s)| **s == Some(want)).map(|(id, _)| id.clone()).collect()
     };
-    // The claim itself explains nothing.
-    let itself = |name: &ConditionName| claim.formulas.iter().any(|f| *f == name.formula);
     let mut all: Vec<Reason> = Vec::new();
-    for (position, (candidate, truth)) in judged.iter().enumerate().filter(|(_, (c, _))| !itself(&c.name)) {
+    for (position, (candidate, truth)) in judged.iter().enumerate() {
         let built = usize::from(candidate.name.id.is_none());
         let one = |name: ConditionName, truth: Truth, rank| {
             let explanation = Explanation { conditions: vec![name], join: Join::And };
             Reason { explanation, truth, rank }
         };
-        all.push(one(candidate.name.clone(), truth.clone(), (built, 1, position)));
+        all.push(one(candidate.name.clone(), Truth::clone(truth), (built, 1, position)));
         if built == 0 {
             let name = ConditionName { negated: true, ..candidate.name.clone() };
             let truth = truth.iter().map(|t| t.map(|t| !t)).collect();

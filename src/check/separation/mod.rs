@@ -68,10 +68,12 @@ pub(super) fn separate(
         ids.iter().map(standing).collect()
     };
     let judged: Vec<(&Candidate, Truth)> = candidates.iter().enumerate().map(|(k, c)| (c, truth(k))).collect();
-    for claim in &mut account.claims {
-        if explain::is_split(claim) {
-            claim.conditions.separation = Some(explain::separation(claim, &ids, &judged));
-        }
+    for claim in account.claims.iter_mut().filter(|c| explain::is_split(c)) {
+        // A claim explains nothing about itself.
+        let said = derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading).map(candidates::said);
+        let others: Vec<(&Candidate, &Truth)> =
+            judged.iter().filter(|(c, _)| Some(candidates::said(&c.claim)) != said).map(|(c, t)| (*c, t)).collect();
+        claim.conditions.separation = Some(explain::separation(claim, &ids, &others));
     }
     for (k, drop) in dropped.iter().enumerate() {
         let (Some(claim), Some(without)) =
