@@ -1,6 +1,7 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
 use super::second_route::IdentityEvidence;
+use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
 use super::verdict::{Outcome, Verdict};
@@ -126,6 +127,8 @@ pub struct ClaimAccount {
     pub remark: Option<String>,
     /// Whether it holds for all values, where it is a claim of that kind.
     pub identity: Option<IdentityAccount>,
+    /// Under which condition it holds, and which of its assumptions it needs.
+    pub conditions: ConditionsAccount,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.

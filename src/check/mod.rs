@@ -24,7 +24,9 @@ mod proposition;
 mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
+pub mod search;
 mod second_route;
+pub mod separation;
 mod series;
 mod stage;
 mod step;
@@ -89,6 +91,18 @@ struct Prepared<'a> {
 /// [`CheckError::Problems`] for systems that cannot be solved for their rates and trajectories that cannot be built;
 /// [`CheckError::Defect`] when two independent computations of the same value disagree.
 pub fn check(
+    derivation: &mut Derivation,
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let mut account = check_claims(derivation, options, progress)?;
+    account.units = units::units(derivation);
+    separation::separate(derivation, options, &mut account)?;
+    Ok(account)
+}
+
+/// The verdicts alone.
+fn check_claims(
     derivation: &mut Derivation,
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
@@ -208,7 +222,6 @@ pub fn check(
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
-    account.units = units::units(derivation);
     if let Some(altered) = &altered {
         let ids: Vec<String> = tried.iter().map(|&t| derivation.trajectories[t].id.clone()).collect();
         altered.conclude(&mut account.claims, &rejected, &ids);
@@ -373,6 +386,7 @@ fn assemble(
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
             identity,
+            conditions: Default::default(),
             results: columns.iter().zip(tried).filter_map(pair).collect(),
             variants: None,
         });

@@ -130,6 +130,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         assumptions: if id == "motion" { vec!["k>0".into()] } else { Vec::new() },
         remark: (id == "rest").then(|| "The wrong claim.".into()),
         identity: None,
+        conditions: Default::default(),
         results,
         variants: None,
     }

@@ -6,6 +6,7 @@ mod files;
 mod list;
 mod outputs;
 mod prove;
+mod search;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -85,6 +86,9 @@ enum Command {
     /// Decides an equation for all values of its symbols
     #[command(after_help = prove::AFTER_HELP)]
     Prove(prove::ProveArguments),
+    /// Searches for a motion on which a claim fails, and prints it as a table of a derivation file
+    #[command(after_help = search::EXIT_CODES)]
+    Search(search::SearchArguments),
 }
 
 /// How results are printed.
@@ -205,6 +209,7 @@ pub fn run() -> ExitCode {
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
         Command::Prove(a) => prove::prove(a),
+        Command::Search(a) => search::search(a),
     });
     ExitCode::from(exit.code())
 }

@@ -8,7 +8,7 @@ use rederive::derivation::{Derivation, load};
 use rederive::diag::Diagnostic;
 use rederive::report;
 
-use super::{Exit, Format, Stop, print};
+use super::{Exit, Stop, print};
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words are
 those of [symbols] in a derivation file: a role (parameter, which is so unless given; state,
@@ -60,7 +60,16 @@ pub struct ProveArguments {
     certificate: bool,
     /// What is printed
     #[arg(long, value_enum, default_value = "text")]
-    format: Format,
+    format: Output,
+}
+
+/// How an answer is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Output {
+    /// For people
+    Text,
+    /// As JSON
+    Json,
 }
 
 pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
@@ -84,8 +93,8 @@ pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
         other => other,
     })?;
     let text = match (arguments.format, arguments.certificate) {
-        (Format::Json, _) => report::proposition_json(&proposition, &account),
-        (Format::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
+        (Output::Json, _) => report::proposition_json(&proposition, &account),
+        (Output::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
     };
     print(&text)?;
     Ok(match account.verdict {

@@ -101,6 +101,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "no_certificate": i.evidence.no_certificate,
         })),
         "variants": discrimination::claim_json(claim),
+        "conditions": super::conditions::json(&claim.conditions),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }

@@ -255,6 +255,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
                 out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
             }
         }
+        out.push_str(&super::conditions::section(&claim.conditions));
         for group in groups(claim) {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }

@@ -9,6 +9,7 @@
 //! computed here: every number comes from the account, and is only chosen and written.
 
 mod certificates;
+mod conditions;
 mod discrimination;
 mod explain;
 mod finding;

@@ -25,6 +25,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
     out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
+    out.push_str(&super::conditions::terminal(account, paint));
     out.push_str(&measurements(derivation, account, paint));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));

@@ -1,0 +1,83 @@
+//! A claim with one of its assumptions left out.
+
+use super::PROBE;
+use super::account::{AssumptionAccount, Need};
+use crate::check::account::{Account, ClaimAccount};
+use crate::check::verdict::Outcome;
+use crate::derivation::{Claim, Derivation};
+use crate::latex::RelationKind;
+
+/// A claim without one of its assumptions.
+pub(super) struct Dropped {
+    /// The claim.
+    pub claim: Claim,
+    /// The position of the whole claim in the account.
+    pub of: usize,
+    /// The assumption.
+    pub text: String,
+}
+
+/// Whether a verdict could become another one when an assumption is left out.
+fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
+    let pair = claim.results.iter().find(|p| p.trajectory == trajectory);
+    pair.is_some_and(|p| match p.verdict.outcome() {
+        Outcome::NotApplicable => true,
+        // An inequality chooses the times that count: without it there may be more.
+        Outcome::Holds(_) => selects && !p.verdict.evidence().excluded.is_empty(),
+        Outcome::Fails(_) | Outcome::Undecided => false,
+    })
+}
+
+/// Every claim that holds wherever it applies and is decided, and does so somewhere, without each of its assumptions in turn, on the trajectories where that may matter.
+pub(super) fn without_one(derivation: &Derivation, account: &Account) -> Vec<Dropped> {
+    let mut out = Vec::new();
+    for (of, found) in account.claims.iter().enumerate() {
+        let any = |want: fn(Outcome) -> bool| found.results.iter().any(|p| want(p.verdict.outcome()));
+        let holds = any(|o| matches!(o, Outcome::Holds(_))) && !any(|o| matches!(o, Outcome::Fails(_)));
+        let declared = derivation.claims.iter().find(|c| c.id == found.id && c.reading == found.reading);
+        let Some(declared) = declared.filter(|_| holds) else { continue };
+        for k in 0..declared.assuming.len() {
+            let mut claim = declared.clone();
+            let assumption = claim.assuming.remove(k);
+            let selects = assumption.value.relations.iter().any(|r| r.kind != RelationKind::Equal);
+            claim.trajectories.retain(|&t| is_open(found, &derivation.trajectories[t].id, selects));
+            claim.id = format!("{PROBE}{of}/{k}");
+            claim.reading = None;
+            claim.follows_from.clear();
+            claim.expect = vec![None; claim.trajectories.len()];
+            out.push(Dropped { claim, of, text: assumption.text });
+        }
+    }
+    out
+}
+
+/// What the verdicts without an assumption say of it.
+pub(super) fn need(whole: &ClaimAccount, without: &ClaimAccount, text: &str) -> AssumptionAccount {
+    let before = |trajectory: &str| whole.results.iter().find(|p| p.trajectory == trajectory).map(|p| &p.verdict);
+    let (mut fails, mut holds, mut open) = (Vec::new(), Vec::new(), Vec::new());
+    for pair in &without.results {
+        let name = pair.trajectory.clone();
+        match pair.verdict.outcome() {
+            Outcome::Fails(_) => fails.push(name),
+            Outcome::Undecided => open.push(name),
+            Outcome::NotApplicable => {}
+            Outcome::Holds(_) => {
+                // Where it held before, it must hold at more times to say anything new.
+                let more = before(&name).is_some_and(|v| pair.verdict.evidence().samples > v.evidence().samples);
+                if more {
+                    holds.push(name);
+                }
+            }
+        }
+    }
+    let (need, on) = if !fails.is_empty() {
+        (Need::Needed, fails)
+    } else if !open.is_empty() {
+        (Need::Undecided, open)
+    } else if !holds.is_empty() {
+        (Need::NotNeeded, holds)
+    } else {
+        (Need::Untested, Vec::new())
+    };
+    AssumptionAccount { text: text.to_owned(), need, on }
+}

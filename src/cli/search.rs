@@ -1,0 +1,103 @@
+//! `rederive search`.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use rederive::check::search::{Found, SearchAccount, SearchOptions};
+
+use super::{Exit, Stop, complain, files, print};
+
+/// What the exit code of a search means.
+pub const EXIT_CODES: &str = "\
+Exit codes:
+  0   a motion was found on which the claim fails; its table is on standard output
+  2   the command line or a file could not be read
+  3   none was found, which does not show that there is none
+  70  a defect of rederive itself";
+
+#[derive(clap::Args)]
+pub struct SearchArguments {
+    /// The claim: its id, for any of its readings, or id/reading
+    claim: String,
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    path: PathBuf,
+    /// The seed: the same seed finds the same motion
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// How many motions are tried at most
+    #[arg(long, value_name = "N", default_value_t = 480)]
+    tries: usize,
+}
+
+pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
+    let claims = [arguments.claim.clone()];
+    let mut derivations = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
+    files::known(&derivations, &claims, &[])?;
+    derivations.retain(|d| files::concerns(d, &claims, &[]));
+    let options = SearchOptions { claim: arguments.claim.clone(), seed: arguments.seed, tries: arguments.tries };
+    let mut exit = Exit::Undecided;
+    for derivation in &derivations {
+        let bar = ProgressBar::with_draw_target(Some(arguments.tries as u64), ProgressDrawTarget::hidden());
+        if std::io::stderr().is_terminal()
+            && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
+        {
+            bar.set_style(style);
+            bar.set_prefix(derivation.id.clone());
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        let progress = |done: usize, _: usize| bar.set_position(done as u64);
+        let account = rederive::check::search::search(derivation, &options, &progress);
+        bar.finish_and_clear();
+        let account = account?;
+        say_known(&account);
+        match &account.found {
+            Some(found) => {
+                print(&table(found, &options))?;
+                if found.listed {
+                    complain(&format!("`{}` names its trajectories: add \"{}\" to them\n", found.claim, found.id));
+                }
+                exit = Exit::Good;
+            }
+            None => complain(&format!("{}: no motion was found on which `{}` fails\n", derivation.id, options.claim)),
+        }
+        say_tally(&account);
+    }
+    Ok(exit)
+}
+
+/// Where the claim fails already.
+fn say_known(account: &SearchAccount) {
+    if let Some(first) = account.known.first() {
+        let more = account.known.len() - 1;
+        let others = if more > 0 { format!(" and {more} more trajectories") } else { String::new() };
+        complain(&format!("the claim fails already on {first}{others} of the file\n"));
+    }
+}
+
+fn say_tally(account: &SearchAccount) {
+    let t = account.tally;
+    let tried = t.holds + t.fails + t.not_applicable + t.undecided + t.impossible;
+    complain(&format!(
+        "{tried} tried: the claim holds on {}, fails on {}, does not apply to {}, is undecided on {}; {} are no motions\n",
+        t.holds, t.fails, t.not_applicable, t.undecided, t.impossible
+    ));
+}
+
+/// The table with what it shows, as comments.
+fn table(found: &Found, options: &SearchOptions) -> String {
+    let mut out = format!(
+        "\n# `{}` fails here; found with seed {}, try {}, from `{}`.\n",
+        found.claim, options.seed, found.number, found.from
+    );
+    if let Some(w) = &found.verdict.evidence().witness {
+        let formula = w.formula.split_whitespace().collect::<Vec<_>>().join(" ");
+        out.push_str(&format!(
+            "# At t = {}: {formula}: {} and {}, error bound {:.1e}.\n",
+            w.t, w.left, w.right, w.bound
+        ));
+    }
+    out.push_str(&found.table);
+    out
+}

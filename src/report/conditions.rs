@@ -1,0 +1,203 @@
+//! What is said of conditions: which one separates the trajectories of a claim, and which assumptions it needs.
+
+use serde_json::{Value, json};
+
+use super::markdown::{math, prose};
+use super::numbers::count;
+use super::tally::name;
+use super::text::{Paint, paragraph};
+use crate::check::Account;
+use crate::check::separation::{
+    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Need, Rival, Separation,
+};
+
+/// Most trajectories that are named in one line.
+const NAMED: usize = 4;
+
+/// How formulas and names are written.
+struct Style {
+    formula: fn(&str) -> String,
+    id: fn(&str) -> String,
+    text: fn(&str) -> String,
+    /// Most rivals that are named.
+    rivals: usize,
+}
+
+const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: 2 };
+const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, rivals: usize::MAX };
+
+fn condition(c: &ConditionName, style: &Style) -> String {
+    let formula = (style.formula)(&c.formula);
+    let text = match (&c.id, &c.says) {
+        (Some(id), Some(says)) => format!("{} ({}: {formula})", (style.id)(id), (style.text)(says)),
+        (_, Some(says)) => format!("{formula} {}", (style.text)(says)),
+        (Some(id), None) => format!("{} ({formula})", (style.id)(id)),
+        (None, None) => formula,
+    };
+    if c.negated { format!("not {text}") } else { text }
+}
+
+fn explanation(e: &Explanation, style: &Style) -> String {
+    let parts: Vec<String> = e.conditions.iter().map(|c| condition(c, style)).collect();
+    parts.join(&format!(" {} ", e.join.word()))
+}
+
+fn listed(names: &[String], style: &Style) -> String {
+    let shown: Vec<String> = names.iter().take(NAMED).map(|n| (style.id)(n)).collect();
+    let more = names.len().saturating_sub(NAMED);
+    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+}
+
+/// A rival, and where it differs.
+fn rival(r: &Rival, style: &Style) -> String {
+    let name = explanation(&r.explanation, style);
+    match r.differ_on.as_slice() {
+        [] => name,
+        some => format!("{name} (they differ on {}, to which the claim does not apply)", listed(some, style)),
+    }
+}
+
+/// The sentences on what separates the trajectories of a claim.
+fn sentences(s: &Separation, style: &Style) -> Vec<String> {
+    let mut out = Vec::new();
+    let sides = format!(
+        "met on the {} where it holds ({}), unmet on the {} where it fails ({})",
+        s.holds.len(),
+        listed(&s.holds, style),
+        s.fails.len(),
+        listed(&s.fails, style)
+    );
+    let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
+    match &s.explanation {
+        Some(e) => {
+            out.push(format!("It holds exactly where {}; {sides}; {tried}.", explanation(e, style)));
+            if !s.rivals.is_empty() {
+                let all: Vec<String> = s.rivals.iter().take(style.rivals).map(|r| rival(r, style)).collect();
+                let hidden = s.more_rivals + s.rivals.len() - all.len();
+                let more = if hidden > 0 { format!("; and {hidden} more") } else { String::new() };
+                out.push(format!(
+                    "The trajectories to which it applies cannot tell this from: {}{more}. A trajectory would tell that \
+                     meets the claim's assumptions, and one condition of the two without the other.",
+                    all.join("; ")
+                ));
+            }
+        }
+        None => {
+            out.push(format!(
+                "It holds on {} and fails on {}, and no condition, nor three together, separates them ({tried}).",
+                s.holds.len(),
+                s.fails.len()
+            ));
+            let of = |parts: &[(ConditionName, usize)]| -> String {
+                parts.iter().map(|(c, n)| format!("{} ({n})", condition(c, style))).collect::<Vec<_>>().join("; ")
+            };
+            if !s.sufficient.is_empty() {
+                out.push(format!("Met only where it holds, and on how many of those: {}.", of(&s.sufficient)));
+            }
+            if !s.necessary.is_empty() {
+                out.push(format!("Met wherever it holds, and on how many where it fails: {}.", of(&s.necessary)));
+            }
+        }
+    }
+    out
+}
+
+/// What an assumption is worth, in words.
+fn worth(a: &AssumptionAccount, style: &Style) -> String {
+    let formula = (style.formula)(&a.text);
+    let on = listed(&a.on, style);
+    match a.need {
+        Need::Needed => format!("{formula} is needed: without it the claim fails on {on}"),
+        Need::NotNeeded => {
+            format!("{formula} is not needed as far as these motions show: the claim holds on {on} all the same")
+        }
+        Need::Undecided => {
+            format!("whether {formula} is needed is undecided: without it the claim is undecided on {on}")
+        }
+        Need::Untested => format!("whether {formula} is needed cannot be told: no motion meets the others without it"),
+    }
+}
+
+/// For the terminal: a block with every claim that is split, and the assumptions that are not needed.
+pub(super) fn terminal(account: &Account, paint: Paint) -> String {
+    let mut split = String::new();
+    let mut number = 0;
+    let mut idle = String::new();
+    for claim in &account.claims {
+        if let Some(separation) = &claim.conditions.separation {
+            number += 1;
+            split.push_str(&format!("  {}\n", paint.bold(&name(claim))));
+            for sentence in sentences(separation, &TERMINAL) {
+                split.push_str(&paragraph(&sentence, 4));
+            }
+            split.push('\n');
+        }
+        for assumption in claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded) {
+            idle.push_str(&paragraph(&format!("{}: {}", name(claim), worth(assumption, &TERMINAL)), 2));
+        }
+    }
+    let mut out = String::new();
+    if !split.is_empty() {
+        out.push_str(&format!("{} ({number})\n\n{split}", paint.bold("Holds on some motions and fails on others")));
+    }
+    if !idle.is_empty() {
+        out.push_str(&format!("{}\n\n{idle}\n", paint.bold("Assumptions that are not needed here")));
+    }
+    out
+}
+
+/// For a claim in `report.md`.
+pub(super) fn section(conditions: &ConditionsAccount) -> String {
+    let mut out = String::new();
+    if let Some(separation) = &conditions.separation {
+        out.push_str(&format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" ")));
+    }
+    if !conditions.assumptions.is_empty() {
+        let mut lines: Vec<String> = Vec::new();
+        for assumption in &conditions.assumptions {
+            let text = worth(assumption, &MARKDOWN);
+            let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
+            lines.push(format!("- {line}\n"));
+        }
+        let idle = conditions.assumptions.iter().any(|a| a.need == Need::NotNeeded);
+        let heading = if idle { "Assumptions, one of which is not needed" } else { "Assumptions" };
+        out.push_str(&format!("<details><summary>{heading}</summary>\n\n{}\n</details>\n\n", lines.concat()));
+    }
+    out
+}
+
+fn condition_json(c: &ConditionName) -> Value {
+    json!({ "id": c.id, "formula": c.formula, "says": c.says, "negated": c.negated })
+}
+
+fn explanation_json(e: &Explanation) -> Value {
+    json!({ "join": e.join.word(), "conditions": e.conditions.iter().map(condition_json).collect::<Vec<_>>() })
+}
+
+/// The part of a claim in `report.json`.
+pub(super) fn json(conditions: &ConditionsAccount) -> Value {
+    let part = |parts: &[(ConditionName, usize)]| -> Vec<Value> {
+        parts.iter().map(|(c, n)| json!({ "condition": condition_json(c), "trajectories": n })).collect()
+    };
+    let separation = conditions.separation.as_ref().map(|s| {
+        json!({
+            "holds": s.holds,
+            "fails": s.fails,
+            "explanation": s.explanation.as_ref().map(explanation_json),
+            "rivals": s.rivals.iter().map(|r| json!({
+                "explanation": explanation_json(&r.explanation), "differ_on": r.differ_on,
+            })).collect::<Vec<_>>(),
+            "more_rivals": s.more_rivals,
+            "sufficient": part(&s.sufficient),
+            "necessary": part(&s.necessary),
+            "tried": s.tried,
+            "undecided": s.undecided,
+        })
+    });
+    json!({
+        "separation": separation,
+        "assumptions": conditions.assumptions.iter().map(|a| json!({
+            "formula": a.text, "need": a.need.word(), "on": a.on,
+        })).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,185 @@
+//! What a search finds is a motion of the file: pasted, the claim fails on it.
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use predicates::prelude::PredicateBooleanExt;
+use rederive::check::search::{SearchAccount, SearchOptions, search};
+use rederive::check::{Options, Outcome, check};
+use rederive::derivation::{Derivation, parse};
+use rederive::diag::{Source, render};
+
+const PENDULUM: &str = r"
+[derivation]
+title = 'A pendulum'
+concerns = 'test'
+[symbols]
+'t' = { role = 'time', unit = 's' }
+'q' = { role = 'state', unit = 'rad' }
+'p' = { role = 'state', unit = '1/s' }
+'w' = { role = 'parameter', unit = '1/s', positive = true }
+'E' = { role = 'observable', formula = '\frac12p^2-w^2\cos q' }
+[system.s]
+states = ['q', 'p']
+equations = ['\dot q=p', '\dot p=-w^2\sin q']
+[[trajectory]]
+id = 'small'
+system = 's'
+parameters = { 'w' = 1.3 }
+initial = { 'q' = 0.1, 'p' = 0 }
+span = [0, 12]
+[[claim]]
+id = 'energy'
+says = 'true'
+first-integral = ['E']
+[[claim]]
+id = 'never-round'
+says = 'it does not go over the top'
+always = ['\left|q\right|<4']
+[[claim]]
+id = 'from-rest'
+says = 'from rest it stays below the top'
+assuming = ['p(0)=0']
+always = ['\left|q\right|<3']
+[[claim]]
+id = 'listed'
+says = 'the same, and names its trajectory'
+always = ['\left|q\right|<4']
+trajectories = ['small']
+[[claim]]
+id = 'two'
+says = 'two readings'
+[[claim.reading]]
+id = 'true'
+says = 'true'
+always = ['\dot q=p']
+[[claim.reading]]
+id = 'wrong'
+says = 'wrong'
+always = ['\left|p\right|<1']
+";
+
+fn read(text: &str) -> Derivation {
+    let source = Source { path: "test.toml".into(), text: text.into() };
+    parse(source, "test").unwrap_or_else(|found| panic!("{}", render(&found, false)))
+}
+
+fn run(text: &str, claim: &str, seed: u64, tries: usize) -> SearchAccount {
+    let options = SearchOptions { claim: claim.into(), seed, tries };
+    search(&read(text), &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+/// Pastes what was found and checks the claim on it.
+fn fails_when_pasted(text: &str, account: &SearchAccount) {
+    let found = account.found.as_ref().expect("a motion is found");
+    let mut text = format!("{text}\n{}", found.table);
+    if found.listed {
+        text = text.replace("trajectories = ['small']", &format!("trajectories = ['small', '{}']", found.id));
+    }
+    let mut derivation = read(&text);
+    let id = found.claim.split('/').next().unwrap_or_default().to_owned();
+    let options = Options { claims: vec![id], trajectories: vec![found.id.clone()], plain: false };
+    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let reading = found.claim.split('/').nth(1);
+    let claim = account.claims.iter().find(|c| c.reading.as_deref() == reading).expect("the claim is tried");
+    assert_eq!(claim.results.len(), 1, "{}", found.table);
+    assert!(matches!(claim.results[0].verdict.outcome(), Outcome::Fails(_)), "{}", found.table);
+    assert_eq!(claim.results[0].verdict, found.verdict, "{}", found.table);
+}
+
+#[test]
+fn a_wrong_claim_is_refuted_and_the_table_can_be_pasted() {
+    for claim in ["never-round", "from-rest", "listed", "two/wrong", "two"] {
+        fails_when_pasted(PENDULUM, &run(PENDULUM, claim, 1, 480));
+    }
+}
+
+#[test]
+fn a_true_claim_is_not_refuted() {
+    let account = run(PENDULUM, "energy", 1, 96);
+    assert!(account.found.is_none());
+    assert_eq!((account.tally.fails, account.known.len()), (0, 0));
+    assert!(account.tally.holds > 50, "{:?}", account.tally);
+    assert!(run(PENDULUM, "two/true", 1, 48).found.is_none());
+}
+
+#[test]
+fn assumptions_stay_met() {
+    let account = run(PENDULUM, "from-rest", 3, 480);
+    let found = account.found.as_ref().expect("found");
+    assert!(found.table.contains("'p' = 0"), "{}", found.table);
+}
+
+#[test]
+fn numbers_are_made_round() {
+    let found = run(PENDULUM, "never-round", 2, 480).found.expect("found");
+    let digits: usize = found
+        .table
+        .lines()
+        .filter(|l| l.starts_with("parameters") || l.starts_with("initial"))
+        .flat_map(|l| l.split([' ', ',']))
+        .filter(|w| w.parse::<f64>().is_ok())
+        .map(|w| w.chars().filter(char::is_ascii_digit).count())
+        .sum();
+    assert!(digits <= 7, "{}", found.table);
+}
+
+#[test]
+fn the_seed_decides_and_the_threads_do_not() {
+    let one = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| run(PENDULUM, "from-rest", 5, 480))
+    };
+    assert_eq!(one(1), one(4));
+    let tables: Vec<String> =
+        (0..6).filter_map(|seed| run(PENDULUM, "never-round", seed, 480).found.map(|f| f.table)).collect();
+    assert!(tables.iter().any(|t| *t != tables[0]), "every seed finds the same");
+}
+
+#[test]
+fn tries_are_bounded() {
+    let account = run(PENDULUM, "energy", 1, 7);
+    let t = account.tally;
+    assert_eq!(t.holds + t.fails + t.not_applicable + t.undecided + t.impossible, 7);
+    assert!(run(PENDULUM, "never-round", 1, 0).found.is_none());
+}
+
+fn comment() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/deriglazov-comment.toml")
+}
+
+#[test]
+fn a_motion_against_the_comment() {
+    let text = std::fs::read_to_string(comment()).expect("the file is there");
+    for claim in ["relation-in-t10/for-every-body", "t11/one-sign", "psi0-formula/real"] {
+        fails_when_pasted(&text, &run(&text, claim, 1, 240));
+    }
+    // What is right is not refuted, with its assumptions met on many of the tries.
+    let account = run(&text, "t10", 1, 96);
+    assert!(account.found.is_none(), "{:?}", account.found);
+    assert!(account.tally.holds > 20, "{:?}", account.tally);
+}
+
+#[test]
+fn the_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("test.toml");
+    std::fs::write(&path, PENDULUM).expect("written");
+    let run = |arguments: &[&str]| {
+        Command::cargo_bin("rederive").expect("built").arg("search").args(arguments).arg(&path).assert()
+    };
+    let found = run(&["never-round"]).code(0);
+    let table = String::from_utf8(found.get_output().stdout.clone()).expect("text");
+    assert!(table.contains("[[trajectory]]") && table.contains("against-never-round-1"), "{table}");
+    run(&["energy", "--tries", "24"]).code(3).stdout(predicates::str::is_empty());
+    run(&["listed"]).code(0).stderr(predicates::str::contains("names its trajectories"));
+    run(&["nothing"]).code(2).stdout(predicates::str::is_empty().and(predicates::str::is_empty()));
+    // All of standard output can be appended to the file.
+    std::fs::write(&path, format!("{PENDULUM}{table}")).expect("written");
+    let check = |claim: &str| {
+        let arguments = ["check", "--no-reports", "--claim", claim];
+        Command::cargo_bin("rederive").expect("built").args(arguments).arg(&path).assert()
+    };
+    check("never-round").code(1);
+    check("energy").code(0);
+}
