@@ -45,7 +45,7 @@ use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
 use step::Step;
 use trial::{Course, Events};
-use variant::{Altered, Found};
+use variant::{Altered, Found, Places, Weighed};
 
 /// What to check.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -161,7 +161,7 @@ pub fn check(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<(Column, Vec<Option<Vec<bool>>>), String>> = tried
+    let columns: Vec<Result<(Column, Option<Weighed>), String>> = tried
         .par_iter()
         .map(|&t| {
             let course = stage.course(&derivation.graph, t, &wanted)?;
@@ -174,21 +174,22 @@ pub fn check(
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
-            let rejected = |k: usize| {
+            let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
                 let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
-                let none = Events::default();
-                let events = stage.events(k, t).unwrap_or(&none);
-                let found = Found { program, course: &course, events, verdict: verdicts[k].as_ref()? };
-                altered.as_ref()?.rejected(k, start_of[t], claim, &found)
+                let events = stage.events(k, t).unwrap_or(const { &Events { at: None, occurrences: Vec::new() } });
+                verdict.clone().map(|verdict| Found { claim, program, events, verdict })
             };
-            let rejected = (0..prepared.len()).map(rejected).collect();
+            let weighed = altered.as_ref().map(|altered| {
+                let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
+                altered.weigh(start_of[t], &course, &found)
+            });
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok(((verdicts, measured), rejected))
+            Ok(((verdicts, measured), weighed))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, rejected): (Vec<Column>, Vec<_>) = columns.into_iter().unzip();
+    let (columns, weighed): (Vec<Column>, Vec<Option<Weighed>>) = columns.into_iter().unzip();
     let identities: Vec<Option<IdentityAccount>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {
@@ -203,8 +204,9 @@ pub fn check(
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     if let Some(altered) = &altered {
-        let ids: Vec<String> = tried.iter().map(|&t| derivation.trajectories[t].id.clone()).collect();
-        altered.conclude(&mut account.claims, &rejected, &ids);
+        let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
+        let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
+        altered.conclude(derivation, &mut account.claims, &weighed, &places)?;
     }
     Ok(account)
 }

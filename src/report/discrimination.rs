@@ -3,8 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::tally::name;
-use crate::check::{Account, ClaimAccount, Discrimination, Erratum, Outcome, PairAccount, VariantAccount};
+use crate::check::{ClaimAccount, Erratum, PairAccount};
 
 /// The discrimination of a pair; survivors by their numbers in the list of the claim, in ranges.
 pub(super) fn pair_json(pair: &PairAccount) -> Value {

@@ -46,8 +46,6 @@ pub(super) struct Formula {
     pub tree: Chain,
     /// Relation or constant.
     pub manner: Manner,
-    /// Position among the forms of the claim; for a system, none.
-    pub form: Option<usize>,
     /// Its parts.
     pub parts: Vec<Part>,
     /// The size of the terms of each part, where a judgement needs it.
@@ -159,37 +157,53 @@ impl Setting<'_> {
     }
 }
 
+/// The definition of a symbol, where a text is nothing but its name.
+fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> Option<&'a str> {
+    let symbols = claim.symbols.iter().rev().chain(&derivation.symbols);
+    let named = symbols.into_iter().find(|s| s.name == text.trim())?;
+    // The definition must mean here what it meant where it stands.
+    let hidden = claim.symbols.iter().any(|s| derivation.symbols.iter().any(|d| d.name == s.name));
+    if hidden || !named.arguments.is_empty() { None } else { named.formula.as_deref() }
+}
+
 /// The formulas of a claim that can be altered; the others, with the reason.
 fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (Vec<Formula>, Vec<(String, String)>) {
     let claim = setting.claim;
     let mut out = Vec::new();
     let mut skipped = Vec::new();
-    let mut written: Vec<(Option<usize>, Manner, &str, Vec<Part>, bool)> = Vec::new();
-    for (at, form) in claim.forms.iter().enumerate() {
-        let mut relation = |at: Option<usize>, text: &'_ str, value: &Statement| {
+    let mut written: Vec<(Manner, &str, Vec<Part>, bool)> = Vec::new();
+    for form in &claim.forms {
+        let mut relation = |text: &'_ str, value: &Statement| {
             if value.relations.iter().any(|r| r.limit.is_some()) {
                 skipped.push((text.to_owned(), "a limit is no relation at a time".to_owned()));
                 return None;
             }
             let branching = value.relations.iter().any(|r| r.has_branches);
-            Some((at, Manner::Relation, setting.relation_parts(graph, value), branching))
+            Some((Manner::Relation, setting.relation_parts(graph, value), branching))
         };
         match form {
             Form::Always(w) => {
-                if let Some((at, manner, parts, branching)) = relation(Some(at), &w.text, &w.value) {
-                    written.push((at, manner, &w.text, parts, branching));
+                if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
+                    written.push((manner, &w.text, parts, branching));
                 }
             }
             Form::Solves { system } => {
                 for w in &derivation.systems[*system].equations {
-                    if let Some((at, manner, parts, branching)) = relation(None, &w.text, &w.value) {
-                        written.push((at, manner, &w.text, parts, branching));
+                    if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
+                        written.push((manner, &w.text, parts, branching));
                     }
                 }
             }
             Form::FirstIntegral(w) => {
-                let parts = setting.constant_parts(graph, &w.value);
-                written.push((Some(at), Manner::Constant, &w.text, parts, false));
+                // Of a quantity that is only named, the definition is what can be wrong.
+                let named = defined_as(derivation, claim, &w.text);
+                let meant = named.and_then(|text| latex::read_expression(text, &claim.scope, graph).ok());
+                let (text, value) = match (named, &meant) {
+                    (Some(text), Some(value)) if value.shape == w.value.shape => (text, value),
+                    _ => (w.text.as_str(), &w.value),
+                };
+                let parts = setting.constant_parts(graph, value);
+                written.push((Manner::Constant, text, parts, false));
             }
             Form::Never(w) | Form::Eventually(w) => {
                 let reason = "what happens once, or never, is not judged time by time";
@@ -207,7 +221,7 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
             }
         }
     }
-    for (form, manner, text, parts, branching) in written {
+    for (manner, text, parts, branching) in written {
         let tree = match latex::parse(text, &claim.scope) {
             Ok(mut chains) if chains.len() == 1 => chains.pop(),
             _ => None,
@@ -222,9 +236,15 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
         };
         let magnitudes = parts.iter().map(&mut size).collect();
         let text = text.trim().to_owned();
-        out.push(Formula { text, tree, manner, form, parts, magnitudes, branching });
+        out.push(Formula { text, tree, manner, parts, magnitudes, branching });
     }
     (out, skipped)
+}
+
+/// Whether the one component of a constant is a power of the printed one: then each is constant if the other is.
+fn is_power(graph: &mut Graph, formula: &Formula, altered: &[(usize, Part)]) -> bool {
+    let ([(_, new)], [old]) = (altered, formula.parts.as_slice()) else { return false };
+    (-3..=3).any(|n| n != 0 && graph.powi(old.sides.0, n) == new.sides.0)
 }
 
 /// Most edits of a formula that are looked at; a larger formula has its later edits left out, and says so.
@@ -250,7 +270,7 @@ impl ClaimVariants {
                     count.meaningless += 1;
                     continue;
                 };
-                if altered.is_empty() {
+                if altered.is_empty() || formula.manner == Manner::Constant && is_power(graph, formula, &altered) {
                     count.equivalent += 1;
                     continue;
                 }

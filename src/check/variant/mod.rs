@@ -13,9 +13,12 @@
 
 mod account;
 mod battery;
+mod completion;
 mod cover;
+mod difference;
 mod edit;
 mod equivalence;
+mod erratum;
 mod generate;
 mod rejection;
 mod vocabulary;
@@ -25,6 +28,7 @@ pub use edit::EditClass;
 
 use rayon::prelude::*;
 
+use super::CheckError;
 use super::account::ClaimAccount;
 use super::program::Program;
 use super::trial::{Course, Events, Values};
@@ -33,7 +37,7 @@ use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
 use battery::Battery;
 use generate::{ClaimVariants, Setting};
-use rejection::{Evidence, Placed};
+use rejection::{Evidence, Placed, Rejections};
 
 /// Claims that share a copy of the graph.
 const TOGETHER: usize = 8;
@@ -95,25 +99,58 @@ impl Altered {
         self.placed = self.claims.par_iter().enumerate().map(one).collect();
     }
 
-    /// Which variants of the k-th claim a motion rejects; `None` where nothing was tried.
-    pub fn rejected(&self, k: usize, start: usize, claim: &Claim, found: &Found) -> Option<Vec<bool>> {
+    /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
+    pub fn weigh(&self, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
+        let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
+        let order = rejection::spread(course.times.len());
+        let kept = order.iter().take(KEPT);
+        out.kept = kept.map(|&i| (course.times[i], course.points[i].clone())).collect();
+        for (k, found) in found.iter().enumerate() {
+            let (rejections, own) = match found {
+                Some(found) => self.rejections(k, start, course, found).unwrap_or_default(),
+                None => Default::default(),
+            };
+            out.rejections.push(rejections);
+            let excluded = found.iter().flat_map(|f| &f.verdict.evidence().excluded).map(|e| (e.from, e.to)).collect();
+            let at_events = found.as_ref().is_some_and(|f| f.program.at.is_some());
+            out.of_claims.push(OfClaim { excluded, at_events, own });
+        }
+        out
+    }
+
+    /// What a motion says of the k-th claim, and points that are the claim's own; `None` where nothing was tried.
+    fn rejections(
+        &self,
+        k: usize,
+        start: usize,
+        course: &Course,
+        found: &Found,
+    ) -> Option<(Option<Rejections>, Vec<Values>)> {
+        let claim = found.claim;
         let placed = self.placed.get(k)?.get(start)?;
-        if !matches!(found.verdict.outcome(), Outcome::Holds(_) | Outcome::Fails(_)) {
+        let outcome = found.verdict.outcome();
+        if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
         }
-        let at_events: Vec<Values>;
-        let points: Vec<&Values> = match &found.program.at {
-            Some(_) => {
-                let times = found.events.at.as_ref().map_or(&[][..], |z| z.times.as_slice());
-                let at = |&t: &f64| found.course.values_at_event(t, found.program.event_slack(found.course, t));
-                at_events = times.iter().filter(|t| found.counts(**t)).map(at).collect();
-                at_events.iter().collect()
-            }
-            None => {
-                let counted = found.course.times.iter().zip(&found.course.points).filter(|(t, _)| found.counts(**t));
-                counted.map(|(_, p)| p).collect()
-            }
-        };
+        // The point at which the claim fails most clearly is always among those used.
+        let mut own: Vec<Values> = Vec::new();
+        if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {
+            own.push(match course.times.binary_search_by(|t| t.total_cmp(&witness.t)) {
+                Ok(i) if found.program.at.is_none() => course.points[i].clone(),
+                _ if found.program.at.is_none() => course.values(witness.t),
+                _ => course.values_at_event(witness.t, found.program.event_slack(course, witness.t)),
+            });
+        }
+        let times = found.events.at.as_ref().map_or(&[][..], |z| z.times.as_slice());
+        if found.program.at.is_some() {
+            let at = |&t: &f64| course.values_at_event(t, found.program.event_slack(course, t));
+            own.extend(times.iter().filter(|t| found.counts(**t)).take(rejection::MOST_TIMES).map(at));
+        }
+        let mut points: Vec<&Values> = own.iter().collect();
+        if found.program.at.is_none() {
+            let counted = course.times.iter().zip(&course.points).filter(|(t, _)| found.counts(**t));
+            points.extend(counted.map(|(_, p)| p));
+        }
         if points.is_empty() {
             return None;
         }
@@ -124,14 +161,28 @@ impl Altered {
             one_sign_throughout: claim.branches_throughout,
         };
         let sign = claim.scope.branch_sign();
-        Some(rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence))
+        let rejections = rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence);
+        own.truncate(KEPT);
+        Some((Some(rejections), own))
     }
 
-    /// Writes what was found into the accounts. `rejected[t][k]` is what [`Altered::rejected`] gave.
-    pub fn conclude(&self, claims: &mut [ClaimAccount], rejected: &[Vec<Option<Vec<bool>>>], tried: &[String]) {
-        for (k, (account, variants)) in claims.iter_mut().zip(&self.claims).enumerate() {
-            account.variants = Some(self.account(k, account, variants, rejected, tried));
+    /// Writes what was found into the accounts: one entry of `weighed` for each of the motions `tried`.
+    ///
+    /// # Errors
+    /// Those of a check, when corrections are tried.
+    pub fn conclude(
+        &self,
+        derivation: &Derivation,
+        accounts: &mut [ClaimAccount],
+        weighed: &[Weighed],
+        places: &Places,
+    ) -> Result<(), CheckError> {
+        let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
+        for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
+            account.variants = Some(self.account(k, account, variants, weighed, &tried));
         }
+        let Places { claimed, tried, starts, start_of } = *places;
+        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }.offer(accounts)
     }
 
     fn account(
@@ -139,11 +190,11 @@ impl Altered {
         k: usize,
         account: &mut ClaimAccount,
         variants: &ClaimVariants,
-        rejected: &[Vec<Option<Vec<bool>>>],
-        tried: &[String],
+        weighed: &[Weighed],
+        tried: &[&str],
     ) -> VariantAccount {
-        let column = |id: &str| tried.iter().position(|t| t == id);
-        let on = |id: &str| column(id).and_then(|t| rejected[t][k].as_ref());
+        let column = |id: &str| tried.iter().position(|t| *t == id);
+        let on = |id: &str| column(id).and_then(|t| weighed[t].rejections[k].as_ref()).map(|r| &r.variants);
         let holds: Vec<(String, &Vec<bool>)> = account
             .results
             .iter()
@@ -177,16 +228,61 @@ impl Altered {
     }
 }
 
+/// Points of a motion that are kept for corrections.
+const KEPT: usize = 12;
+
+/// What one motion says of the variants of all claims.
+pub(super) struct Weighed {
+    /// One for each claim; none where it was not tried.
+    rejections: Vec<Option<Rejections>>,
+    /// A few points of the motion, with their times, in the order of [`rejection::spread`].
+    kept: Vec<(f64, Values)>,
+    of_claims: Vec<OfClaim>,
+}
+
+/// What belongs to one claim on one motion.
+struct OfClaim {
+    /// Times at which it was not compared.
+    excluded: Vec<(f64, f64)>,
+    /// Whether it is tried at events only.
+    at_events: bool,
+    /// Its witness, and its events.
+    own: Vec<Values>,
+}
+
+impl Weighed {
+    /// At most so many points at which a claim was tried.
+    fn points(&self, k: usize, most: usize) -> Vec<&Values> {
+        let of = &self.of_claims[k];
+        let counts = |t: f64| !of.excluded.iter().any(|(a, b)| (*a..=*b).contains(&t));
+        let shared = self.kept.iter().filter(|(t, _)| !of.at_events && counts(*t)).map(|(_, p)| p);
+        of.own.iter().chain(shared).take(most).collect()
+    }
+}
+
+/// Which claims and motions there are, and how they belong together.
+#[derive(Clone, Copy)]
+pub(super) struct Places<'a> {
+    /// Positions of the claims.
+    pub claimed: &'a [usize],
+    /// Positions of the trajectories.
+    pub tried: &'a [usize],
+    /// The initial times.
+    pub starts: &'a [Rational],
+    /// Which of them belongs to each trajectory.
+    pub start_of: &'a [usize],
+}
+
 /// A claim on a motion, as it was tried.
 pub(super) struct Found<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
     /// Its program.
     pub program: &'a Program,
-    /// The motion.
-    pub course: &'a Course<'a>,
     /// The events that it asks for.
     pub events: &'a Events,
     /// What came out.
-    pub verdict: &'a Verdict,
+    pub verdict: Verdict,
 }
 
 impl Found<'_> {
