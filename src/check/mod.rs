@@ -31,7 +31,8 @@ mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use variant::{
-    ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK,
+    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK,
+    altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 

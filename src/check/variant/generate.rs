@@ -7,6 +7,7 @@
 //! can give without being asked for a new time.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use super::super::comparison::{at_instant, magnitude_of};
 use super::account::ClassCount;
@@ -42,6 +43,8 @@ pub(super) enum Manner {
 pub(super) struct Formula {
     /// As written.
     pub text: String,
+    /// Its place in the file; none for a definition that stands for a name.
+    pub place: Option<Range<usize>>,
     /// Its tree.
     pub tree: Chain,
     /// Relation or constant.
@@ -157,6 +160,33 @@ impl Setting<'_> {
     }
 }
 
+/// The tree of a text, if it is one chain of relations, or one expression.
+pub(super) fn tree(text: &str, scope: &Scope) -> Option<Chain> {
+    let mut chains = latex::parse(text, scope).ok()?;
+    chains.pop().filter(|_| chains.is_empty())
+}
+
+impl Formula {
+    /// A formula that stands nowhere in a file, without inequalities.
+    pub fn read(graph: &mut Graph, setting: &Setting, text: &str, manner: Manner) -> Option<Formula> {
+        let tree = tree(text, &setting.claim.scope)?;
+        let parts = match manner {
+            Manner::Relation => {
+                let statement = latex::elaborate(&tree, &setting.claim.scope, graph).ok()?;
+                setting.relation_parts(graph, &statement)
+            }
+            Manner::Constant => {
+                let tensor = latex::elaborate_expression(tree.sides.first()?, &setting.claim.scope, graph).ok()?;
+                setting.constant_parts(graph, &tensor)
+            }
+        };
+        let magnitudes = vec![None; parts.len()];
+        let sign = setting.claim.scope.branch_sign();
+        let branching = graph.leaves(parts.iter().map(|p| p.difference[0])).contains(&sign);
+        Some(Formula { text: text.to_owned(), place: None, tree, manner, parts, magnitudes, branching })
+    }
+}
+
 /// The definition of a symbol, where a text is nothing but its name.
 fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> Option<&'a str> {
     let symbols = claim.symbols.iter().rev().chain(&derivation.symbols);
@@ -171,7 +201,7 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
     let claim = setting.claim;
     let mut out = Vec::new();
     let mut skipped = Vec::new();
-    let mut written: Vec<(Manner, &str, Vec<Part>, bool)> = Vec::new();
+    let mut written: Vec<(Manner, &str, Option<&Range<usize>>, Vec<Part>, bool)> = Vec::new();
     for form in &claim.forms {
         let mut relation = |text: &'_ str, value: &Statement| {
             if value.relations.iter().any(|r| r.limit.is_some()) {
@@ -184,13 +214,13 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
         match form {
             Form::Always(w) => {
                 if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
-                    written.push((manner, &w.text, parts, branching));
+                    written.push((manner, &w.text, Some(&w.span), parts, branching));
                 }
             }
             Form::Solves { system } => {
                 for w in &derivation.systems[*system].equations {
                     if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
-                        written.push((manner, &w.text, parts, branching));
+                        written.push((manner, &w.text, Some(&w.span), parts, branching));
                     }
                 }
             }
@@ -198,12 +228,12 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
                 // Of a quantity that is only named, the definition is what can be wrong.
                 let named = defined_as(derivation, claim, &w.text);
                 let meant = named.and_then(|text| latex::read_expression(text, &claim.scope, graph).ok());
-                let (text, value) = match (named, &meant) {
-                    (Some(text), Some(value)) if value.shape == w.value.shape => (text, value),
-                    _ => (w.text.as_str(), &w.value),
+                let (text, place, value) = match (named, &meant) {
+                    (Some(text), Some(value)) if value.shape == w.value.shape => (text, None, value),
+                    _ => (w.text.as_str(), Some(&w.span), &w.value),
                 };
                 let parts = setting.constant_parts(graph, value);
-                written.push((Manner::Constant, text, parts, false));
+                written.push((Manner::Constant, text, place, parts, false));
             }
             Form::Never(w) | Form::Eventually(w) => {
                 let reason = "what happens once, or never, is not judged time by time";
@@ -221,12 +251,8 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
             }
         }
     }
-    for (manner, text, parts, branching) in written {
-        let tree = match latex::parse(text, &claim.scope) {
-            Ok(mut chains) if chains.len() == 1 => chains.pop(),
-            _ => None,
-        };
-        let Some(tree) = tree else {
+    for (manner, text, place, parts, branching) in written {
+        let Some(tree) = tree(text, &claim.scope) else {
             skipped.push((text.to_owned(), "it is not one chain of relations".to_owned()));
             continue;
         };
@@ -236,7 +262,8 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
         };
         let magnitudes = parts.iter().map(&mut size).collect();
         let text = text.trim().to_owned();
-        out.push(Formula { text, tree, manner, parts, magnitudes, branching });
+        let place = place.cloned();
+        out.push(Formula { text, place, tree, manner, parts, magnitudes, branching });
     }
     (out, skipped)
 }

@@ -26,6 +26,8 @@ mod vocabulary;
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
 pub use edit::EditClass;
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::CheckError;
@@ -36,8 +38,66 @@ use super::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
 use battery::Battery;
-use generate::{ClaimVariants, Setting};
+use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
 use rejection::{Evidence, Placed, Rejections};
+
+/// A formula of a claim with one edit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AlteredFormula {
+    /// The formula as the file has it.
+    pub printed: String,
+    /// Its place in the file.
+    pub place: Range<usize>,
+    /// What was altered.
+    pub class: EditClass,
+    /// The altered formula. It reads as what it is meant to be.
+    pub formula: String,
+}
+
+/// All single-edit variants of the formulas of a claim that mean something else than the print: what can be planted in a file
+/// to see whether it is found.
+pub fn altered_formulas(derivation: &Derivation, claim: usize) -> Vec<AlteredFormula> {
+    let Some(of) = derivation.claims.get(claim) else { return Vec::new() };
+    let starts = [Rational::ZERO];
+    let mut graph = derivation.graph.clone();
+    let setting = Setting { claim: of, starts: &starts, shared: graph.len() };
+    let mut variants = ClaimVariants::new(derivation, &mut graph, &setting);
+    variants.reduce(derivation, of, &mut graph);
+    let mut out = Vec::new();
+    for variant in &variants.variants {
+        let formula = &variants.formulas[variant.formula];
+        let text = variant.text();
+        let mut reads = || {
+            let tree = generate::tree(&text, &of.scope)?;
+            Some(setting.altered(&mut graph, formula, &tree)? == variant.altered)
+        };
+        if let (Some(place), Some(true)) = (&formula.place, reads()) {
+            let printed = formula.text.clone();
+            out.push(AlteredFormula { printed, place: place.clone(), class: variant.class, formula: text });
+        }
+    }
+    out
+}
+
+/// Whether two formulas of a claim are the same equation (or, for `constant`, are constant for the same reason), as far as
+/// the definitions of the symbols tell. Texts that cannot be read are not.
+pub fn says_the_same(derivation: &Derivation, claim: usize, printed: &str, other: &str, constant: bool) -> bool {
+    let Some(of) = derivation.claims.get(claim) else { return false };
+    let starts = [Rational::ZERO];
+    let mut graph = derivation.graph.clone();
+    let start = graph.constant(Rational::ZERO);
+    let setting = Setting { claim: of, starts: &starts, shared: graph.len().max(start.index() + 1) };
+    let manner = if constant { Manner::Constant } else { Manner::Relation };
+    let Some(formula) = Formula::read(&mut graph, &setting, printed, manner) else { return false };
+    let Some(tree) = generate::tree(other, &of.scope) else { return false };
+    let Some(altered) = setting.altered(&mut graph, &formula, &tree) else { return false };
+    if altered.is_empty() {
+        return true;
+    }
+    let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
+    let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
+    group.sights(derivation, of, &mut graph) == [equivalence::Sight::Same]
+}
 
 /// Claims that share a copy of the graph.
 const TOGETHER: usize = 8;
