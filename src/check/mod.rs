@@ -31,7 +31,7 @@ mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use variant::{
-    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK,
+    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
     altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};

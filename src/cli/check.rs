@@ -51,6 +51,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        for (claim, rejected, of) in account.discriminating_less_than(arguments.min_discrimination.unwrap_or(0.0)) {
+            complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
+            exit = exit.and(Exit::Different);
+        }
     }
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));

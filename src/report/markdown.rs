@@ -1,5 +1,6 @@
 //! `report.md`: the report for people, as a forge renders it.
 
+use super::discrimination;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, Standing, declared, glyph, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
@@ -26,7 +27,7 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
 
 /// Text of the file: formulas between dollar signs and code between backticks are kept, and what else Markdown would take
 /// for markup is made harmless.
-fn prose(text: &str) -> String {
+pub(super) fn prose(text: &str) -> String {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut out = String::new();
     let mut rest = text.as_str();
@@ -49,7 +50,7 @@ fn prose(text: &str) -> String {
 }
 
 /// A formula inside a line.
-fn math(formula: &str) -> String {
+pub(super) fn math(formula: &str) -> String {
     let one_line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
     // In a table a bar ends the cell, even inside a formula.
     format!("$`{}`$", one_line.replace('|', r"\vert ").replace('`', "'"))
@@ -113,14 +114,15 @@ fn findings(derivation: &Derivation, account: &Account) -> String {
 
 fn matrix(account: &Account) -> String {
     let mut out = String::from("## Claims and trajectories\n\n");
-    out.push_str("H holds, F fails, – does not apply, ? undecided; **!** differs from what is expected. ");
+    out.push_str("H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ");
     out.push_str("The numbers are those of the [trajectories](#trajectories).\n\n");
     let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
     let head: Vec<&str> = std::iter::once("claim").chain(numbers.iter().map(String::as_str)).collect();
     let cell = |pair: Option<&PairAccount>| match pair {
         None => String::new(),
         Some(pair) => {
-            let glyph = glyph(pair.verdict.outcome()).to_string().replace('-', "–");
+            let glyph = if discrimination::is_weak(pair) { 'h' } else { glyph(pair.verdict.outcome()) };
+            let glyph = glyph.to_string().replace('-', "–");
             if pair.is_unexpected() { format!("{glyph} **!**") } else { glyph }
         }
     };
@@ -246,6 +248,7 @@ fn claims(derivation: &Derivation, account: &Account) -> String {
                 out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
             }
         }
+        out.push_str(&discrimination::section(claim));
         for group in groups(claim) {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
@@ -333,6 +336,7 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
 fn notes(pair: &PairAccount) -> String {
     let evidence = pair.verdict.evidence();
     let mut all: Vec<String> = evidence.reason.iter().map(|r| prose(r)).collect();
+    all.extend(discrimination::note(pair));
     all.extend(evidence.branch.iter().map(|b| format!("sign: {}", prose(b))));
     for e in &evidence.excluded {
         all.push(format!("left out {} … {}: {}", time(e.from), time(e.to), prose(&e.reason)));

@@ -1,5 +1,6 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
+use super::discrimination;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
@@ -25,6 +26,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
     out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
+    out.push_str(&discrimination::summary(account, paint));
     out.push_str(&measurements(derivation, account, paint));
     out.push_str(&problems(account, paint));
     out.push_str(&counts(account, paint));
@@ -63,7 +65,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
         }
         out.push('\n');
     }
-    let legend = "H holds   F fails   - does not apply   ? undecided   ! differs from what is expected";
+    let legend = "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! differs from what is expected";
     out.push_str(&format!("  {legend}\n\n"));
     out.push_str(&wrapped(numbered.iter().map(|(n, id)| format!("{n}\u{a0}{id} ")), 2));
     out.push('\n');
@@ -76,7 +78,8 @@ fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
         Some(pair) => {
             let outcome = pair.verdict.outcome();
             let mark = if pair.is_unexpected() { paint.alarm("!") } else { " ".to_owned() };
-            paint.verdict(outcome, &glyph(outcome).to_string()) + &mark
+            let glyph = if discrimination::is_weak(pair) { 'h' } else { glyph(outcome) };
+            paint.verdict(outcome, &glyph.to_string()) + &mark
         }
     }
 }

@@ -22,7 +22,7 @@ const POINTS: usize = 5;
 /// Points that are drawn at most: at some a formula may have no real value.
 const DRAWN: usize = 40;
 /// The start of the generator of points.
-pub(super) const SEED: u64 = 0x0DD5;
+pub const SEED: u64 = 0x0DD5;
 
 /// What random points say of a variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

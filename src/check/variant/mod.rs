@@ -25,6 +25,7 @@ mod vocabulary;
 
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
 pub use edit::EditClass;
+pub use equivalence::SEED;
 
 use std::ops::Range;
 
@@ -281,6 +282,7 @@ impl Altered {
             classes: variants.counts.values().cloned().collect(),
             skipped: variants.skipped.clone(),
             survivors: survives.iter().map(survivor).collect(),
+            tried_on: holds.len(),
             cover: cover.into_iter().map(|i| holds[i].0.clone()).collect(),
             cover_is_least,
             erratum: None,
