@@ -41,7 +41,10 @@ pub use identity::{Certificate, Cofactor, Origin};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
-pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, Survivor, VariantAccount, WEAK};
+pub use variant::{
+    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
+    altered_formulas, says_the_same,
+};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -54,7 +57,7 @@ use rayon::prelude::*;
 use stage::{Fields, Requests, Stage};
 use step::Step;
 use trial::Trial;
-use variant::{Altered, Found};
+use variant::{Altered, Found, Places, Weighed};
 
 /// What to check.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -182,7 +185,7 @@ fn check_claims(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<(Column, Vec<Option<Vec<bool>>>), String>> = tried
+    let columns: Vec<Result<(Column, Option<Weighed>), String>> = tried
         .par_iter()
         .map(|&t| {
             let course = stage.course(&derivation.graph, t, &wanted)?;
@@ -194,19 +197,21 @@ fn check_claims(
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
-            let rejected = |k: usize| {
+            let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
                 let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
-                let found = Found { program, course: &course, verdict: verdicts[k].as_ref()? };
-                altered.as_ref()?.rejected(k, start_of[t], claim, &found)
+                verdict.clone().map(|verdict| Found { claim, program, verdict })
             };
-            let rejected = (0..prepared.len()).map(rejected).collect();
+            let weighed = altered.as_ref().map(|altered| {
+                let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
+                altered.weigh(start_of[t], &course, &found)
+            });
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok(((verdicts, measured), rejected))
+            Ok(((verdicts, measured), weighed))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, rejected): (Vec<Column>, Vec<_>) = columns.into_iter().unzip();
+    let (columns, weighed): (Vec<Column>, Vec<Option<Weighed>>) = columns.into_iter().unzip();
     let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {
@@ -223,8 +228,9 @@ fn check_claims(
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     if let Some(altered) = &altered {
-        let ids: Vec<String> = tried.iter().map(|&t| derivation.trajectories[t].id.clone()).collect();
-        altered.conclude(&mut account.claims, &rejected, &ids);
+        let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
+        let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
+        altered.conclude(derivation, &mut account.claims, &weighed, &places)?;
     }
     Ok(account)
 }

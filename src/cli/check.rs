@@ -67,6 +67,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         if account.units.unexpected() > 0 {
             exit = exit.and(Exit::Different);
         }
+        for (claim, rejected, of) in account.discriminating_less_than(arguments.min_discrimination.unwrap_or(0.0)) {
+            complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
+            exit = exit.and(Exit::Different);
+        }
         found.findings.extend(report::findings(&derivation, &account));
         found.checked.push((derivation, account));
     }

@@ -60,8 +60,8 @@ impl Exit {
 const EXIT_CODES: &str = "\
 Exit codes:
   0   every verdict is as expected, and at least one claim was decided
-  1   some verdict differs from what is expected (without an expectation: some claim fails), or the
-      units of a formula do not agree
+  1   some verdict differs from what is expected (without an expectation: some claim fails), the units
+      of a formula do not agree, or --min-discrimination is not reached
   2   the command line or a file could not be read, or a report could not be written
   3   nothing differs, but some verdict is undecided that the file does not expect to be
   70  a defect of rederive itself";
@@ -136,12 +136,21 @@ struct CheckArguments {
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
+    /// Exit with 1 if of some claim that holds less than this share of the altered formulas is rejected, 0 … 1
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    min_discrimination: Option<f64>,
     /// The folder for reports: each derivation has a folder of its own in it
     #[arg(long, value_name = "DIR", default_value = "reports")]
     reports: PathBuf,
     /// Write no reports
     #[arg(long, conflicts_with = "reports")]
     no_reports: bool,
+}
+
+/// A number from 0 to 1.
+fn fraction(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
+    number.ok_or_else(|| "a number from 0 to 1 is expected".to_owned())
 }
 
 #[derive(clap::Args)]

@@ -3,8 +3,11 @@
 
 use serde_json::{Value, json};
 
+use super::markdown::{math, prose};
+use super::numbers::count;
 use super::tally::name;
-use crate::check::{Account, ClaimAccount, Discrimination, Erratum, Outcome, PairAccount, VariantAccount};
+use super::text::{Paint, paragraph};
+use crate::check::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, SEED, VariantAccount};
 
 /// The discrimination of a pair; survivors by their numbers in the list of the claim, in ranges.
 pub(super) fn pair_json(pair: &PairAccount) -> Value {
@@ -28,9 +31,9 @@ pub(super) fn claim_json(claim: &ClaimAccount) -> Value {
         .survivors
         .iter()
         .map(|s| json!({ "class": s.class.word(), "formula": s.formula, "everywhere": s.everywhere }));
-    let (rejected, of) = variants.together();
     json!({
-        "together": { "rejected": rejected, "of": of },
+        "seed": SEED,
+        "together": variants.together().map(|(rejected, of)| json!({ "rejected": rejected, "of": of })),
         "smallest_set": { "trajectories": variants.cover, "least": variants.cover_is_least },
         "classes": classes.collect::<Vec<_>>(),
         "skipped": skipped.collect::<Vec<_>>(),
@@ -52,6 +55,166 @@ fn erratum_json(erratum: &Erratum) -> Value {
         "tried": { "single": erratum.tried.0, "completions": erratum.tried.1, "pairs": erratum.tried.2 },
         "remark": erratum.remark,
     })
+}
+
+/// Most survivors that are listed in a report for people.
+const SURVIVORS_SHOWN: usize = 6;
+
+/// What is said of a pair in a table.
+pub(super) fn note(pair: &PairAccount) -> Option<String> {
+    let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
+    let weak = if d.is_weak() { "**weak**: " } else { "" };
+    Some(format!("{weak}rejects {} of {} altered formulas", d.rejected, d.of))
+}
+
+/// Whether a verdict says little.
+pub(super) fn is_weak(pair: &PairAccount) -> bool {
+    pair.discrimination.as_ref().is_some_and(|d| d.is_weak())
+}
+
+/// Kinds of slips in words: `a wrong sign, a wrong index`.
+fn slips(classes: &[EditClass]) -> String {
+    classes.iter().map(|c| c.says()).collect::<Vec<_>>().join(", ")
+}
+
+/// The pairs of a claim that say little.
+fn weak_pairs(claim: &ClaimAccount) -> Vec<&PairAccount> {
+    claim.results.iter().filter(|p| is_weak(p)).collect()
+}
+
+/// What no motion, or none of the weak ones, would notice, in a sentence; empty where there is nothing to say.
+fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> String {
+    let everywhere = variants.survivors.iter().enumerate().filter(|(_, s)| s.everywhere).map(|(i, _)| i);
+    let never = variants.unnoticed(everywhere);
+    let weak = weak_pairs(claim);
+    let mut out = String::new();
+    if !never.is_empty() {
+        out.push_str(&format!("It holds, but no motion here would notice {}. ", slips(&never)));
+    }
+    if let Some(weakest) = weak.iter().min_by_key(|p| p.discrimination.as_ref().map_or(0, |d| d.rejected))
+        && let Some(d) = &weakest.discrimination
+    {
+        let unnoticed = slips(&variants.unnoticed(d.survivors.iter().copied()));
+        out.push_str(&format!(
+            "It holds on {}, but that motion would not notice {unnoticed} ({} of {} rejected).",
+            weakest.trajectory, d.rejected, d.of
+        ));
+    }
+    out.trim_end().to_owned()
+}
+
+/// The motions that suffice, in words.
+fn smallest(variants: &VariantAccount) -> String {
+    let how = if variants.cover_is_least { "the fewest" } else { "a small set" };
+    match variants.cover.as_slice() {
+        [] => String::new(),
+        [one] => format!("; `{one}` alone rejects these"),
+        more => {
+            let names: Vec<String> = more.iter().map(|t| format!("`{t}`")).collect();
+            format!("; {how} that do: {}", names.join(", "))
+        }
+    }
+}
+
+/// The part of `report.md` on one claim.
+pub(super) fn section(claim: &ClaimAccount) -> String {
+    let Some(variants) = &claim.variants else { return String::new() };
+    let mut out = String::new();
+    if let Some((rejected, of)) = variants.together() {
+        out.push_str(&format!(
+            "**Discrimination:** of {} {rejected} would be noticed on {}{}. {}\n\n",
+            count(of, "altered formula"),
+            count(variants.tried_on, "trajectory"),
+            smallest(variants),
+            prose(&sentence(claim, variants))
+        ));
+        let everywhere: Vec<String> = variants
+            .survivors
+            .iter()
+            .filter(|s| s.everywhere)
+            .map(|s| format!("- {}: {}\n", s.class.word(), math(&s.formula)))
+            .collect();
+        if !everywhere.is_empty() {
+            let more = everywhere.len().saturating_sub(SURVIVORS_SHOWN);
+            let shown: String = everywhere.into_iter().take(SURVIVORS_SHOWN).collect();
+            let rest = if more > 0 { format!("- and {more} more, in report.json\n") } else { String::new() };
+            out.push_str(&format!(
+                "<details><summary>Altered formulas that no motion rejects</summary>\n\n{shown}{rest}\n</details>\n\n"
+            ));
+        }
+    }
+    if let Some(erratum) = &variants.erratum {
+        out.push_str(&corrections_markdown(erratum));
+    }
+    out
+}
+
+fn corrections_markdown(erratum: &Erratum) -> String {
+    let (single, completions, pairs) = erratum.tried;
+    let tried = format!("{single} single edits, {completions} completions and {pairs} pairs of edits were tried");
+    if erratum.corrections.is_empty() {
+        let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
+        return format!("**No correction:** {}. ({tried}.)\n\n", prose(remark));
+    }
+    let mut out = format!("**What it should have said**, the closest to the print first ({tried}):\n\n");
+    for c in &erratum.corrections {
+        out.push_str(&format!("- {}: {}", standing(c), math(&c.formula)));
+        out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
+    }
+    out.push('\n');
+    out
+}
+
+/// How far a correction was examined.
+fn standing(c: &Correction) -> String {
+    let proved = if c.proved { "**proved**, " } else { "" };
+    let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
+    format!("{proved}holds on {} ({})", count(c.holds_on, "trajectory"), classes.join(", "))
+}
+
+/// The part of the summary for a terminal: claims that no motion tests well, and corrections.
+pub(super) fn summary(account: &Account, paint: Paint) -> String {
+    let mut out = String::new();
+    let holds = |p: &&PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_)) && p.discrimination.is_some();
+    let all = account.claims.iter().flat_map(|c| &c.results).filter(holds).count();
+    let weak: usize = account.claims.iter().map(|c| weak_pairs(c).len()).sum();
+    let mut lines = String::new();
+    for claim in &account.claims {
+        let Some((variants, (rejected, of))) = claim.variants.as_ref().and_then(|v| Some((v, v.together()?))) else {
+            continue;
+        };
+        if claim.results.iter().filter(holds).all(is_weak) {
+            lines.push_str(&format!("  {}  {rejected} of {of} altered formulas rejected\n", paint.bold(&name(claim))));
+            lines.push_str(&paragraph(&sentence(claim, variants), 4));
+        }
+    }
+    if weak > 0 {
+        out.push_str(&format!(
+            "{} ({weak} of {all} verdicts, marked h)\n",
+            paint.bold("Holds, but would hold of many altered formulas, too")
+        ));
+        if !lines.is_empty() {
+            out.push_str("  on every trajectory, for these claims:\n");
+        }
+        out.push_str(&lines);
+        out.push('\n');
+    }
+    let mut offered = String::new();
+    for claim in &account.claims {
+        let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) else { continue };
+        offered.push_str(&format!("  {}\n", paint.bold(&name(claim))));
+        for c in &erratum.corrections {
+            offered.push_str(&paragraph(&format!("{}: {}", standing(c).replace("**", ""), c.formula), 4));
+            offered.push_str(&format!("      {}\n", c.difference));
+        }
+        if let Some(remark) = &erratum.remark {
+            offered.push_str(&paragraph(remark, 4));
+        }
+    }
+    if !offered.is_empty() {
+        out.push_str(&format!("{}\n{offered}\n", paint.bold("What claims that fail should have said")));
+    }
+    out
 }
 
 /// Increasing numbers as ranges: `0-3,7`.

@@ -1,6 +1,7 @@
 //! `report.md`: the report for people, as a forge renders it.
 
 use super::certificates::certificate_note;
+use super::discrimination;
 use super::graph::{DerivationGraph, rests_in_words};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, Standing, declared, glyph, groups, name, says};
@@ -118,14 +119,17 @@ fn findings(derivation: &Derivation, account: &Account) -> String {
 
 fn matrix(account: &Account) -> String {
     let mut out = String::from("## Claims and trajectories\n\n");
-    out.push_str("H holds, F fails, – does not apply, ? undecided; **!** differs from what is expected. ");
+    out.push_str(
+        "H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ",
+    );
     out.push_str("The numbers are those of the [trajectories](#trajectories).\n\n");
     let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
     let head: Vec<&str> = std::iter::once("claim").chain(numbers.iter().map(String::as_str)).collect();
     let cell = |pair: Option<&PairAccount>| match pair {
         None => String::new(),
         Some(pair) => {
-            let glyph = glyph(pair.verdict.outcome()).to_string().replace('-', "–");
+            let glyph = if discrimination::is_weak(pair) { 'h' } else { glyph(pair.verdict.outcome()) };
+            let glyph = glyph.to_string().replace('-', "–");
             if pair.is_unexpected() { format!("{glyph} **!**") } else { glyph }
         }
     };
@@ -256,6 +260,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             }
         }
         out.push_str(&super::conditions::section(&claim.conditions));
+        out.push_str(&discrimination::section(claim));
         for group in groups(claim) {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
@@ -343,6 +348,7 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
 fn notes(pair: &PairAccount) -> String {
     let evidence = pair.verdict.evidence();
     let mut all: Vec<String> = evidence.reason.iter().map(|r| prose(r)).collect();
+    all.extend(discrimination::note(pair));
     all.extend(evidence.branch.iter().map(|b| format!("sign: {}", prose(b))));
     for e in &evidence.excluded {
         all.push(format!("left out {} … {}: {}", time(e.from), time(e.to), prose(&e.reason)));

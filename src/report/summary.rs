@@ -1,5 +1,6 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
+use super::discrimination;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
@@ -26,6 +27,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
     out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
     out.push_str(&super::conditions::terminal(account, paint));
+    out.push_str(&discrimination::summary(account, paint));
     out.push_str(&measurements(derivation, account, paint));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
@@ -66,7 +68,8 @@ fn matrix(account: &Account, paint: Paint) -> String {
         }
         out.push('\n');
     }
-    let legend = "H holds   F fails   - does not apply   ? undecided   ! differs from what is expected";
+    let legend =
+        "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! differs from what is expected";
     out.push_str(&format!("  {legend}\n\n"));
     out.push_str(&wrapped(numbered.iter().map(|(n, id)| format!("{n}\u{a0}{id} ")), 2));
     out.push('\n');
@@ -79,7 +82,8 @@ fn cell(claim: &ClaimAccount, trajectory: &str, paint: Paint) -> String {
         Some(pair) => {
             let outcome = pair.verdict.outcome();
             let mark = if pair.is_unexpected() { paint.alarm("!") } else { " ".to_owned() };
-            paint.verdict(outcome, &glyph(outcome).to_string()) + &mark
+            let glyph = if discrimination::is_weak(pair) { 'h' } else { glyph(outcome) };
+            paint.verdict(outcome, &glyph.to_string()) + &mark
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What the reports are told about variants.
 
+use super::super::account::{Account, ClaimAccount};
 use super::edit::EditClass;
 
 /// How many of the variants of a claim one motion rejects.
@@ -95,6 +96,8 @@ pub struct VariantAccount {
     pub skipped: Vec<(String, String)>,
     /// Variants that some motion does not reject, in the order in which they were made.
     pub survivors: Vec<Survivor>,
+    /// On how many motions the claim holds and the variants were tried.
+    pub tried_on: usize,
     /// The fewest motions that reject all variants that are rejected by any.
     pub cover: Vec<String>,
     /// Whether there is certainly no smaller set of them.
@@ -109,9 +112,33 @@ impl VariantAccount {
         self.classes.iter().map(|c| c.kept).sum()
     }
 
-    /// How many of all motions together reject how many variants.
-    pub fn together(&self) -> (usize, usize) {
+    /// How many variants the motions on which the claim holds reject together, and of how many; nothing where it holds on
+    /// none, or has no variants.
+    pub fn together(&self) -> Option<(usize, usize)> {
         let everywhere = self.survivors.iter().filter(|s| s.everywhere).count();
-        (self.kept() - everywhere, self.kept())
+        (self.tried_on > 0 && self.kept() > 0).then(|| (self.kept() - everywhere, self.kept()))
+    }
+
+    /// The kinds of slips that survive among these survivors, in order and each once.
+    pub fn unnoticed(&self, survivors: impl Iterator<Item = usize>) -> Vec<EditClass> {
+        let mut classes: Vec<EditClass> = survivors.filter_map(|i| self.survivors.get(i)).map(|s| s.class).collect();
+        classes.sort_unstable();
+        classes.dedup();
+        classes
+    }
+}
+
+impl Account {
+    /// The claims of whose variants all motions together reject less than a share: name, rejected, of.
+    pub fn discriminating_less_than(&self, share: f64) -> Vec<(String, usize, usize)> {
+        let of = |claim: &ClaimAccount| {
+            let (rejected, of) = claim.variants.as_ref()?.together()?;
+            let name = match &claim.reading {
+                Some(reading) => format!("{}/{reading}", claim.id),
+                None => claim.id.clone(),
+            };
+            ((rejected as f64) < share * of as f64).then_some((name, rejected, of))
+        };
+        self.claims.iter().filter_map(of).collect()
     }
 }

@@ -78,11 +78,6 @@ impl Battery {
         self.tape.slots(&())
     }
 
-    /// Number of operations.
-    pub fn len(&self) -> usize {
-        self.tape.instructions().len()
-    }
-
     /// Evaluates at a point: the values of the leaves, and the sign of ±.
     pub fn at(&self, values: impl Iterator<Item = Value>, sign: f64, slots: &mut Slots<Bounded>) -> Outputs<'_> {
         for (i, value) in values.enumerate() {

@@ -22,11 +22,11 @@ const POINTS: usize = 5;
 /// Points that are drawn at most: at some a formula may have no real value.
 const DRAWN: usize = 40;
 /// The start of the generator of points.
-pub(super) const SEED: u64 = 0x0DD5;
+pub const SEED: u64 = 0x0DD5;
 
 /// What random points say of a variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sight {
+pub(super) enum Sight {
     /// It differs from the print, and from all before it.
     New,
     /// The same equation.
@@ -69,23 +69,7 @@ fn fingerprint(v: &[Bounded]) -> Vec<u32> {
 impl ClaimVariants {
     /// Removes the variants that are no variants, and counts them.
     pub fn reduce(&mut self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) {
-        let sign = claim.scope.branch_sign();
-        let all = (0..self.variants.len()).collect();
-        let Some(battery) = Battery::new(graph, self, 0, all, sign) else { return };
-        let free = draw(derivation, claim, graph, &battery, false);
-        // A constant may be any function of the parameters, so these stay what they are.
-        let fixed = match self.formulas.iter().any(|f| f.manner == Manner::Constant) {
-            true => draw(derivation, claim, graph, &battery, true),
-            false => Vec::new(),
-        };
-        let mut seen: FastSet<(usize, Vec<(usize, Vec<u32>)>)> = FastSet::default();
-        let sights: Vec<Sight> = (0..self.variants.len())
-            .map(|v| {
-                let manner = self.formulas[self.variants[v].formula].manner;
-                let points = if manner == Manner::Constant { &fixed } else { &free };
-                self.sight(v, points, &mut seen)
-            })
-            .collect();
+        let sights = self.sights(derivation, claim, graph);
         let mut kept = Vec::new();
         for (variant, sight) in std::mem::take(&mut self.variants).into_iter().zip(sights) {
             let count = self.count(variant.class);
@@ -101,6 +85,29 @@ impl ClaimVariants {
             count.kept -= 1;
         }
         self.variants = kept;
+    }
+
+    /// What random points say of each variant.
+    pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
+        let sign = claim.scope.branch_sign();
+        let all = (0..self.variants.len()).collect();
+        let Some(battery) = Battery::new(graph, self, 0, all, sign) else {
+            return vec![Sight::New; self.variants.len()];
+        };
+        let free = draw(derivation, claim, graph, &battery, false);
+        // A constant may be any function of the parameters, so these stay what they are.
+        let fixed = match self.formulas.iter().any(|f| f.manner == Manner::Constant) {
+            true => draw(derivation, claim, graph, &battery, true),
+            false => Vec::new(),
+        };
+        let mut seen: FastSet<(usize, Vec<(usize, Vec<u32>)>)> = FastSet::default();
+        (0..self.variants.len())
+            .map(|v| {
+                let manner = self.formulas[self.variants[v].formula].manner;
+                let points = if manner == Manner::Constant { &fixed } else { &free };
+                self.sight(v, points, &mut seen)
+            })
+            .collect()
     }
 
     fn sight(&self, v: usize, points: &[Point], seen: &mut FastSet<(usize, Vec<(usize, Vec<u32>)>)>) -> Sight {

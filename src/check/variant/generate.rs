@@ -7,6 +7,7 @@
 //! can give without being asked for a new time.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use super::super::comparison::{at_instant, magnitude_of};
 use super::account::ClassCount;
@@ -42,12 +43,12 @@ pub(super) enum Manner {
 pub(super) struct Formula {
     /// As written.
     pub text: String,
+    /// Its place in the file; none for a definition that stands for a name.
+    pub place: Option<Range<usize>>,
     /// Its tree.
     pub tree: Chain,
     /// Relation or constant.
     pub manner: Manner,
-    /// Position among the forms of the claim; for a system, none.
-    pub form: Option<usize>,
     /// Its parts.
     pub parts: Vec<Part>,
     /// The size of the terms of each part, where a judgement needs it.
@@ -159,37 +160,80 @@ impl Setting<'_> {
     }
 }
 
+/// The tree of a text, if it is one chain of relations, or one expression.
+pub(super) fn tree(text: &str, scope: &Scope) -> Option<Chain> {
+    let mut chains = latex::parse(text, scope).ok()?;
+    chains.pop().filter(|_| chains.is_empty())
+}
+
+impl Formula {
+    /// A formula that stands nowhere in a file, without inequalities.
+    pub fn read(graph: &mut Graph, setting: &Setting, text: &str, manner: Manner) -> Option<Formula> {
+        let tree = tree(text, &setting.claim.scope)?;
+        let parts = match manner {
+            Manner::Relation => {
+                let statement = latex::elaborate(&tree, &setting.claim.scope, graph).ok()?;
+                setting.relation_parts(graph, &statement)
+            }
+            Manner::Constant => {
+                let tensor = latex::elaborate_expression(tree.sides.first()?, &setting.claim.scope, graph).ok()?;
+                setting.constant_parts(graph, &tensor)
+            }
+        };
+        let magnitudes = vec![None; parts.len()];
+        let sign = setting.claim.scope.branch_sign();
+        let branching = graph.leaves(parts.iter().map(|p| p.difference[0])).contains(&sign);
+        Some(Formula { text: text.to_owned(), place: None, tree, manner, parts, magnitudes, branching })
+    }
+}
+
+/// The definition of a symbol, where a text is nothing but its name.
+fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> Option<&'a str> {
+    let symbols = claim.symbols.iter().rev().chain(&derivation.symbols);
+    let named = symbols.into_iter().find(|s| s.name == text.trim())?;
+    // The definition must mean here what it meant where it stands.
+    let hidden = claim.symbols.iter().any(|s| derivation.symbols.iter().any(|d| d.name == s.name));
+    if hidden || !named.arguments.is_empty() { None } else { named.formula.as_deref() }
+}
+
 /// The formulas of a claim that can be altered; the others, with the reason.
 fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (Vec<Formula>, Vec<(String, String)>) {
     let claim = setting.claim;
     let mut out = Vec::new();
     let mut skipped = Vec::new();
-    let mut written: Vec<(Option<usize>, Manner, &str, Vec<Part>, bool)> = Vec::new();
-    for (at, form) in claim.forms.iter().enumerate() {
-        let mut relation = |at: Option<usize>, text: &'_ str, value: &Statement| {
+    let mut written: Vec<(Manner, &str, Option<&Range<usize>>, Vec<Part>, bool)> = Vec::new();
+    for form in &claim.forms {
+        let mut relation = |text: &'_ str, value: &Statement| {
             if value.relations.iter().any(|r| r.limit.is_some()) {
                 skipped.push((text.to_owned(), "a limit is no relation at a time".to_owned()));
                 return None;
             }
             let branching = value.relations.iter().any(|r| r.has_branches);
-            Some((at, Manner::Relation, setting.relation_parts(graph, value), branching))
+            Some((Manner::Relation, setting.relation_parts(graph, value), branching))
         };
         match form {
             Form::Always(w) => {
-                if let Some((at, manner, parts, branching)) = relation(Some(at), &w.text, &w.value) {
-                    written.push((at, manner, &w.text, parts, branching));
+                if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
+                    written.push((manner, &w.text, Some(&w.span), parts, branching));
                 }
             }
             Form::Solves { system } => {
                 for w in &derivation.systems[*system].equations {
-                    if let Some((at, manner, parts, branching)) = relation(None, &w.text, &w.value) {
-                        written.push((at, manner, &w.text, parts, branching));
+                    if let Some((manner, parts, branching)) = relation(&w.text, &w.value) {
+                        written.push((manner, &w.text, Some(&w.span), parts, branching));
                     }
                 }
             }
             Form::FirstIntegral(w) => {
-                let parts = setting.constant_parts(graph, &w.value);
-                written.push((Some(at), Manner::Constant, &w.text, parts, false));
+                // Of a quantity that is only named, the definition is what can be wrong.
+                let named = defined_as(derivation, claim, &w.text);
+                let meant = named.and_then(|text| latex::read_expression(text, &claim.scope, graph).ok());
+                let (text, place, value) = match (named, &meant) {
+                    (Some(text), Some(value)) if value.shape == w.value.shape => (text, None, value),
+                    _ => (w.text.as_str(), Some(&w.span), &w.value),
+                };
+                let parts = setting.constant_parts(graph, value);
+                written.push((Manner::Constant, text, place, parts, false));
             }
             Form::Never(w) | Form::Eventually(w) => {
                 let reason = "what happens once, or never, is not judged time by time";
@@ -207,12 +251,8 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
             }
         }
     }
-    for (form, manner, text, parts, branching) in written {
-        let tree = match latex::parse(text, &claim.scope) {
-            Ok(mut chains) if chains.len() == 1 => chains.pop(),
-            _ => None,
-        };
-        let Some(tree) = tree else {
+    for (manner, text, place, parts, branching) in written {
+        let Some(tree) = tree(text, &claim.scope) else {
             skipped.push((text.to_owned(), "it is not one chain of relations".to_owned()));
             continue;
         };
@@ -222,9 +262,16 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
         };
         let magnitudes = parts.iter().map(&mut size).collect();
         let text = text.trim().to_owned();
-        out.push(Formula { text, tree, manner, form, parts, magnitudes, branching });
+        let place = place.cloned();
+        out.push(Formula { text, place, tree, manner, parts, magnitudes, branching });
     }
     (out, skipped)
+}
+
+/// Whether the one component of a constant is a power of the printed one: then each is constant if the other is.
+fn is_power(graph: &mut Graph, formula: &Formula, altered: &[(usize, Part)]) -> bool {
+    let ([(_, new)], [old]) = (altered, formula.parts.as_slice()) else { return false };
+    (-3..=3).any(|n| n != 0 && graph.powi(old.sides.0, n) == new.sides.0)
 }
 
 /// Most edits of a formula that are looked at; a larger formula has its later edits left out, and says so.
@@ -250,7 +297,7 @@ impl ClaimVariants {
                     count.meaningless += 1;
                     continue;
                 };
-                if altered.is_empty() {
+                if altered.is_empty() || formula.manner == Manner::Constant && is_power(graph, formula, &altered) {
                     count.equivalent += 1;
                     continue;
                 }

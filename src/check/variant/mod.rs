@@ -13,18 +13,25 @@
 
 mod account;
 mod battery;
+mod completion;
 mod cover;
+mod difference;
 mod edit;
 mod equivalence;
+mod erratum;
 mod generate;
 mod rejection;
 mod vocabulary;
 
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
 pub use edit::EditClass;
+pub use equivalence::SEED;
+
+use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::CheckError;
 use super::account::ClaimAccount;
 use super::program::Program;
 use super::trial::{Course, Values};
@@ -32,8 +39,66 @@ use super::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
 use battery::Battery;
-use generate::{ClaimVariants, Setting};
-use rejection::{Evidence, Placed};
+use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
+use rejection::{Evidence, Placed, Rejections};
+
+/// A formula of a claim with one edit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AlteredFormula {
+    /// The formula as the file has it.
+    pub printed: String,
+    /// Its place in the file.
+    pub place: Range<usize>,
+    /// What was altered.
+    pub class: EditClass,
+    /// The altered formula. It reads as what it is meant to be.
+    pub formula: String,
+}
+
+/// All single-edit variants of the formulas of a claim that mean something else than the print: what can be planted in a file
+/// to see whether it is found.
+pub fn altered_formulas(derivation: &Derivation, claim: usize) -> Vec<AlteredFormula> {
+    let Some(of) = derivation.claims.get(claim) else { return Vec::new() };
+    let starts = [Rational::ZERO];
+    let mut graph = derivation.graph.clone();
+    let setting = Setting { claim: of, starts: &starts, shared: graph.len() };
+    let mut variants = ClaimVariants::new(derivation, &mut graph, &setting);
+    variants.reduce(derivation, of, &mut graph);
+    let mut out = Vec::new();
+    for variant in &variants.variants {
+        let formula = &variants.formulas[variant.formula];
+        let text = variant.text();
+        let mut reads = || {
+            let tree = generate::tree(&text, &of.scope)?;
+            Some(setting.altered(&mut graph, formula, &tree)? == variant.altered)
+        };
+        if let (Some(place), Some(true)) = (&formula.place, reads()) {
+            let printed = formula.text.clone();
+            out.push(AlteredFormula { printed, place: place.clone(), class: variant.class, formula: text });
+        }
+    }
+    out
+}
+
+/// Whether two formulas of a claim are the same equation (or, for `constant`, are constant for the same reason), as far as
+/// the definitions of the symbols tell. Texts that cannot be read are not.
+pub fn says_the_same(derivation: &Derivation, claim: usize, printed: &str, other: &str, constant: bool) -> bool {
+    let Some(of) = derivation.claims.get(claim) else { return false };
+    let starts = [Rational::ZERO];
+    let mut graph = derivation.graph.clone();
+    let start = graph.constant(Rational::ZERO);
+    let setting = Setting { claim: of, starts: &starts, shared: graph.len().max(start.index() + 1) };
+    let manner = if constant { Manner::Constant } else { Manner::Relation };
+    let Some(formula) = Formula::read(&mut graph, &setting, printed, manner) else { return false };
+    let Some(tree) = generate::tree(other, &of.scope) else { return false };
+    let Some(altered) = setting.altered(&mut graph, &formula, &tree) else { return false };
+    if altered.is_empty() {
+        return true;
+    }
+    let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
+    let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
+    group.sights(derivation, of, &mut graph) == [equivalence::Sight::Same]
+}
 
 /// Claims that share a copy of the graph.
 const TOGETHER: usize = 8;
@@ -95,25 +160,62 @@ impl Altered {
         self.placed = self.claims.par_iter().enumerate().map(one).collect();
     }
 
-    /// Which variants of the k-th claim a motion rejects; `None` where nothing was tried.
-    pub fn rejected(&self, k: usize, start: usize, claim: &Claim, found: &Found) -> Option<Vec<bool>> {
+    /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
+    pub fn weigh(&self, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
+        let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
+        let order = rejection::spread(course.times.len());
+        let kept = order.iter().take(KEPT);
+        out.kept = kept.map(|&i| (course.times[i], course.points[i].clone())).collect();
+        for (k, found) in found.iter().enumerate() {
+            let (rejections, own) = match found {
+                Some(found) => self.rejections(k, start, course, found).unwrap_or_default(),
+                None => Default::default(),
+            };
+            out.rejections.push(rejections);
+            let excluded = found.iter().flat_map(|f| &f.verdict.evidence().excluded).map(|e| (e.from, e.to)).collect();
+            let at_events = found.as_ref().is_some_and(|f| f.program.at.is_some());
+            out.of_claims.push(OfClaim { excluded, at_events, own });
+        }
+        out
+    }
+
+    /// What a motion says of the k-th claim, and points that are the claim's own; `None` where nothing was tried.
+    fn rejections(
+        &self,
+        k: usize,
+        start: usize,
+        course: &Course,
+        found: &Found,
+    ) -> Option<(Option<Rejections>, Vec<Values>)> {
+        let claim = found.claim;
         let placed = self.placed.get(k)?.get(start)?;
-        if !matches!(found.verdict.outcome(), Outcome::Holds(_) | Outcome::Fails(_)) {
+        let outcome = found.verdict.outcome();
+        if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
         }
-        let at_events: Vec<Values>;
-        let points: Vec<&Values> = match found.program.at {
-            Some(event) => {
-                let zeros = found.course.zeros(event)?;
-                let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
-                at_events = times.map(|(&t, &slack)| found.course.values_at_event(t, slack)).collect();
-                at_events.iter().collect()
-            }
-            None => {
-                let counted = found.course.times.iter().zip(&found.course.points).filter(|(t, _)| found.counts(**t));
-                counted.map(|(_, p)| p).collect()
-            }
-        };
+        // The point at which the claim fails most clearly is always among those used.
+        let mut own: Vec<Values> = Vec::new();
+        if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {
+            own.push(match course.times.binary_search_by(|t| t.total_cmp(&witness.t)) {
+                Ok(i) if found.program.at.is_none() => course.points[i].clone(),
+                _ if found.program.at.is_none() => course.values(witness.t),
+                _ => {
+                    let zeros = found.program.at.and_then(|e| course.zeros(e))?;
+                    let i = zeros.times.iter().position(|&t| t == witness.t)?;
+                    course.values_at_event(witness.t, zeros.slack[i])
+                }
+            });
+        }
+        if let Some(event) = found.program.at {
+            let zeros = course.zeros(event)?;
+            let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
+            own.extend(times.take(rejection::MOST_TIMES).map(|(&t, &slack)| course.values_at_event(t, slack)));
+        }
+        let mut points: Vec<&Values> = own.iter().collect();
+        if found.program.at.is_none() {
+            let counted = course.times.iter().zip(&course.points).filter(|(t, _)| found.counts(**t));
+            points.extend(counted.map(|(_, p)| p));
+        }
         if points.is_empty() {
             return None;
         }
@@ -121,14 +223,28 @@ impl Altered {
         let evidence =
             Evidence { points: &points, precision: claim.precision, one_sign_throughout: claim.branches_throughout };
         let sign = claim.scope.branch_sign();
-        Some(rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence))
+        let rejections = rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence);
+        own.truncate(KEPT);
+        Some((Some(rejections), own))
     }
 
-    /// Writes what was found into the accounts. `rejected[t][k]` is what [`Altered::rejected`] gave.
-    pub fn conclude(&self, claims: &mut [ClaimAccount], rejected: &[Vec<Option<Vec<bool>>>], tried: &[String]) {
-        for (k, (account, variants)) in claims.iter_mut().zip(&self.claims).enumerate() {
-            account.variants = Some(self.account(k, account, variants, rejected, tried));
+    /// Writes what was found into the accounts: one entry of `weighed` for each of the motions `tried`.
+    ///
+    /// # Errors
+    /// Those of a check, when corrections are tried.
+    pub fn conclude(
+        &self,
+        derivation: &Derivation,
+        accounts: &mut [ClaimAccount],
+        weighed: &[Weighed],
+        places: &Places,
+    ) -> Result<(), CheckError> {
+        let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
+        for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
+            account.variants = Some(self.account(k, account, variants, weighed, &tried));
         }
+        let Places { claimed, tried, starts, start_of } = *places;
+        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }.offer(accounts)
     }
 
     fn account(
@@ -136,11 +252,11 @@ impl Altered {
         k: usize,
         account: &mut ClaimAccount,
         variants: &ClaimVariants,
-        rejected: &[Vec<Option<Vec<bool>>>],
-        tried: &[String],
+        weighed: &[Weighed],
+        tried: &[&str],
     ) -> VariantAccount {
-        let column = |id: &str| tried.iter().position(|t| t == id);
-        let on = |id: &str| column(id).and_then(|t| rejected[t][k].as_ref());
+        let column = |id: &str| tried.iter().position(|t| *t == id);
+        let on = |id: &str| column(id).and_then(|t| weighed[t].rejections[k].as_ref()).map(|r| &r.variants);
         let holds: Vec<(String, &Vec<bool>)> = account
             .results
             .iter()
@@ -166,6 +282,7 @@ impl Altered {
             classes: variants.counts.values().cloned().collect(),
             skipped: variants.skipped.clone(),
             survivors: survives.iter().map(survivor).collect(),
+            tried_on: holds.len(),
             cover: cover.into_iter().map(|i| holds[i].0.clone()).collect(),
             cover_is_least,
             erratum: None,
@@ -173,14 +290,59 @@ impl Altered {
     }
 }
 
+/// Points of a motion that are kept for corrections.
+const KEPT: usize = 12;
+
+/// What one motion says of the variants of all claims.
+pub(super) struct Weighed {
+    /// One for each claim; none where it was not tried.
+    rejections: Vec<Option<Rejections>>,
+    /// A few points of the motion, with their times, in the order of [`rejection::spread`].
+    kept: Vec<(f64, Values)>,
+    of_claims: Vec<OfClaim>,
+}
+
+/// What belongs to one claim on one motion.
+struct OfClaim {
+    /// Times at which it was not compared.
+    excluded: Vec<(f64, f64)>,
+    /// Whether it is tried at events only.
+    at_events: bool,
+    /// Its witness, and its events.
+    own: Vec<Values>,
+}
+
+impl Weighed {
+    /// At most so many points at which a claim was tried.
+    fn points(&self, k: usize, most: usize) -> Vec<&Values> {
+        let of = &self.of_claims[k];
+        let counts = |t: f64| !of.excluded.iter().any(|(a, b)| (*a..=*b).contains(&t));
+        let shared = self.kept.iter().filter(|(t, _)| !of.at_events && counts(*t)).map(|(_, p)| p);
+        of.own.iter().chain(shared).take(most).collect()
+    }
+}
+
+/// Which claims and motions there are, and how they belong together.
+#[derive(Clone, Copy)]
+pub(super) struct Places<'a> {
+    /// Positions of the claims.
+    pub claimed: &'a [usize],
+    /// Positions of the trajectories.
+    pub tried: &'a [usize],
+    /// The initial times.
+    pub starts: &'a [Rational],
+    /// Which of them belongs to each trajectory.
+    pub start_of: &'a [usize],
+}
+
 /// A claim on a motion, as it was tried.
 pub(super) struct Found<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
     /// Its program.
     pub program: &'a Program,
-    /// The motion.
-    pub course: &'a Course<'a>,
     /// What came out.
-    pub verdict: &'a Verdict,
+    pub verdict: Verdict,
 }
 
 impl Found<'_> {

@@ -80,7 +80,16 @@ pub(super) fn spread(n: usize) -> Vec<usize> {
     out
 }
 
-/// Which of the variants are rejected.
+/// What a motion says of the formulas of a claim and of their variants.
+#[derive(Clone, Debug, PartialEq)]
+pub(in super::super) struct Rejections {
+    /// For each variant, whether it is rejected.
+    pub variants: Vec<bool>,
+    /// For each formula, whether it is violated as printed, at one of the times used.
+    pub formulas: Vec<bool>,
+}
+
+/// Which of the variants are rejected. The first of the points are used in any case.
 pub(super) fn rejected(
     graph: &Graph,
     claim: &ClaimVariants,
@@ -89,9 +98,14 @@ pub(super) fn rejected(
     known: &[Leaf],
     whole: &Placed,
     evidence: &Evidence,
-) -> Vec<bool> {
+) -> Rejections {
+    let mut formulas = vec![false; claim.formulas.len()];
     let mut records = vec![Record::default(); claim.variants.len()];
-    let order = spread(evidence.points.len());
+    let mut order = spread(evidence.points.len());
+    // Where the print fails most clearly comes first.
+    if let Some(at) = order.iter().position(|&i| i == 0) {
+        order[..=at].rotate_right(1);
+    }
     let mut next = order.iter().take(MOST_TIMES);
     let mut smaller: Option<Placed> = None;
     for round in ROUNDS {
@@ -100,7 +114,7 @@ pub(super) fn rejected(
         if times.is_empty() {
             break;
         }
-        try_at(claim, placed, &times, evidence, &mut records);
+        try_at(claim, placed, &times, evidence, &mut records, &mut formulas);
         let left: Vec<usize> =
             placed.battery.chosen.iter().copied().filter(|&v| !records[v].is_rejected(evidence)).collect();
         if left.is_empty() {
@@ -111,7 +125,8 @@ pub(super) fn rejected(
             smaller = Battery::new(graph, claim, start, left, sign).map(|b| Placed::new(b, known));
         }
     }
-    records.iter().map(|r| r.is_rejected(evidence) || r.has_no_value()).collect()
+    let variants = records.iter().map(|r| r.is_rejected(evidence) || r.has_no_value()).collect();
+    Rejections { variants, formulas }
 }
 
 impl Record {
@@ -123,7 +138,14 @@ impl Record {
     }
 }
 
-fn try_at(claim: &ClaimVariants, placed: &Placed, times: &[usize], evidence: &Evidence, records: &mut [Record]) {
+fn try_at(
+    claim: &ClaimVariants,
+    placed: &Placed,
+    times: &[usize],
+    evidence: &Evidence,
+    records: &mut [Record],
+    formulas: &mut [bool],
+) {
     let battery = &placed.battery;
     let mut slots = battery.slots();
     for &time in times {
@@ -146,6 +168,9 @@ fn try_at(claim: &ClaimVariants, placed: &Placed, times: &[usize], evidence: &Ev
                 [first, second]
             })
             .collect();
+        for (violated, signs) in formulas.iter_mut().zip(&printed) {
+            *violated |= signs.iter().all(|s| s.contains(&Standing::Violated));
+        }
         let speaks = |f: usize| printed[f].iter().any(|s| s.iter().all(|p| !matches!(p, Standing::NoValue(_))));
         for (position, &v) in battery.chosen.iter().enumerate() {
             let variant = &claim.variants[v];

@@ -1,0 +1,250 @@
+//! What is missing: a factor or a term that makes a formula true.
+//!
+//! **In:** a formula that fails, and points at which it should hold. **Out:** formulas with one factor or one term more, which
+//! vanish at these points.
+//!
+//! A residual is often an affine function of a factor F of one term: r = r₀ + (r₁ − r₀) F, with r₁ the residual as printed
+//! (F = 1) and r₀ that without the term. So F = r₀/(r₀ − r₁) is known at every point, and the same goes for a missing term.
+//! What is looked for is a monomial c·∏ aⁿ in the quantities of the formula and its language that has these values: at most
+//! three different ones, powers up to 3, c a simple fraction. No tree is made before the numbers agree.
+
+use super::battery::{Battery, Value};
+use super::edit::{EditClass, Gap, atoms, filled, monomial};
+use super::generate::{ClaimVariants, Formula, Setting, Variant};
+use super::vocabulary::Vocabulary;
+use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::latex;
+use crate::latex::syntax::{Chain, Node, NodeKind};
+use crate::number::Bounded;
+use crate::tape::Tape;
+
+/// Largest power in a monomial.
+const HIGHEST: i32 = 3;
+/// How well the values of a monomial must agree with those that are wanted.
+const AGREEMENT: f64 = 1e-7;
+/// Most completions that are offered for one formula.
+const MOST_FOUND: usize = 24;
+
+/// Points at which a formula should hold, all for one initial time: each a lookup of values.
+pub(super) struct Points<'a> {
+    /// Which initial time.
+    pub start: usize,
+    /// The points, few and different.
+    pub points: Vec<&'a Vec<Value>>,
+    /// The leaves that they have values of, sorted.
+    pub known: &'a [Leaf],
+}
+
+impl Points<'_> {
+    fn lookup(&self, point: &[Value], leaves: &[Leaf]) -> Option<Vec<Value>> {
+        leaves.iter().map(|l| self.known.binary_search(l).ok().map(|i| point[i])).collect()
+    }
+}
+
+/// Simple numbers that a coefficient may be.
+fn simple(c: f64) -> Option<Rational> {
+    const TOPS: [i64; 9] = [1, 2, 3, 4, 5, 6, 8, 12, 16];
+    for q in TOPS {
+        for p in TOPS {
+            let r = p as f64 / q as f64;
+            if (c.abs() - r).abs() <= AGREEMENT * r {
+                let r = Rational::from(p) / Rational::from(q);
+                return Some(if c < 0.0 { -r } else { r });
+            }
+        }
+    }
+    None
+}
+
+/// A monomial: coefficient, and atoms with their powers.
+struct Found {
+    coefficient: Rational,
+    powers: Vec<(usize, i32)>,
+}
+
+impl Found {
+    fn weight(&self) -> i32 {
+        let simple = i32::from(self.coefficient != Rational::ONE && self.coefficient != Rational::from(-1));
+        self.powers.iter().map(|(_, n)| n.abs() + 1).sum::<i32>() + simple
+    }
+}
+
+/// The monomials with the wanted values, the simplest first.
+fn monomials(values: &[Vec<f64>], wanted: &[f64]) -> Vec<Found> {
+    let mut out = Vec::new();
+    let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
+        let mut c = None;
+        for (p, &w) in wanted.iter().enumerate() {
+            let m: f64 = powers.iter().map(|&(a, n)| values[a][p].powi(n)).product();
+            let ratio = w / m;
+            if !ratio.is_finite() || ratio == 0.0 {
+                return None;
+            }
+            let first = *c.get_or_insert(ratio);
+            if (ratio - first).abs() > AGREEMENT * first.abs() {
+                return None;
+            }
+        }
+        simple(c?)
+    };
+    let mut try_one = |powers: &[(usize, i32)]| {
+        if let Some(coefficient) = agrees(powers) {
+            out.push(Found { coefficient, powers: powers.to_vec() });
+        }
+    };
+    try_one(&[]);
+    let exponents = || (1..=HIGHEST).flat_map(|n| [n, -n]);
+    for a in 0..values.len() {
+        for i in exponents() {
+            try_one(&[(a, i)]);
+            for b in a + 1..values.len() {
+                for j in exponents() {
+                    try_one(&[(a, i), (b, j)]);
+                    for c in b + 1..values.len() {
+                        for k in exponents() {
+                            try_one(&[(a, i), (b, j), (c, k)]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    out.sort_by_key(Found::weight);
+    out.truncate(4);
+    out
+}
+
+/// The scalar atoms that have a value at every point.
+fn valued_atoms(graph: &mut Graph, setting: &Setting, all: &[Node], points: &Points) -> (Vec<Node>, Vec<Vec<f64>>) {
+    let mut nodes = Vec::new();
+    let mut roots: Vec<Expr> = Vec::new();
+    for atom in all {
+        let Ok(tensor) = latex::elaborate_expression(atom, &setting.claim.scope, graph) else { continue };
+        let Some(e) = tensor.as_scalar() else { continue };
+        if !roots.contains(&e) && graph.as_constant(e).is_none() {
+            roots.push(e);
+            nodes.push(atom.clone());
+        }
+    }
+    let leaves = graph.leaves(roots.iter().copied());
+    let Ok(tape) = Tape::compile(graph, &leaves, &roots) else { return (Vec::new(), Vec::new()) };
+    let mut slots = tape.slots::<Bounded>(&());
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); roots.len()];
+    for point in &points.points {
+        let inputs: Vec<Value> = leaves
+            .iter()
+            .map(|l| points.known.binary_search(l).map_or(Err(crate::number::NoValue::Indeterminate), |i| point[i]))
+            .collect();
+        for (all, v) in values.iter_mut().zip(tape.evaluate(&(), &inputs, &mut slots)) {
+            all.extend(v.ok().filter(|v| v.value.abs() > 1e3 * v.error).map(|v| v.value));
+        }
+    }
+    let complete: Vec<bool> = values.iter().map(|v| v.len() == points.points.len()).collect();
+    let keep = |i: &usize| complete[*i];
+    let at: Vec<usize> = (0..nodes.len()).filter(keep).collect();
+    (at.iter().map(|&i| nodes[i].clone()).collect(), at.iter().map(|&i| values[i].clone()).collect())
+}
+
+/// Formulas with one factor or one term more that vanish at the points.
+pub(super) fn completions(
+    graph: &mut Graph,
+    setting: &Setting,
+    vocabulary: &Vocabulary,
+    formula: &Formula,
+    points: &Points,
+) -> Vec<Chain> {
+    let (nodes, values) = valued_atoms(graph, setting, &atoms(&formula.tree, vocabulary), points);
+    let constant = |n: i64| Node::new(NodeKind::Number(Rational::from(n)), 0..0);
+    let mut out: Vec<(i32, Chain)> = Vec::new();
+    for (gap, probe, instead) in [(Gap::Factor, constant(0), true), (Gap::Term, constant(1), false)] {
+        let trees = filled(&formula.tree, gap, &probe, instead, vocabulary);
+        // The residuals with the probe, and with it doubled, to see whether they depend on it in this simple way.
+        let doubled = filled(&formula.tree, gap, &constant(2), false, vocabulary);
+        for (site, (tree, doubled)) in trees.iter().zip(&doubled).enumerate() {
+            let Some(wanted) = wanted(graph, setting, formula, points, (tree, doubled), gap) else { continue };
+            for found in monomials(&values, &wanted) {
+                let factors: Vec<(&Node, i32)> = found.powers.iter().map(|&(a, n)| (&nodes[a], n)).collect();
+                let filling = monomial(&found.coefficient, &factors);
+                let made = filled(&formula.tree, gap, &filling, false, vocabulary);
+                out.extend(made.into_iter().nth(site).map(|tree| (found.weight(), tree)));
+            }
+        }
+    }
+    out.sort_by_key(|(weight, _)| *weight);
+    out.truncate(MOST_FOUND);
+    out.into_iter().map(|(_, tree)| tree).collect()
+}
+
+/// The values that the missing factor or term must have.
+fn wanted(
+    graph: &mut Graph,
+    setting: &Setting,
+    formula: &Formula,
+    points: &Points,
+    (probe, doubled): (&Chain, &Chain),
+    gap: Gap,
+) -> Option<Vec<f64>> {
+    let variant = |graph: &mut Graph, tree: &Chain| {
+        let parts = setting.parts(graph, tree, formula.manner, formula.parts.len())?;
+        let altered = parts.into_iter().enumerate().collect();
+        Some(Variant { class: EditClass::Missing, formula: 0, tree: tree.clone(), altered })
+    };
+    let variants = vec![variant(graph, probe)?, variant(graph, doubled)?];
+    let claim = ClaimVariants { formulas: vec![formula.clone()], variants, ..ClaimVariants::default() };
+    let sign = setting.claim.scope.branch_sign();
+    let battery = Battery::new(graph, &claim, points.start, vec![0, 1], sign)?;
+    let mut slots = battery.slots();
+    let mut out = Vec::new();
+    for point in &points.points {
+        let values = points.lookup(point, battery.leaves())?;
+        let outputs = battery.at(values.into_iter(), 1.0, &mut slots);
+        let mut here = None;
+        for part in 0..formula.parts.len() {
+            let own = outputs.own(0, part).ok()?;
+            let (first, second) = (outputs.altered(0, part).ok()?, outputs.altered(1, part).ok()?);
+            let close = |a: f64, b: f64, size: f64| (a - b).abs() <= AGREEMENT * size;
+            let size = own.value.abs().max(first.value.abs()).max(second.value.abs()) + 1e3 * own.error;
+            let (slope, at) = match gap {
+                // F = 0 gives `first`, F = 1 the print, F = 2 `second`.
+                Gap::Factor => (own.value - first.value, first.value),
+                // A term 0 is the print, 1 gives `first`, 2 `second`.
+                Gap::Term => (first.value - own.value, own.value),
+            };
+            if !close(second.value, at + 2.0 * slope, size) {
+                return None;
+            }
+            if slope.abs() <= 1e-9 * size {
+                // This part does not see what is missing: it must be true already.
+                if own.value.abs() > 1e3 * own.error + 1e-9 * size {
+                    return None;
+                }
+                continue;
+            }
+            let value = -at / slope;
+            let known = *here.get_or_insert(value);
+            if !close(known, value, known.abs().max(value.abs())) {
+                return None;
+            }
+        }
+        out.push(here?);
+    }
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_monomial_is_recognised_by_its_values() {
+        let x = vec![1.3, -0.7, 2.2, 0.4];
+        let y = vec![0.2, 1.9, -1.1, 3.0];
+        let wanted: Vec<f64> = x.iter().zip(&y).map(|(x, y)| -1.5 * x * x / y).collect();
+        let found = monomials(&[x.clone(), y.clone()], &wanted);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].powers, [(0, 2), (1, -1)]);
+        assert_eq!(found[0].coefficient, Rational::from(-3) / Rational::from(2));
+        let other: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x + y).collect();
+        assert!(monomials(&[x, y], &other).is_empty());
+    }
+}

@@ -1,0 +1,389 @@
+//! What a claim that fails should have said.
+//!
+//! **In:** claims that fail where they are stated to hold, their variants, and the points at which they were tried. **Out:**
+//! corrections: altered formulas that hold on every motion to which the claim applies.
+//!
+//! First single edits, then [`completion`](super::completion), then pairs of edits; the latter only where nothing nearer holds.
+//! What passes at a few points of every motion is handed to the checker as a claim of its own, as it is printed: only what
+//! gets the verdict `holds` on every motion is offered. So a correction is as strong as any verdict of this program.
+//!
+//! A correction that holds because it says nothing (x = x) is refused; one that is true by the definitions alone comes after
+//! those that are not.
+
+use super::account::{Correction, Erratum};
+use super::completion::{Points, completions};
+use super::difference::difference;
+use super::edit::{EditClass, edits};
+use super::equivalence::Sight;
+use super::generate::{ClaimVariants, Formula, Manner, Setting, Variant};
+use super::rejection::{self, Evidence, Placed, spread};
+use super::vocabulary::Vocabulary;
+use super::{Altered, Battery, TOGETHER, Weighed};
+use crate::check::account::{ClaimAccount, PairAccount};
+use crate::check::trial::Values;
+use crate::check::verdict::Outcome;
+use crate::check::{CheckError, Options};
+use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
+use crate::expr::{Graph, Leaf, Rational};
+use crate::latex;
+use crate::latex::syntax::{Chain, to_latex};
+
+/// Most candidates of one formula that are handed to the checker.
+const MOST_CANDIDATES: usize = 12;
+/// Most pairs of edits of one formula that are tried.
+const MOST_PAIRS: usize = 9_000;
+/// Pairs of edits that are evaluated together.
+const PAIRS_TOGETHER: usize = 300;
+/// Most points at which completions are fitted.
+const FITTED: usize = 10;
+/// Most corrections that are offered for a claim.
+const MOST_OFFERED: usize = 5;
+
+/// Everything that the search shares.
+pub(super) struct Search<'a> {
+    pub derivation: &'a Derivation,
+    pub altered: &'a Altered,
+    /// Positions of the claims.
+    pub claimed: &'a [usize],
+    /// Positions of the trajectories, one for each column.
+    pub tried: &'a [usize],
+    /// What was found in each column.
+    pub weighed: &'a [Weighed],
+    pub starts: &'a [Rational],
+    pub start_of: &'a [usize],
+}
+
+/// A formula that may be what was meant.
+struct Candidate {
+    claim: usize,
+    formula: usize,
+    tree: Chain,
+    text: String,
+    classes: Vec<EditClass>,
+    empty: bool,
+    difference: String,
+    changed: usize,
+}
+
+/// Whether a claim is stated to hold on a motion, and does not: there a correction is asked for. A claim that holds nowhere is
+/// wrong whatever is expected.
+fn asked(account: &ClaimAccount) -> Vec<bool> {
+    let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_));
+    let holds = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
+    let stated = |p: &PairAccount| p.expected != Some("fails");
+    if account.results.iter().any(|p| fails(p) && stated(p)) {
+        return account.results.iter().map(|p| (fails(p) || holds(p)) && stated(p)).collect();
+    }
+    if account.results.iter().any(fails) && !account.results.iter().any(holds) {
+        return account.results.iter().map(fails).collect();
+    }
+    vec![false; account.results.len()]
+}
+
+impl Search<'_> {
+    /// Looks for corrections of all claims that need one.
+    pub fn offer(&self, accounts: &mut [ClaimAccount]) -> Result<(), CheckError> {
+        let mut candidates: Vec<Candidate> = Vec::new();
+        let mut motions: Vec<Vec<usize>> = Vec::new();
+        for (k, account) in accounts.iter_mut().enumerate() {
+            let asked = asked(account);
+            let column = |id: &str| self.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
+            let on: Vec<usize> = account
+                .results
+                .iter()
+                .zip(asked)
+                .filter_map(|(p, asked)| column(&p.trajectory).filter(|_| asked))
+                .collect();
+            if !on.is_empty() {
+                let mut erratum = Erratum::default();
+                candidates.extend(self.candidates(k, &on, &mut erratum));
+                if let Some(variants) = &mut account.variants {
+                    variants.erratum = Some(erratum);
+                }
+            }
+            motions.push(on);
+        }
+        self.confirm(accounts, candidates, &motions)
+    }
+
+    /// What passes at the points at which the claim was tried.
+    fn candidates(&self, k: usize, on: &[usize], erratum: &mut Erratum) -> Vec<Candidate> {
+        let claim = &self.derivation.claims[self.claimed[k]];
+        let variants = &self.altered.claims[k];
+        let mut graph = self.altered.graphs[k / TOGETHER].clone();
+        let setting = Setting { claim, starts: self.starts, shared: self.derivation.graph.len() };
+        let vocabulary = Vocabulary::new(self.derivation, claim);
+        let rejections: Vec<_> = on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
+        let mut out = Vec::new();
+        for (f, formula) in variants.formulas.iter().enumerate() {
+            if !rejections.iter().any(|r| r.formulas[f]) {
+                continue;
+            }
+            let mut made: Vec<(Vec<EditClass>, Chain)> = Vec::new();
+            for (v, variant) in variants.variants.iter().enumerate().filter(|(_, v)| v.formula == f) {
+                erratum.tried.0 += 1;
+                if rejections.iter().all(|r| !r.variants[v]) {
+                    made.push((vec![variant.class], variant.tree.clone()));
+                }
+            }
+            let complete = self.complete(k, on, &mut graph, &setting, &vocabulary, formula);
+            erratum.tried.1 += complete.len();
+            let complete = complete.into_iter().map(|tree| (vec![EditClass::Missing], tree)).collect();
+            made.extend(self.screened(k, on, &mut graph, &setting, formula, complete));
+            if made.is_empty() {
+                let pairs = pairs(variants, f, &vocabulary);
+                erratum.tried.2 += pairs.len();
+                made.extend(self.screened(k, on, &mut graph, &setting, formula, pairs));
+            }
+            out.extend(self.ranked(k, f, &mut graph, &setting, formula, made));
+        }
+        out
+    }
+
+    /// The points of motions at which a claim is tried, a few of each: for each initial time.
+    fn points(&self, k: usize, on: &[usize], each: usize) -> Vec<(usize, Vec<&Values>)> {
+        let mut out: Vec<(usize, Vec<&Values>)> = Vec::new();
+        for &t in on {
+            let start = self.start_of[self.tried[t]];
+            let of = self.weighed[t].points(k, each);
+            match out.iter_mut().find(|(s, _)| *s == start) {
+                Some((_, all)) => all.extend(of),
+                None => out.push((start, of)),
+            }
+        }
+        out
+    }
+
+    fn complete(
+        &self,
+        k: usize,
+        on: &[usize],
+        graph: &mut Graph,
+        setting: &Setting,
+        vocabulary: &Vocabulary,
+        formula: &Formula,
+    ) -> Vec<Chain> {
+        let each = FITTED.div_ceil(on.len()).max(3);
+        let Some((start, all)) = self.points(k, on, each).into_iter().max_by_key(|(_, p)| p.len()) else {
+            return Vec::new();
+        };
+        let order = spread(all.len());
+        let points: Vec<&Values> = order.iter().take(FITTED).map(|&i| all[i]).collect();
+        if points.len() < 3 {
+            // Two points agree with almost anything.
+            return Vec::new();
+        }
+        let points = Points { start, points, known: &self.altered.known };
+        completions(graph, setting, vocabulary, formula, &points)
+    }
+
+    /// Those of the trees that no point refutes.
+    fn screened(
+        &self,
+        k: usize,
+        on: &[usize],
+        graph: &mut Graph,
+        setting: &Setting,
+        formula: &Formula,
+        trees: Vec<(Vec<EditClass>, Chain)>,
+    ) -> Vec<(Vec<EditClass>, Chain)> {
+        let claim = setting.claim;
+        let sign = claim.scope.branch_sign();
+        let known: &[Leaf] = &self.altered.known;
+        let points = self.points(k, on, 6);
+        let mut out = Vec::new();
+        let mut trees = trees.into_iter();
+        loop {
+            let some: Vec<_> = trees.by_ref().take(PAIRS_TOGETHER).collect();
+            if some.is_empty() {
+                return out;
+            }
+            let mut classes = Vec::new();
+            let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
+            for (of, tree) in some {
+                if let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) {
+                    let class = of.first().copied().unwrap_or(EditClass::Missing);
+                    group.variants.push(Variant { class, formula: 0, tree, altered });
+                    classes.push(of);
+                }
+            }
+            // A value that no motion was asked for is not known.
+            let leaves = |v: &Variant| {
+                let roots = v.altered.iter().flat_map(|(_, p)| p.difference.iter().copied());
+                graph.leaves(roots).iter().all(|l| *l == sign || known.binary_search(l).is_ok())
+            };
+            let mut left: Vec<usize> = (0..group.variants.len()).filter(|&v| leaves(&group.variants[v])).collect();
+            for (start, points) in &points {
+                let Some(battery) = Battery::new(graph, &group, *start, left.clone(), sign) else { continue };
+                let placed = Placed::new(battery, known);
+                let evidence = Evidence { points, precision: claim.precision, one_sign_throughout: false };
+                let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
+                left.retain(|&v| !found.variants[v]);
+            }
+            out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree.clone())));
+        }
+    }
+
+    /// Candidates, the closest to the print first, without those that say nothing or what another says.
+    fn ranked(
+        &self,
+        k: usize,
+        f: usize,
+        graph: &mut Graph,
+        setting: &Setting,
+        formula: &Formula,
+        made: Vec<(Vec<EditClass>, Chain)>,
+    ) -> Vec<Candidate> {
+        let print = to_latex(&formula.tree);
+        let mut with_distance: Vec<(usize, String, Vec<EditClass>, Chain)> = made
+            .into_iter()
+            .map(|(classes, tree)| {
+                let (difference, changed) = difference(&print, &to_latex(&tree));
+                (changed, difference, classes, tree)
+            })
+            .collect();
+        with_distance.sort_by_key(|(changed, _, classes, _)| (classes.len(), *changed));
+        let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
+        let mut kept = Vec::new();
+        for (changed, difference, classes, tree) in with_distance {
+            let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
+            // Both sides are one expression, or nothing is left that could be compared.
+            let says_nothing = altered
+                .iter()
+                .all(|(_, p)| p.sides.0 == p.sides.1 || graph.leaves(p.difference.iter().copied()).is_empty());
+            if says_nothing && altered.len() == formula.parts.len() {
+                continue;
+            }
+            let class = classes.first().copied().unwrap_or(EditClass::Missing);
+            group.variants.push(Variant { class, formula: 0, tree, altered });
+            kept.push((changed, difference, classes));
+        }
+        let sights = group.sights(self.derivation, setting.claim, graph);
+        let mut out: Vec<Candidate> = Vec::new();
+        for ((variant, sight), (changed, difference, classes)) in group.variants.into_iter().zip(sights).zip(kept) {
+            if matches!(sight, Sight::Same | Sight::Repeated) {
+                continue;
+            }
+            let text = to_latex(&variant.tree);
+            let empty = sight == Sight::Empty;
+            out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, empty, difference, changed });
+        }
+        out.sort_by_key(|c| (c.classes.len(), c.empty, c.changed));
+        out.truncate(MOST_CANDIDATES);
+        out
+    }
+
+    /// Hands the candidates to the checker, and writes those that hold everywhere into the accounts.
+    fn confirm(
+        &self,
+        accounts: &mut [ClaimAccount],
+        candidates: Vec<Candidate>,
+        motions: &[Vec<usize>],
+    ) -> Result<(), CheckError> {
+        let mut scratch = self.derivation.clone();
+        let mut ids = Vec::new();
+        let mut read = Vec::new();
+        for (n, candidate) in candidates.into_iter().enumerate() {
+            let trajectories: Vec<usize> = motions[candidate.claim].iter().map(|&t| self.tried[t]).collect();
+            let claim = &self.derivation.claims[self.claimed[candidate.claim]];
+            let manner = self.altered.claims[candidate.claim].formulas[candidate.formula].manner;
+            let id = format!("correction {n}");
+            if let Some(claim) = as_claim(&mut scratch.graph, claim, &id, &candidate, manner, trajectories) {
+                scratch.claims.push(claim);
+                ids.push(id);
+                read.push(candidate);
+            }
+        }
+        let mut used: Vec<usize> = read.iter().flat_map(|c| &motions[c.claim]).copied().collect();
+        used.sort_unstable();
+        used.dedup();
+        let name = |t: &usize| self.derivation.trajectories[self.tried[*t]].id.clone();
+        let found = if ids.is_empty() {
+            Vec::new()
+        } else {
+            let options = Options { claims: ids.clone(), trajectories: used.iter().map(name).collect(), plain: true };
+            crate::check::check(&mut scratch, &options, &|_, _| {})?.claims
+        };
+        for (candidate, id) in read.iter().zip(&ids) {
+            let Some(account) = found.iter().find(|a| a.id == *id) else { continue };
+            let holds = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
+            if account.results.is_empty() || !account.results.iter().all(holds) {
+                continue;
+            }
+            let printed = &self.altered.claims[candidate.claim].formulas[candidate.formula].text;
+            let correction = Correction {
+                printed: printed.clone(),
+                formula: candidate.text.clone(),
+                difference: candidate.difference.clone(),
+                classes: candidate.classes.clone(),
+                proved: account.identity.as_ref().is_some_and(|i| i.verdict == "proved"),
+                holds_on: account.results.len(),
+            };
+            let erratum = accounts[candidate.claim].variants.as_mut().and_then(|v| v.erratum.as_mut());
+            if let Some(erratum) = erratum.filter(|e| e.corrections.len() < MOST_OFFERED) {
+                erratum.corrections.push(correction);
+            }
+        }
+        for (k, account) in accounts.iter_mut().enumerate() {
+            let Some(erratum) = account.variants.as_mut().and_then(|v| v.erratum.as_mut()) else { continue };
+            if erratum.corrections.is_empty() {
+                erratum.remark = Some(match self.altered.claims[k].formulas.is_empty() {
+                    true => "the claim has no formula that could be altered".to_owned(),
+                    false => "no formula within two edits of the print holds on all motions to which the claim applies"
+                        .to_owned(),
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The candidate as a claim of its own; `None` where it cannot be read as it is printed.
+fn as_claim(
+    graph: &mut Graph,
+    claim: &Claim,
+    id: &str,
+    candidate: &Candidate,
+    manner: Manner,
+    trajectories: Vec<usize>,
+) -> Option<Claim> {
+    let text = candidate.text.clone();
+    let span = claim.span.clone();
+    // Read again from its print: what is offered means what it shows.
+    let (form, kind) = match manner {
+        Manner::Relation => {
+            let mut read = latex::read(&text, &claim.scope, graph).ok()?;
+            let value = read.pop().filter(|_| read.is_empty())?;
+            let meant = latex::elaborate(&candidate.tree, &claim.scope, graph).ok()?;
+            let sides = |s: &latex::Statement| -> Vec<_> {
+                s.relations.iter().map(|r| (r.kind, r.left.clone(), r.right.clone())).collect()
+            };
+            if sides(&value) != sides(&meant) {
+                return None;
+            }
+            (Form::Always(Written { text, span, value }), FormKind::Always)
+        }
+        Manner::Constant => {
+            let value = latex::read_expression(&text, &claim.scope, graph).ok()?;
+            (Form::FirstIntegral(Written { text, span, value }), FormKind::FirstIntegral)
+        }
+    };
+    let formulas = vec![crate::derivation::Formula { text: candidate.text.clone(), kind }];
+    let expect = vec![None; trajectories.len()];
+    let id = id.to_owned();
+    Some(Claim { id, reading: None, forms: vec![form], formulas, trajectories, expect, ..claim.clone() })
+}
+
+/// Pairs of edits of a formula: every edit of every variant of it, thinned evenly where there are too many.
+fn pairs(variants: &ClaimVariants, f: usize, vocabulary: &Vocabulary) -> Vec<(Vec<EditClass>, Chain)> {
+    let mut all: Vec<(Vec<EditClass>, Chain)> = Vec::new();
+    let of: Vec<&Variant> = variants.variants.iter().filter(|v| v.formula == f).collect();
+    for (n, variant) in of.iter().enumerate() {
+        // The same share of each variant's edits.
+        let room = (MOST_PAIRS - all.len()) / (of.len() - n);
+        let next = edits(&variant.tree, vocabulary);
+        let step = next.len().div_ceil(room.max(1)).max(1);
+        all.extend(next.into_iter().step_by(step).map(|(class, tree)| (vec![variant.class, class], tree)));
+    }
+    all
+}
