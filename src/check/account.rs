@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use super::picture::PictureAccount;
 use super::verdict::{Outcome, Verdict};
 
 /// A trajectory as it was computed.
@@ -129,6 +130,8 @@ pub struct Account {
     pub claims: Vec<ClaimAccount>,
     /// Measurements, in the order of the file.
     pub measurements: Vec<Measurement>,
+    /// Pictures, in the order of the file: for each, those of the trajectories.
+    pub pictures: Vec<PictureAccount>,
 }
 
 /// Counts over all pairs.

@@ -18,6 +18,7 @@ mod independence;
 mod limit;
 mod measure;
 mod occurrence;
+mod picture;
 mod program;
 mod same_motion;
 #[cfg(test)]
@@ -30,6 +31,7 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use picture::{Line, LineKind, PictureAccount};
 pub use series::{ResidualPoint, Residuals};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
@@ -116,11 +118,13 @@ pub fn check(
         }));
     }
     let measures = measure::compile(derivation, options.claims.is_empty());
+    let pictures = if options.claims.is_empty() { picture::leaves(derivation) } else { Vec::new() };
 
     let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
+    wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
     for program in programs.iter_mut().flatten() {
@@ -164,8 +168,9 @@ pub fn check(
             };
             let verdicts = (0..prepared.len()).map(verdict).collect();
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+            let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok((verdicts, measured))
+            Ok((verdicts, measured, drawn))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
@@ -195,7 +200,7 @@ fn counterexample<'a>(
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
     let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|((verdicts, _), &t)| {
+    columns.iter().zip(tried).find_map(|((verdicts, ..), &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.systems.iter().position(|s| s.id == *name) {
             Some(system) => is_integrated_from(derivation, t, system),
@@ -215,8 +220,8 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
     matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
-/// What was found on one motion: a verdict for every claim that is tried on it, and measurements.
-type Column = (Vec<Option<Verdict>>, Vec<Measurement>);
+/// What was found on one motion: a verdict for every claim that is tried on it, measurements, and pictures.
+type Column = (Vec<Option<Verdict>>, Vec<Measurement>, Vec<PictureAccount>);
 
 /// The verdict of one claim on one motion.
 fn one_pair(
@@ -349,8 +354,12 @@ fn assemble(
         });
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
-    let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
+    let (mut measurements, mut pictures) = (Vec::new(), Vec::new());
+    for (_, measured, drawn) in columns {
+        measurements.extend(measured);
+        pictures.extend(drawn);
+    }
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);
-    Account { trajectories, claims, measurements }
+    Account { trajectories, claims, measurements, pictures }
 }

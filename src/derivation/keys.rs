@@ -1,7 +1,8 @@
 //! Every key that a derivation file may have.
 
 /// The tables of a file.
-pub const FILE: &[&str] = &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure"];
+pub const FILE: &[&str] =
+    &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "picture"];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
 /// Keys of a symbol.
@@ -43,6 +44,8 @@ pub const INDEPENDENT: &[&str] = &["functions", "subject-to"];
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
 pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "trajectories", "unit"];
+/// Keys of `[[picture]]`.
+pub const PICTURE: &[&str] = &["id", "says", "kind", "show", "slopes", "levels", "trajectories"];
 
 /// Every table with its keys, for the documentation and its test.
 pub const ALL: &[(&str, &[&str])] = &[
@@ -57,4 +60,5 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("independent", INDEPENDENT),
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
+    ("[[picture]]", PICTURE),
 ];

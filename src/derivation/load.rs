@@ -79,6 +79,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.trajectories(&root);
     loader.claims(&root);
     loader.measures(&root);
+    loader.pictures(&root);
     loader.finish()
 }
 
@@ -124,6 +125,7 @@ impl<'s> Loader<'s> {
             trajectories: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),
+            pictures: Vec::new(),
         };
         Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
     }

@@ -17,6 +17,7 @@ mod load;
 mod model;
 mod motions;
 mod number;
+mod pictures;
 mod symbols;
 mod table;
 mod values;
@@ -24,5 +25,6 @@ mod values;
 pub use claims::DEFAULT_PRECISION;
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Derivation, Form, FormKind, Formula, Measure, Motion, SymbolEntry, System, Trajectory, Written,
+    Claim, Derivation, Form, FormKind, Formula, Measure, Motion, Picture, PictureKind, SymbolEntry, System, Trajectory,
+    Written,
 };

@@ -13,6 +13,7 @@ mod markdown;
 mod mathml;
 mod numbers;
 mod page;
+mod plot;
 mod summary;
 mod tally;
 mod text;

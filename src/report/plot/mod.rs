@@ -1,0 +1,191 @@
+//! Pictures of motions as SVG.
+//!
+//! **In:** the lines of a picture, computed by the check. **Out:** one `svg` element with a title and a description, whose
+//! colours are classes of the page, so that it follows light, dark and print.
+//!
+//! **Why `plotters`:** it places axes, ticks and labels, and its SVG is text with integer coordinates: the same bytes on
+//! every machine. It is drawn on a canvas ten times the size at which it is shown, so that integers are fine enough.
+
+use plotters::prelude::*;
+
+use super::mathml::escaped;
+use super::numbers;
+use crate::check::{Line, LineKind};
+
+/// Width and height of a picture with axes, in units of its canvas.
+const SIZE: (u32, u32) = (4200, 2500);
+/// Width and height of a sphere.
+const ROUND: (u32, u32) = (2500, 2500);
+/// Height of letters.
+const LETTERS: u32 = 130;
+
+/// What is said about a picture.
+pub(super) struct Words<'a> {
+    /// Its title.
+    pub title: &'a str,
+    /// What it shows, for those who do not see it.
+    pub describe: &'a str,
+    /// What goes to the right.
+    pub across: &'a str,
+    /// What goes up.
+    pub up: &'a str,
+}
+
+/// Colours that stand for classes of the page.
+fn colour(kind: LineKind) -> RGBColor {
+    match kind {
+        LineKind::Shown(k) => RGBColor(1, 0, (k % 6) as u8),
+        LineKind::Slope(k) => RGBColor(1, 1, (k % 2) as u8),
+        LineKind::Hidden => RGBColor(1, 2, 0),
+        LineKind::Level => RGBColor(1, 2, 1),
+        LineKind::Separatrix => RGBColor(1, 2, 2),
+    }
+}
+
+const CLASSES: [(&str, &str); 14] = [
+    ("#010000", "c0"),
+    ("#010001", "c1"),
+    ("#010002", "c2"),
+    ("#010003", "c3"),
+    ("#010004", "c4"),
+    ("#010005", "c5"),
+    ("#010100", "s0"),
+    ("#010101", "s1"),
+    ("#010200", "hidden"),
+    ("#010201", "level"),
+    ("#010202", "separatrix"),
+    ("#000000", "axis"),
+    ("#020000", "grid"),
+    ("#030000", "rim"),
+];
+const GRID: RGBColor = RGBColor(2, 0, 0);
+const RIM: RGBColor = RGBColor(3, 0, 0);
+
+/// A picture with axes.
+pub(super) fn plane(lines: &[Line], words: &Words<'_>) -> Option<String> {
+    let points = || lines.iter().filter(|l| matches!(l.kind, LineKind::Shown(_))).flat_map(|l| &l.points);
+    let across = widened(points().map(|p| p.0), 0.0)?;
+    let up = widened(points().map(|p| p.1), 0.05)?;
+    let mut out = String::new();
+    let drawn = draw_plane(&mut out, lines, words, across, up);
+    drawn.ok().map(|()| finished(&out, words))
+}
+
+/// The least and largest value, with some room.
+fn widened(values: impl Iterator<Item = f64>, room: f64) -> Option<std::ops::Range<f64>> {
+    let (low, high) = values
+        .filter(|x| x.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    if low > high {
+        return None;
+    }
+    // What varies by rounding only is a constant, drawn in the middle.
+    let flat = high - low <= 1e-9 * low.abs().max(high.abs()).max(1e-300);
+    let room = if flat { 0.1 * low.abs().max(1.0) } else { room * (high - low) };
+    let (low, high) = (low - room, high + room);
+    (low < high && (high - low).is_finite()).then_some(low..high)
+}
+
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+fn draw_plane(
+    out: &mut String,
+    lines: &[Line],
+    words: &Words<'_>,
+    across: std::ops::Range<f64>,
+    up: std::ops::Range<f64>,
+) -> Drawn {
+    let area = SVGBackend::with_string(out, SIZE).into_drawing_area();
+    let letters = ("sans-serif", LETTERS);
+    let mut chart = ChartBuilder::on(&area)
+        .margin(40)
+        .margin_right(120)
+        .x_label_area_size(330)
+        .y_label_area_size(560)
+        .build_cartesian_2d(across, up)?;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GRID.stroke_width(8))
+        .axis_style(BLACK.stroke_width(8))
+        .label_style(letters)
+        .axis_desc_style(letters)
+        .x_labels(7)
+        .y_labels(5)
+        .x_desc(words.across)
+        .y_desc(words.up)
+        .x_label_formatter(&|x| tick(*x))
+        .y_label_formatter(&|y| tick(*y))
+        .draw()?;
+    for line in lines {
+        let width = if matches!(line.kind, LineKind::Slope(_)) { 20 } else { 14 };
+        let style = colour(line.kind).stroke_width(width);
+        chart.draw_series(std::iter::once(PathElement::new(line.points.clone(), style)))?;
+    }
+    area.present()?;
+    drop(chart);
+    drop(area);
+    Ok(())
+}
+
+/// A number at a tick.
+fn tick(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    numbers::value(if rounded.abs() < 1e-12 { 0.0 } else { rounded }).replace('-', "−")
+}
+
+/// A picture on a sphere: the rim, what is behind, level sets, and the motion.
+pub(super) fn sphere(lines: &[Line], words: &Words<'_>) -> Option<String> {
+    let mut out = String::new();
+    draw_sphere(&mut out, lines).ok().map(|()| finished(&out, words))
+}
+
+fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
+    let area = SVGBackend::with_string(out, ROUND).into_drawing_area();
+    let (half, radius) = (f64::from(ROUND.0) / 2.0, f64::from(ROUND.0) * 0.48);
+    let place = |&(x, y): &(f64, f64)| ((half + radius * x).round() as i32, (half - radius * y).round() as i32);
+    area.draw(&Circle::new(place(&(0.0, 0.0)), radius as i32, RIM.stroke_width(10)))?;
+    for line in lines {
+        let points: Vec<(i32, i32)> = line.points.iter().map(place).collect();
+        let width = match line.kind {
+            LineKind::Level | LineKind::Hidden => 8,
+            LineKind::Separatrix => 14,
+            _ => 24,
+        };
+        let style = colour(line.kind);
+        let at_rest = points.iter().all(|p| Some(p) == points.first());
+        if let (true, Some(&point)) = (at_rest, points.first()) {
+            area.draw(&Circle::new(point, 45, style.filled()))?;
+        } else {
+            area.draw(&PathElement::new(points, style.stroke_width(width)))?;
+        }
+    }
+    area.present()?;
+    drop(area);
+    Ok(())
+}
+
+/// What the library writes, with classes for colours, without what repeats, with a title and a description.
+fn finished(svg: &str, words: &Words<'_>) -> String {
+    let mut out = svg.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "");
+    for (code, class) in CLASSES {
+        out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
+        out = out.replace(&format!(" fill=\"{code}\" class"), " class");
+        out = out.replace(&format!(" fill=\"{code}\" stroke=\"none\""), &format!(" class=\"{class} full\""));
+        out = out.replace(&format!(" fill=\"{code}\""), "");
+    }
+    let mut lines: Vec<&str> = Vec::new();
+    for line in out.lines() {
+        // Axes are drawn over the grid; what cannot be seen is not drawn.
+        if !line.contains("opacity=\"0\"") {
+            lines.push(line.trim());
+        }
+    }
+    let out = lines.join("").replace(" \"/>", "\"/>");
+    let head =
+        format!("<svg role=\"img\"><title>{}</title><desc>{}</desc>", escaped(words.title), escaped(words.describe));
+    // The library's own opening gives the size of the canvas in pixels; the page gives the width.
+    let size = out.split_once("viewBox=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("0 0 1 1", |(v, _)| v);
+    let body = out.split_once('>').map_or("", |(_, body)| body);
+    head.replace("<svg ", &format!("<svg viewBox=\"{size}\" ")) + body
+}
