@@ -15,13 +15,15 @@ use crate::number::{Bounded, NoValue};
 use crate::tape::Tape;
 
 /// Most points of a line.
-const MOST: usize = 180;
+const MOST: usize = 120;
 /// Slopes that are drawn along a curve.
 const MARKS: usize = 18;
 /// Points of the grid of level sets, across the disc.
 const GRID: usize = 81;
 /// Level sets beside those through saddles.
 const LEVELS: usize = 7;
+/// Pieces of level sets of so few points are not drawn.
+const CRUMB: usize = 5;
 /// Points of the grid for saddles, across each side of a cube around the sphere: odd, so that axes are grid points.
 const SIDE: usize = 31;
 /// How much the length of three quantities may vary on a sphere, relative.
@@ -382,7 +384,10 @@ fn contours(grid: &[Option<f64>], level: f64) -> Vec<Vec<(f64, f64)>> {
                 line.push(crossing(next));
                 here = next;
             }
-            out.push(thinned(line));
+            // At the rim the grid leaves crumbs.
+            if line.len() > CRUMB {
+                out.push(thinned(line));
+            }
         }
     }
     out

@@ -123,11 +123,6 @@ impl Markup {
         self.put(&format!("<mo>{}</mo>", escaped(text)));
     }
 
-    /// A bracket; it grows with what it encloses.
-    fn fence(&mut self, text: &str, form: &str) {
-        self.put(&format!("<mo fence=\"true\" form=\"{form}\">{text}</mo>"));
-    }
-
     fn row(&mut self, node: &Node, least: Least) {
         self.put("<mrow>");
         self.node(node, least);
@@ -143,24 +138,25 @@ impl Markup {
     }
 
     fn enclosed(&mut self, open: &str, node: &Node, close: &str) {
-        self.put("<mrow>");
-        self.fence(open, "prefix");
-        self.node(node, Least::Sum);
-        self.fence(close, "postfix");
-        self.put("</mrow>");
+        let mut inner = Markup(String::new());
+        inner.node(node, Least::Sum);
+        self.fenced(open, &inner.0, close);
+    }
+
+    /// Brackets around markup.
+    fn fenced(&mut self, open: &str, inner: &str, close: &str) {
+        // Accents and indices make a row only a little taller; a bracket that grows with them looks wrong.
+        let tall = ["<mfrac", "<mtable", "<msqrt", "<mroot", "<munder"].iter().any(|t| inner.contains(t));
+        let stretchy = if tall { "" } else { " stretchy=\"false\"" };
+        for (text, form, before, after) in [(open, "prefix", "<mrow>", inner), (close, "postfix", "", "</mrow>")] {
+            self.put(&format!("{before}<mo fence=\"true\" form=\"{form}\"{stretchy}>{text}</mo>{after}"));
+        }
     }
 
     fn list(&mut self, nodes: &[Node]) {
-        self.put("<mrow>");
-        self.fence("(", "prefix");
-        for (i, node) in nodes.iter().enumerate() {
-            if i > 0 {
-                self.put("<mo separator=\"true\">,</mo>");
-            }
-            self.node(node, Least::Sum);
-        }
-        self.fence(")", "postfix");
-        self.put("</mrow>");
+        let mut inner = Markup(String::new());
+        inner.joined(nodes, "<mo separator=\"true\">,</mo>", Least::Sum);
+        self.fenced("(", &inner.0, ")");
     }
 
     fn joined(&mut self, nodes: &[Node], between: &str, least: Least) {
@@ -210,13 +206,11 @@ impl Markup {
             NodeKind::Product(parts) => self.joined(parts, TIMES, Least::Factor),
             NodeKind::Dot(parts) => self.joined(parts, "<mo>⋅</mo>", Least::Cross),
             NodeKind::Cross { left, right, bracket: true } => {
-                self.put("<mrow>");
-                self.fence("[", "prefix");
-                self.node(left, Least::Sum);
-                self.put("<mo separator=\"true\">,</mo>");
-                self.node(right, Least::Sum);
-                self.fence("]", "postfix");
-                self.put("</mrow>");
+                let mut inner = Markup(String::new());
+                inner.node(left, Least::Sum);
+                inner.put("<mo separator=\"true\">,</mo>");
+                inner.node(right, Least::Sum);
+                self.fenced("[", &inner.0, "]");
             }
             NodeKind::Cross { left, right, bracket: false } => {
                 self.node(left, Least::Product);
@@ -271,21 +265,18 @@ impl Markup {
             }
             NodeKind::Tuple(parts) => self.list(parts),
             NodeKind::Matrix(rows) => {
-                self.put("<mrow>");
-                self.fence("(", "prefix");
-                self.put("<mtable>");
+                let mut inner = Markup("<mtable>".to_owned());
                 for row in rows {
-                    self.put("<mtr>");
+                    inner.put("<mtr>");
                     for cell in row {
-                        self.put("<mtd>");
-                        self.node(cell, Least::Sum);
-                        self.put("</mtd>");
+                        inner.put("<mtd>");
+                        inner.node(cell, Least::Sum);
+                        inner.put("</mtd>");
                     }
-                    self.put("</mtr>");
+                    inner.put("</mtr>");
                 }
-                self.put("</mtable>");
-                self.fence(")", "postfix");
-                self.put("</mrow>");
+                inner.put("</mtable>");
+                self.fenced("(", &inner.0, ")");
             }
             NodeKind::Limit(body, _) => self.node(body, Least::Sum),
         }

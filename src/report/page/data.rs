@@ -69,7 +69,7 @@ fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, str
     let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > 1);
     let curves = drawn.map(|s| curves(s, text(&s.formula, strings), strings));
-    let worst = evidence.residual.as_ref().map(|r| json!([r.at, short(r.max), short(r.bound)]));
+    let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence
         .witness
         .as_ref()

@@ -15,7 +15,46 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         section #trajectories {
             h2 { "Trajectories" }
+            (what_is_drawn(derivation))
             @for t in &account.trajectories { (article(derivation, account, t)) }
+        }
+    }
+}
+
+/// What every picture of a kind shows, said once.
+fn what_is_drawn(derivation: &Derivation) -> Markup {
+    let scope = &derivation.scope;
+    html! {
+        @if !derivation.pictures.is_empty() {
+            p { "What is drawn of each motion:" }
+            ul {
+                @for picture in &derivation.pictures {
+                    li {
+                        (prose(&picture.says, scope)) ": "
+                        @for (k, w) in picture.show.iter().enumerate() {
+                            @if k > 0 { ", " }
+                            (formula(&w.text, scope))
+                        }
+                        @match picture.kind {
+                            PictureKind::Time => { " against time." },
+                            PictureKind::Curve => { ", the first to the right, the second up." },
+                            PictureKind::Sphere => { ", on the sphere of their length; faint on its far side." },
+                        }
+                        @if let Some(levels) = &picture.levels {
+                            " Thin lines are level sets of " (formula(&levels.text, scope))
+                            "; dashed ones go through its saddles and part the motions."
+                        }
+                        @if !picture.slopes.is_empty() {
+                            " Short lines along the curve have the slope "
+                            @for (k, w) in picture.slopes.iter().enumerate() {
+                                @if k > 0 { " or " }
+                                (formula(&w.text, scope))
+                            }
+                            "; where that is right, one of them lies on the curve."
+                        }
+                    }
+                }
+            }
         }
     }
 }
@@ -148,12 +187,6 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
                                 span class={ "key k" (k % 6) } aria-hidden="true" {} (formula(&w.text, scope))
                             }
                         }
-                        @if picture.kind == PictureKind::Sphere {
-                            ". Thin: level sets"
-                            @if let Some(levels) = &picture.levels { " of " (formula(&levels.text, scope)) }
-                            "; dashed: those through saddles; faint: the far side."
-                        }
-                        @if let Some(slope) = picture.slopes.first() { ". Short lines: the slope " (formula(&slope.text, scope)) }
                     }
                 }
             },

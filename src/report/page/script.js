@@ -215,7 +215,7 @@ function curves(box, [packed, w, , left_out], id) {
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
   for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
   let figure = element(box, "figure");
-  const worst = w ? `The worst point is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
+  const worst = w ? `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
   const p = frame(figure, "Residual of " + id, `${t.length} of ${samples} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
   grey(p, left_out, time);
   line(p, t, d, "left");

@@ -4,7 +4,8 @@
 //! colours are classes of the page, so that it follows light, dark and print.
 //!
 //! **Why `plotters`:** it places axes, ticks and labels, and its SVG is text with integer coordinates: the same bytes on
-//! every machine. It is drawn on a canvas ten times the size at which it is shown, so that integers are fine enough.
+//! every machine. It is drawn on a canvas larger than it is shown, so that integers are fine enough. The page
+//! may have hundreds of pictures: what is the same in all of them (widths, sizes of letters) is said once, in its style.
 
 use plotters::prelude::*;
 
@@ -13,11 +14,11 @@ use super::numbers;
 use crate::check::{Line, LineKind};
 
 /// Width and height of a picture with axes, in units of its canvas.
-const SIZE: (u32, u32) = (4200, 2500);
+const SIZE: (u32, u32) = (1400, 830);
 /// Width and height of a sphere.
-const ROUND: (u32, u32) = (2500, 2500);
+const ROUND: (u32, u32) = (999, 999);
 /// Height of letters.
-const LETTERS: u32 = 130;
+const LETTERS: u32 = 44;
 
 /// What is said about a picture.
 pub(super) struct Words<'a> {
@@ -98,16 +99,16 @@ fn draw_plane(
     let area = SVGBackend::with_string(out, SIZE).into_drawing_area();
     let letters = ("sans-serif", LETTERS);
     let mut chart = ChartBuilder::on(&area)
-        .margin(40)
-        .margin_right(120)
-        .x_label_area_size(330)
-        .y_label_area_size(560)
+        .margin(14)
+        .margin_right(40)
+        .x_label_area_size(110)
+        .y_label_area_size(190)
         .build_cartesian_2d(across, up)?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID.stroke_width(8))
-        .axis_style(BLACK.stroke_width(8))
+        .bold_line_style(GRID)
+        .axis_style(BLACK)
         .label_style(letters)
         .axis_desc_style(letters)
         .x_labels(7)
@@ -118,9 +119,7 @@ fn draw_plane(
         .y_label_formatter(&|y| tick(*y))
         .draw()?;
     for line in lines {
-        let width = if matches!(line.kind, LineKind::Slope(_)) { 20 } else { 14 };
-        let style = colour(line.kind).stroke_width(width);
-        chart.draw_series(std::iter::once(PathElement::new(line.points.clone(), style)))?;
+        chart.draw_series(std::iter::once(PathElement::new(line.points.clone(), colour(line.kind))))?;
     }
     area.present()?;
     drop(chart);
@@ -144,20 +143,15 @@ fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
     let area = SVGBackend::with_string(out, ROUND).into_drawing_area();
     let (half, radius) = (f64::from(ROUND.0) / 2.0, f64::from(ROUND.0) * 0.48);
     let place = |&(x, y): &(f64, f64)| ((half + radius * x).round() as i32, (half - radius * y).round() as i32);
-    area.draw(&Circle::new(place(&(0.0, 0.0)), radius as i32, RIM.stroke_width(10)))?;
+    area.draw(&Circle::new(place(&(0.0, 0.0)), radius as i32, RIM))?;
     for line in lines {
         let points: Vec<(i32, i32)> = line.points.iter().map(place).collect();
-        let width = match line.kind {
-            LineKind::Level | LineKind::Hidden => 8,
-            LineKind::Separatrix => 14,
-            _ => 24,
-        };
         let style = colour(line.kind);
         let at_rest = points.iter().all(|p| Some(p) == points.first());
         if let (true, Some(&point)) = (at_rest, points.first()) {
-            area.draw(&Circle::new(point, 45, style.filled()))?;
+            area.draw(&Circle::new(point, 16, style.filled()))?;
         } else {
-            area.draw(&PathElement::new(points, style.stroke_width(width)))?;
+            area.draw(&PathElement::new(points, style))?;
         }
     }
     area.present()?;
@@ -165,13 +159,26 @@ fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
     Ok(())
 }
 
+/// A text without every attribute that begins like this.
+fn without(text: &str, attribute: &str) -> String {
+    let mut parts = text.split(attribute);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        out.push_str(part.split_once('"').map_or("", |(_, rest)| rest));
+    }
+    out
+}
+
 /// What the library writes, with classes for colours, without what repeats, with a title and a description.
 fn finished(svg: &str, words: &Words<'_>) -> String {
-    let mut out = svg.replace(" opacity=\"1\"", "").replace(" font-family=\"sans-serif\"", "");
+    let mut out = svg.to_owned();
+    for repeated in [" opacity=\"1\"", " font-family=\"sans-serif\"", " fill=\"none\"", " stroke-width=\"1\""] {
+        out = out.replace(repeated, "");
+    }
+    out = without(&out, " font-size=\"");
     for (code, class) in CLASSES {
-        out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
-        out = out.replace(&format!(" fill=\"{code}\" class"), " class");
         out = out.replace(&format!(" fill=\"{code}\" stroke=\"none\""), &format!(" class=\"{class} full\""));
+        out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
         out = out.replace(&format!(" fill=\"{code}\""), "");
     }
     let mut lines: Vec<&str> = Vec::new();
