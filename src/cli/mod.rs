@@ -87,6 +87,8 @@ enum Format {
     Text,
     /// The report as JSON, one document for each derivation file
     Json,
+    /// The report as LaTeX source, for an appendix or a letter; pdflatex compiles it
+    Tex,
 }
 
 #[derive(clap::Args)]

@@ -480,3 +480,65 @@ fn decimal(r: &Rational) -> String {
     let (whole, fraction) = digits.split_at(digits.len() - places);
     if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+
+    fn of(text: &str) -> String {
+        inline(text, &derivation().scope).unwrap_or_else(|| panic!("{text} is no formula"))
+    }
+
+    /// The names of elements, opened and closed in order.
+    fn assert_well_formed(markup: &str) {
+        let mut open: Vec<&str> = Vec::new();
+        for tag in markup.split('<').skip(1) {
+            let name = tag.split(['>', ' ', '/']).find(|n| !n.is_empty()).unwrap_or_default();
+            if tag.starts_with('/') {
+                assert_eq!(open.pop(), Some(name), "{markup}");
+            } else if !tag.split('>').next().unwrap_or_default().ends_with('/') {
+                open.push(name);
+            }
+        }
+        assert!(open.is_empty(), "{markup}");
+    }
+
+    #[test]
+    fn formulas_keep_their_structure() {
+        for (text, part) in [
+            (r"\dot x=v", "<mover accent=\"true\"><mi>x</mi><mo stretchy=\"false\">˙</mo></mover><mo>=</mo><mi>v</mi>"),
+            (r"\frac{x}{k}=1", "<mfrac><mrow><mi>x</mi></mrow><mrow><mi>k</mi></mrow></mfrac>"),
+            (r"x^2=-k", "<msup><mi>x</mi><mrow><mn>2</mn></mrow></msup><mo>=</mo><mo form=\"prefix\">−</mo>"),
+            (r"\sqrt{x}\ne 0", "<msqrt><mrow><mi>x</mi></mrow></msqrt><mo>≠</mo><mn>0</mn>"),
+            (r"\sin^2x<1", "<msup><mi>sin</mi><mrow><mn>2</mn></mrow></msup><mo>\u{2061}</mo>"),
+            (r"kx>0.5", "<mi>k</mi><mo>\u{2062}</mo><mi>x</mi><mo>&gt;</mo><mn>0.5</mn>"),
+        ] {
+            let markup = of(text);
+            assert!(markup.contains(part), "{text}: {markup}");
+            assert_well_formed(&markup);
+        }
+    }
+
+    #[test]
+    fn brackets_grow_only_around_what_is_tall() {
+        assert!(of("(x+v)k=0").contains("stretchy=\"false\""));
+        assert!(!of(r"(\frac{x}{k}+v)k=0").contains("stretchy=\"false\""));
+    }
+
+    #[test]
+    fn numbers_and_names_are_exact() {
+        assert_eq!(named("bf:m"), "<mi mathvariant=\"normal\" class=\"b\">m</mi>");
+        assert_eq!(named("x'"), "<msup><mi>x</mi><mo>′</mo></msup>");
+        assert_eq!(named("<b>"), "<mi>&lt;b&gt;</mi>");
+        assert_eq!(decimal(&Rational::from(12)), "12");
+        assert_eq!(decimal(&(Rational::from(1) / Rational::from(3))), "1/3");
+        assert_eq!(decimal(&(Rational::from(-1) / Rational::from(8))), "0.125");
+    }
+
+    #[test]
+    fn what_is_no_formula_is_none() {
+        assert_eq!(inline(r"\operatorname{<script>}", &derivation().scope), None);
+        assert_eq!(inline("<script>", &derivation().scope), None);
+    }
+}

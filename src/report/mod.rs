@@ -1,7 +1,8 @@
 //! Verdicts as people and programs read them.
 //!
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
-//! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`page`] (for a browser), [`explain`] (one verdict);
+//! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`page`] (for a browser), [`tex`] (for an
+//! appendix), [`explain`] (one verdict);
 //! [`write_files`] puts them into a folder, all or none.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
@@ -16,6 +17,7 @@ mod page;
 mod plot;
 mod summary;
 mod tally;
+mod tex;
 mod text;
 mod write;
 
@@ -24,6 +26,7 @@ pub use json::json;
 pub use markdown::markdown;
 pub use page::page;
 pub use summary::{exceptions, summary};
+pub use tex::tex;
 pub use write::{WriteError, write_files};
 
 #[cfg(test)]

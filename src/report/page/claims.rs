@@ -125,7 +125,7 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
         div class={ "identity " (identity.verdict) } {
             p {
                 b { "For all values: " }
-                (reason(&identity.sentence(), scope))
+                (sentence(identity, scope))
                 @if identity.generic { " The proof leaves out special cases of what is given; see the conditions." }
             }
             @if !identity.conditions.is_empty() {
@@ -138,6 +138,18 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
                 details { summary { "Refuting point" } p { code.point { (witness) } } }
             }
         }
+    }
+}
+
+/// The sentence on an identity, its power of two as one.
+fn sentence(identity: &IdentityAccount, scope: &Scope) -> Markup {
+    let text = identity.sentence();
+    match (identity.log2_error, text.split_once("2^")) {
+        (Some(_), Some((before, after))) => {
+            let end = after.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(after.len());
+            html! { (reason(before, scope)) "2" sup { (after[..end].replace('-', "−")) } (&after[end..]) }
+        }
+        _ => reason(&text, scope),
     }
 }
 
