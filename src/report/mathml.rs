@@ -124,6 +124,15 @@ impl Markup {
     }
 
     fn row(&mut self, node: &Node, least: Least) {
+        // One element needs no row.
+        let one = match &node.kind {
+            NodeKind::Number(r) => *r >= Rational::ZERO && r.denominator().is_one(),
+            NodeKind::Symbol(s) => s.arguments.is_none(),
+            _ => false,
+        };
+        if one {
+            return self.node(node, least);
+        }
         self.put("<mrow>");
         self.node(node, least);
         self.put("</mrow>");
@@ -148,9 +157,12 @@ impl Markup {
         // Accents and indices make a row only a little taller; a bracket that grows with them looks wrong.
         let tall = ["<mfrac", "<mtable", "<msqrt", "<mroot", "<munder"].iter().any(|t| inner.contains(t));
         let stretchy = if tall { "" } else { " stretchy=\"false\"" };
-        for (text, form, before, after) in [(open, "prefix", "<mrow>", inner), (close, "postfix", "", "</mrow>")] {
-            self.put(&format!("{before}<mo fence=\"true\" form=\"{form}\"{stretchy}>{text}</mo>{after}"));
-        }
+        // First and last in a row, parentheses are known as brackets; bars are not.
+        let (first, last) = match open {
+            "|" => (" fence=\"true\" form=\"prefix\"", " fence=\"true\" form=\"postfix\""),
+            _ => ("", ""),
+        };
+        self.put(&format!("<mrow><mo{first}{stretchy}>{open}</mo>{inner}<mo{last}{stretchy}>{close}</mo></mrow>"));
     }
 
     fn list(&mut self, nodes: &[Node]) {
@@ -324,7 +336,8 @@ impl Markup {
 
     fn scripted(&mut self, base: &str, sub: Option<&[SubItem]>, sup: Option<&Node>) {
         let lowered = sub.map(|items| {
-            let mut inner = Markup("<mrow>".to_owned());
+            let single = items.len() == 1 || items.iter().all(|i| matches!(i, SubItem::Digit(_)));
+            let mut inner = Markup(if single { String::new() } else { "<mrow>".to_owned() });
             let mut digits = String::new();
             for item in items {
                 if !matches!(item, SubItem::Digit(_)) && !digits.is_empty() {
@@ -341,7 +354,7 @@ impl Markup {
             if !digits.is_empty() {
                 inner.put(&format!("<mn>{digits}</mn>"));
             }
-            inner.put("</mrow>");
+            inner.put(if single { "" } else { "</mrow>" });
             inner.0
         });
         let raised = sup.map(|node| {
@@ -508,9 +521,9 @@ mod tests {
     fn formulas_keep_their_structure() {
         for (text, part) in [
             (r"\dot x=v", "<mover accent=\"true\"><mi>x</mi><mo stretchy=\"false\">˙</mo></mover><mo>=</mo><mi>v</mi>"),
-            (r"\frac{x}{k}=1", "<mfrac><mrow><mi>x</mi></mrow><mrow><mi>k</mi></mrow></mfrac>"),
-            (r"x^2=-k", "<msup><mi>x</mi><mrow><mn>2</mn></mrow></msup><mo>=</mo><mo form=\"prefix\">−</mo>"),
-            (r"\sqrt{x}\ne 0", "<msqrt><mrow><mi>x</mi></mrow></msqrt><mo>≠</mo><mn>0</mn>"),
+            (r"\frac{x}{k}=1", "<mfrac><mi>x</mi><mi>k</mi></mfrac>"),
+            (r"x^2=-k", "<msup><mi>x</mi><mn>2</mn></msup><mo>=</mo><mo form=\"prefix\">−</mo>"),
+            (r"\sqrt{x}\ne 0", "<msqrt><mi>x</mi></msqrt><mo>≠</mo><mn>0</mn>"),
             (r"\sin^2x<1", "<msup><mi>sin</mi><mrow><mn>2</mn></mrow></msup><mo>\u{2061}</mo>"),
             (r"kx>0.5", "<mi>k</mi><mo>\u{2062}</mo><mi>x</mi><mo>&gt;</mo><mn>0.5</mn>"),
         ] {

@@ -49,10 +49,10 @@ fn readings(derivation: &Derivation, account: &Account, family: &[&ClaimAccount]
                     caption { "Readings of " (first.id) ", side by side" }
                     thead {
                         tr {
-                            th scope="col" { "reading" }
-                            th scope="col" { "says" }
-                            th scope="col" { "as a formula" }
-                            @for head in ["holds", "fails", "does not apply", "undecided"] { th scope="col" { (head) } }
+                            th { "reading" }
+                            th { "says" }
+                            th { "as a formula" }
+                            @for head in ["holds", "fails", "does not apply", "undecided"] { th { (head) } }
                         }
                     }
                     tbody {
@@ -237,13 +237,13 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
         table {
             thead {
                 tr {
-                    th scope="col" { "trajectory" }
+                    th { "trajectory" }
                     @if compared {
                         @for head in ["strength", "worst residual", "its bound", "at t", "samples"] {
-                            th scope="col" { (head) }
+                            th { (head) }
                         }
                     }
-                    th scope="col" { "notes" }
+                    th { "notes" }
                 }
             }
             @for (head, pairs) in &parts {

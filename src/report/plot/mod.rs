@@ -169,6 +169,57 @@ fn without(text: &str, attribute: &str) -> String {
     out
 }
 
+/// Whether this is the short line beside a label.
+fn is_tick(line: &str) -> bool {
+    let points = points_of(line);
+    let short = |a: &(i32, i32), b: &(i32, i32)| (a.0 - b.0).abs() + (a.1 - b.1).abs() < 12;
+    line.contains("class=\"axis\"") && matches!(points.as_slice(), [a, b] if short(a, b))
+}
+
+fn points_of(line: &str) -> Vec<(i32, i32)> {
+    let list = line.split_once("points=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("", |(l, _)| l);
+    let point = |p: &str| p.split_once(',').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
+    list.split_whitespace().filter_map(point).collect()
+}
+
+/// A line with as few points as draw the same, to less than a unit of the canvas.
+fn simplified(line: &str) -> String {
+    let (Some(start), points) = (line.find("points=\""), points_of(line)) else { return line.to_owned() };
+    let Some(end) = line[start + 8..].find('"') else { return line.to_owned() };
+    let mut kept = vec![false; points.len()];
+    let mut stretches = vec![(0, points.len().saturating_sub(1))];
+    while let Some((a, b)) = stretches.pop() {
+        for end in [a, b] {
+            if let Some(kept) = kept.get_mut(end) {
+                *kept = true;
+            }
+        }
+        let off = |i: usize| distance(points[i], points[a], points[b]);
+        if let Some(far) = (a + 1..b).max_by(|&i, &j| off(i).total_cmp(&off(j)))
+            && off(far) > 0.75
+        {
+            stretches.extend([(a, far), (far, b)]);
+        }
+    }
+    let text: Vec<String> =
+        points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|((x, y), _)| format!("{x},{y}")).collect();
+    format!("{}points=\"{}{}", &line[..start], text.join(" "), &line[start + 8 + end..])
+}
+
+/// How far a point is from the line between two others.
+fn distance(p: (i32, i32), a: (i32, i32), b: (i32, i32)) -> f64 {
+    let difference = |u: (i32, i32), v: (i32, i32)| (f64::from(u.0 - v.0), f64::from(u.1 - v.1));
+    let ((px, py), (dx, dy)) = (difference(p, a), difference(b, a));
+    let length = dx.hypot(dy);
+    // Where the ends are one point, and beyond them, the distance is that from an end.
+    let along = if length > 0.0 { (px * dx + py * dy) / length } else { -1.0 };
+    if (0.0..=length).contains(&along) {
+        (px * dy - py * dx).abs() / length
+    } else {
+        px.hypot(py).min((px - dx).hypot(py - dy))
+    }
+}
+
 /// What the library writes, with classes for colours, without what repeats, with a title and a description.
 fn finished(svg: &str, words: &Words<'_>) -> String {
     let mut out = svg.to_owned();
@@ -181,18 +232,61 @@ fn finished(svg: &str, words: &Words<'_>) -> String {
         out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
         out = out.replace(&format!(" fill=\"{code}\""), "");
     }
-    let mut lines: Vec<&str> = Vec::new();
-    for line in out.lines() {
-        // Axes are drawn over the grid; what cannot be seen is not drawn.
-        if !line.contains("opacity=\"0\"") {
-            lines.push(line.trim());
+    let mut lines: Vec<String> = Vec::new();
+    for line in out.lines().map(str::trim) {
+        // What cannot be seen is not drawn, and lines of the grid mark the ticks.
+        if !line.contains("opacity=\"0\"") && !is_tick(line) {
+            lines.push(simplified(line));
         }
     }
-    let out = lines.join("").replace(" \"/>", "\"/>");
+    let out = lines.concat();
     let head =
         format!("<svg role=\"img\"><title>{}</title><desc>{}</desc>", escaped(words.title), escaped(words.describe));
     // The library's own opening gives the size of the canvas in pixels; the page gives the width.
     let size = out.split_once("viewBox=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("0 0 1 1", |(v, _)| v);
     let body = out.split_once('>').map_or("", |(_, body)| body);
     head.replace("<svg ", &format!("<svg viewBox=\"{size}\" ")) + body
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WORDS: Words<'_> = Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x" };
+
+    #[test]
+    fn a_line_keeps_its_shape_with_fewer_points() {
+        let line = "<polyline points=\"0,0 5,0 10,0 10,5 10,10 \"/>";
+        assert_eq!(simplified(line), "<polyline points=\"0,0 10,0 10,10\"/>");
+        assert_eq!(simplified("<circle r=\"1\"/>"), "<circle r=\"1\"/>");
+        assert_eq!(simplified("<polyline points=\"0,0 9,0 0,0\"/>"), "<polyline points=\"0,0 9,0 0,0\"/>");
+    }
+
+    #[test]
+    fn pictures_have_words_and_classes() {
+        let points = (0..50).map(|i| (f64::from(i), f64::from(i * i))).collect();
+        let lines = [Line { kind: LineKind::Shown(0), points }];
+        let svg = plane(&lines, &WORDS).expect("drawn");
+        for part in ["<title>&lt;t&gt;</title>", "<desc>d &amp; d</desc>", "class=\"c0\"", "t (s)", "class=\"grid\""] {
+            assert!(svg.contains(part), "{part}: {svg}");
+        }
+        assert!(!svg.contains("stroke=\"#") && !svg.contains("fill=\"#"), "colours are classes: {svg}");
+        assert_eq!(plane(&lines, &WORDS).as_ref(), Some(&svg), "the same bytes");
+        assert!(plane(&[], &WORDS).is_none());
+        assert!(sphere(&lines, &WORDS).expect("drawn").contains("class=\"rim\""));
+    }
+
+    #[test]
+    fn odd_values_are_no_panic() {
+        for points in [
+            vec![(0.0, f64::NAN), (1.0, 2.0)],
+            vec![(0.0, 1e300), (1.0, -1e300)],
+            vec![(0.0, 1e-320), (1.0, 0.0)],
+            vec![(1.0, 1.0), (1.0, 1.0)],
+            vec![(f64::INFINITY, 0.0), (0.0, 0.0)],
+        ] {
+            let lines = [Line { kind: LineKind::Shown(7), points }];
+            let _ = plane(&lines, &WORDS);
+        }
+    }
 }
