@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use super::picture::PictureAccount;
 use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
@@ -146,6 +147,8 @@ pub struct Account {
     pub measurements: Vec<Measurement>,
     /// Whether the formulas are consistent in their units.
     pub units: UnitsAccount,
+    /// Pictures, in the order of the file: for each, those of the trajectories.
+    pub pictures: Vec<PictureAccount>,
 }
 
 /// Counts over all pairs.

@@ -19,6 +19,7 @@ mod independence;
 mod limit;
 mod measure;
 mod occurrence;
+mod picture;
 mod program;
 mod proposition;
 mod same_motion;
@@ -38,6 +39,7 @@ mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
+pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
@@ -147,12 +149,14 @@ fn check_claims(
     let measures = measure::compile(derivation, options.claims.is_empty());
     let sign = derivation.scope.branch_sign();
     let mut altered = (!options.plain).then(|| Altered::new(derivation, &claimed, &starts));
+    let pictures = if options.claims.is_empty() && !options.plain { picture::leaves(derivation) } else { Vec::new() };
 
     let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
     wanted.extend(altered.iter().flat_map(|a| a.leaves(starts.len(), sign)));
+    wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
     for program in programs.iter_mut().flatten() {
@@ -206,8 +210,9 @@ fn check_claims(
                 altered.weigh(start_of[t], &course, &found)
             });
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+            let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok(((verdicts, measured), weighed))
+            Ok(((verdicts, measured, drawn), weighed))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
@@ -245,7 +250,7 @@ fn counterexample<'a>(
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
     let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|((verdicts, _), &t)| {
+    columns.iter().zip(tried).find_map(|((verdicts, ..), &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
@@ -267,8 +272,8 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
     matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
-/// What was found on one motion: a verdict for every claim that is tried on it, and measurements.
-type Column = (Vec<Option<Verdict>>, Vec<Measurement>);
+/// What was found on one motion: a verdict for every claim that is tried on it, measurements, and pictures.
+type Column = (Vec<Option<Verdict>>, Vec<Measurement>, Vec<PictureAccount>);
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
@@ -398,8 +403,12 @@ fn assemble(
         });
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
-    let mut measurements: Vec<Measurement> = columns.into_iter().flat_map(|(_, m)| m).collect();
+    let (mut measurements, mut pictures) = (Vec::new(), Vec::new());
+    for (_, measured, drawn) in columns {
+        measurements.extend(measured);
+        pictures.extend(drawn);
+    }
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);
-    Account { trajectories, claims, measurements, units: Default::default() }
+    Account { trajectories, claims, measurements, pictures, units: Default::default() }
 }

@@ -195,6 +195,7 @@ pub(crate) fn account() -> Account {
                 ],
             ),
         ],
+        pictures: Vec::new(),
         measurements: vec![
             Measurement {
                 measure: "reach".into(),

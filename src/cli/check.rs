@@ -48,6 +48,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         let mut text = match (format, arguments.quiet) {
             (Format::Json, _) => report::json(&derivation, &account),
+            (Format::Tex, _) => report::tex(&derivation, &account),
             (Format::Text, true) => report::exceptions(&derivation, &account, true),
             (Format::Text, false) => report::summary(&derivation, &account, true),
             _ => String::new(),

@@ -98,6 +98,8 @@ enum Format {
     Text,
     /// The report as JSON, one document for each derivation file
     Json,
+    /// The report as LaTeX source, for an appendix or a letter; pdflatex compiles it
+    Tex,
     /// JUnit XML: a test case for each claim on each trajectory
     Junit,
     /// SARIF 2.1.0, for code scanning: what is not as expected, with its place
@@ -109,7 +111,7 @@ enum Format {
 impl Format {
     /// Whether it is printed as soon as a derivation file is checked, and not at the end.
     fn is_printed_by_file(self) -> bool {
-        matches!(self, Format::Text | Format::Json)
+        matches!(self, Format::Text | Format::Json | Format::Tex)
     }
 }
 

@@ -212,7 +212,7 @@ impl Loader<'_> {
     }
 
     /// The trajectories that a table names, in the order of the file.
-    fn some_trajectories(&mut self, table: &Table<'_, '_>) -> Vec<usize> {
+    pub(super) fn some_trajectories(&mut self, table: &Table<'_, '_>) -> Vec<usize> {
         let mut out: Vec<usize> = Vec::new();
         for (name, span) in table.names(&mut self.problems, "trajectories") {
             let Some(index) = self.trajectory(name, span.clone()) else { continue };

@@ -2,7 +2,7 @@
 
 /// The tables of a file.
 pub const FILE: &[&str] =
-    &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition"];
+    &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition", "picture"];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
 /// Keys of a symbol.
@@ -47,6 +47,8 @@ pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "trajectories", "unit"];
 /// Keys of `[[condition]]`.
 pub const CONDITION: &[&str] = &["id", "says", "holds"];
+/// Keys of `[[picture]]`.
+pub const PICTURE: &[&str] = &["id", "says", "kind", "show", "slopes", "levels", "trajectories"];
 
 /// Every table with its keys, for the documentation and its test.
 pub const ALL: &[(&str, &[&str])] = &[
@@ -62,4 +64,5 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
     ("[[condition]]", CONDITION),
+    ("[[picture]]", PICTURE),
 ];

@@ -81,6 +81,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.circles();
     loader.measures(&root);
     loader.conditions(&root);
+    loader.pictures(&root);
     loader.finish()
 }
 
@@ -128,6 +129,7 @@ impl<'s> Loader<'s> {
             measures: Vec::new(),
             conditions: Vec::new(),
             given: Vec::new(),
+            pictures: Vec::new(),
         };
         Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
     }

@@ -18,6 +18,7 @@ mod load;
 mod model;
 mod motions;
 mod number;
+mod pictures;
 mod premise;
 mod symbols;
 mod table;
@@ -28,8 +29,8 @@ mod values;
 pub use claims::DEFAULT_PRECISION;
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, SymbolEntry, System,
-    Trajectory, Written,
+    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind,
+    SymbolEntry, System, Trajectory, Written,
 };
 pub use premise::Premise;
 pub use unit::Unit;

@@ -57,6 +57,8 @@ pub struct Derivation {
     pub conditions: Vec<Condition>,
     /// The values that trajectories give to symbols, as they are written.
     pub given: Vec<GivenValue>,
+    /// Pictures of the motions.
+    pub pictures: Vec<Picture>,
 }
 
 /// A declared symbol.
@@ -378,4 +380,49 @@ pub struct GivenValue {
     pub rate: u8,
     /// One expression for each stored component.
     pub value: Written<Vec<Expr>>,
+}
+/// How a picture shows a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureKind {
+    /// Quantities against time.
+    Time,
+    /// One quantity against another.
+    Curve,
+    /// Three quantities of constant length, on the sphere.
+    Sphere,
+}
+
+impl PictureKind {
+    /// Every kind.
+    pub const ALL: [PictureKind; 3] = [PictureKind::Time, PictureKind::Curve, PictureKind::Sphere];
+
+    /// The word of the derivation file.
+    pub fn key(self) -> &'static str {
+        match self {
+            PictureKind::Time => "time",
+            PictureKind::Curve => "curve",
+            PictureKind::Sphere => "sphere",
+        }
+    }
+}
+
+/// A picture that a report draws of motions.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Its id.
+    pub id: String,
+    /// What it shows, in the file's words.
+    pub says: String,
+    /// How.
+    pub kind: PictureKind,
+    /// The quantities: any number against time, two for a curve, three for a sphere.
+    pub show: Vec<Written<Expr>>,
+    /// For a curve: slopes that are claimed of it, drawn as short lines along it.
+    pub slopes: Vec<Written<Expr>>,
+    /// For a sphere: a function of the three quantities and of parameters, whose level sets are drawn.
+    pub levels: Option<Written<Expr>>,
+    /// The motions of which it is drawn: positions in [`Derivation::trajectories`], increasing.
+    pub trajectories: Vec<usize>,
+    /// Place of its id in the file.
+    pub span: Range<usize>,
 }

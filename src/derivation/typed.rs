@@ -37,6 +37,7 @@ impl Derivation {
             claims: Vec::new(),
             measures: Vec::new(),
             conditions: Vec::new(),
+            pictures: Vec::new(),
             given: Vec::new(),
         }
     }

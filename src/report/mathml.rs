@@ -123,12 +123,16 @@ impl Markup {
         self.put(&format!("<mo>{}</mo>", escaped(text)));
     }
 
-    /// A bracket; it grows with what it encloses.
-    fn fence(&mut self, text: &str, form: &str) {
-        self.put(&format!("<mo fence=\"true\" form=\"{form}\">{text}</mo>"));
-    }
-
     fn row(&mut self, node: &Node, least: Least) {
+        // One element needs no row.
+        let one = match &node.kind {
+            NodeKind::Number(r) => *r >= Rational::ZERO && r.denominator().is_one(),
+            NodeKind::Symbol(s) => s.arguments.is_none(),
+            _ => false,
+        };
+        if one {
+            return self.node(node, least);
+        }
         self.put("<mrow>");
         self.node(node, least);
         self.put("</mrow>");
@@ -143,24 +147,28 @@ impl Markup {
     }
 
     fn enclosed(&mut self, open: &str, node: &Node, close: &str) {
-        self.put("<mrow>");
-        self.fence(open, "prefix");
-        self.node(node, Least::Sum);
-        self.fence(close, "postfix");
-        self.put("</mrow>");
+        let mut inner = Markup(String::new());
+        inner.node(node, Least::Sum);
+        self.fenced(open, &inner.0, close);
+    }
+
+    /// Brackets around markup.
+    fn fenced(&mut self, open: &str, inner: &str, close: &str) {
+        // Accents and indices make a row only a little taller; a bracket that grows with them looks wrong.
+        let tall = ["<mfrac", "<mtable", "<msqrt", "<mroot", "<munder"].iter().any(|t| inner.contains(t));
+        let stretchy = if tall { "" } else { " stretchy=\"false\"" };
+        // First and last in a row, parentheses are known as brackets; bars are not.
+        let (first, last) = match open {
+            "|" => (" fence=\"true\" form=\"prefix\"", " fence=\"true\" form=\"postfix\""),
+            _ => ("", ""),
+        };
+        self.put(&format!("<mrow><mo{first}{stretchy}>{open}</mo>{inner}<mo{last}{stretchy}>{close}</mo></mrow>"));
     }
 
     fn list(&mut self, nodes: &[Node]) {
-        self.put("<mrow>");
-        self.fence("(", "prefix");
-        for (i, node) in nodes.iter().enumerate() {
-            if i > 0 {
-                self.put("<mo separator=\"true\">,</mo>");
-            }
-            self.node(node, Least::Sum);
-        }
-        self.fence(")", "postfix");
-        self.put("</mrow>");
+        let mut inner = Markup(String::new());
+        inner.joined(nodes, "<mo separator=\"true\">,</mo>", Least::Sum);
+        self.fenced("(", &inner.0, ")");
     }
 
     fn joined(&mut self, nodes: &[Node], between: &str, least: Least) {
@@ -210,13 +218,11 @@ impl Markup {
             NodeKind::Product(parts) => self.joined(parts, TIMES, Least::Factor),
             NodeKind::Dot(parts) => self.joined(parts, "<mo>⋅</mo>", Least::Cross),
             NodeKind::Cross { left, right, bracket: true } => {
-                self.put("<mrow>");
-                self.fence("[", "prefix");
-                self.node(left, Least::Sum);
-                self.put("<mo separator=\"true\">,</mo>");
-                self.node(right, Least::Sum);
-                self.fence("]", "postfix");
-                self.put("</mrow>");
+                let mut inner = Markup(String::new());
+                inner.node(left, Least::Sum);
+                inner.put("<mo separator=\"true\">,</mo>");
+                inner.node(right, Least::Sum);
+                self.fenced("[", &inner.0, "]");
             }
             NodeKind::Cross { left, right, bracket: false } => {
                 self.node(left, Least::Product);
@@ -271,21 +277,18 @@ impl Markup {
             }
             NodeKind::Tuple(parts) => self.list(parts),
             NodeKind::Matrix(rows) => {
-                self.put("<mrow>");
-                self.fence("(", "prefix");
-                self.put("<mtable>");
+                let mut inner = Markup("<mtable>".to_owned());
                 for row in rows {
-                    self.put("<mtr>");
+                    inner.put("<mtr>");
                     for cell in row {
-                        self.put("<mtd>");
-                        self.node(cell, Least::Sum);
-                        self.put("</mtd>");
+                        inner.put("<mtd>");
+                        inner.node(cell, Least::Sum);
+                        inner.put("</mtd>");
                     }
-                    self.put("</mtr>");
+                    inner.put("</mtr>");
                 }
-                self.put("</mtable>");
-                self.fence(")", "postfix");
-                self.put("</mrow>");
+                inner.put("</mtable>");
+                self.fenced("(", &inner.0, ")");
             }
             NodeKind::Limit(body, _) => self.node(body, Least::Sum),
         }
@@ -333,7 +336,8 @@ impl Markup {
 
     fn scripted(&mut self, base: &str, sub: Option<&[SubItem]>, sup: Option<&Node>) {
         let lowered = sub.map(|items| {
-            let mut inner = Markup("<mrow>".to_owned());
+            let single = items.len() == 1 || items.iter().all(|i| matches!(i, SubItem::Digit(_)));
+            let mut inner = Markup(if single { String::new() } else { "<mrow>".to_owned() });
             let mut digits = String::new();
             for item in items {
                 if !matches!(item, SubItem::Digit(_)) && !digits.is_empty() {
@@ -350,7 +354,7 @@ impl Markup {
             if !digits.is_empty() {
                 inner.put(&format!("<mn>{digits}</mn>"));
             }
-            inner.put("</mrow>");
+            inner.put(if single { "" } else { "</mrow>" });
             inner.0
         });
         let raised = sup.map(|node| {
@@ -488,4 +492,66 @@ fn decimal(r: &Rational) -> String {
     let digits = format!("{:0>width$}", scaled.numerator().to_string(), width = places + 1);
     let (whole, fraction) = digits.split_at(digits.len() - places);
     if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+
+    fn of(text: &str) -> String {
+        inline(text, &derivation().scope).unwrap_or_else(|| panic!("{text} is no formula"))
+    }
+
+    /// The names of elements, opened and closed in order.
+    fn assert_well_formed(markup: &str) {
+        let mut open: Vec<&str> = Vec::new();
+        for tag in markup.split('<').skip(1) {
+            let name = tag.split(['>', ' ', '/']).find(|n| !n.is_empty()).unwrap_or_default();
+            if tag.starts_with('/') {
+                assert_eq!(open.pop(), Some(name), "{markup}");
+            } else if !tag.split('>').next().unwrap_or_default().ends_with('/') {
+                open.push(name);
+            }
+        }
+        assert!(open.is_empty(), "{markup}");
+    }
+
+    #[test]
+    fn formulas_keep_their_structure() {
+        for (text, part) in [
+            (r"\dot x=v", "<mover accent=\"true\"><mi>x</mi><mo stretchy=\"false\">˙</mo></mover><mo>=</mo><mi>v</mi>"),
+            (r"\frac{x}{k}=1", "<mfrac><mi>x</mi><mi>k</mi></mfrac>"),
+            (r"x^2=-k", "<msup><mi>x</mi><mn>2</mn></msup><mo>=</mo><mo form=\"prefix\">−</mo>"),
+            (r"\sqrt{x}\ne 0", "<msqrt><mi>x</mi></msqrt><mo>≠</mo><mn>0</mn>"),
+            (r"\sin^2x<1", "<msup><mi>sin</mi><mrow><mn>2</mn></mrow></msup><mo>\u{2061}</mo>"),
+            (r"kx>0.5", "<mi>k</mi><mo>\u{2062}</mo><mi>x</mi><mo>&gt;</mo><mn>0.5</mn>"),
+        ] {
+            let markup = of(text);
+            assert!(markup.contains(part), "{text}: {markup}");
+            assert_well_formed(&markup);
+        }
+    }
+
+    #[test]
+    fn brackets_grow_only_around_what_is_tall() {
+        assert!(of("(x+v)k=0").contains("stretchy=\"false\""));
+        assert!(!of(r"(\frac{x}{k}+v)k=0").contains("stretchy=\"false\""));
+    }
+
+    #[test]
+    fn numbers_and_names_are_exact() {
+        assert_eq!(named("bf:m"), "<mi mathvariant=\"normal\" class=\"b\">m</mi>");
+        assert_eq!(named("x'"), "<msup><mi>x</mi><mo>′</mo></msup>");
+        assert_eq!(named("<b>"), "<mi>&lt;b&gt;</mi>");
+        assert_eq!(decimal(&Rational::from(12)), "12");
+        assert_eq!(decimal(&(Rational::from(1) / Rational::from(3))), "1/3");
+        assert_eq!(decimal(&(Rational::from(-1) / Rational::from(8))), "0.125");
+    }
+
+    #[test]
+    fn what_is_no_formula_is_none() {
+        assert_eq!(inline(r"\operatorname{<script>}", &derivation().scope), None);
+        assert_eq!(inline("<script>", &derivation().scope), None);
+    }
 }

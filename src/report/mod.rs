@@ -2,7 +2,8 @@
 //!
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
-//! [`page`] (for a browser); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn from [`findings`];
+//! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
+//! from [`findings`];
 //! [`write_files`] puts them into a folder, all or none.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
@@ -21,10 +22,12 @@ mod markdown;
 mod mathml;
 mod numbers;
 mod page;
+mod plot;
 mod proposition;
 mod sarif;
 mod summary;
 mod tally;
+mod tex;
 mod text;
 mod units;
 mod write;
@@ -40,6 +43,7 @@ pub use page::page;
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use summary::{exceptions, summary};
+pub use tex::tex;
 pub use write::{WriteError, write_files, write_report};
 
 #[cfg(test)]

@@ -104,7 +104,7 @@ pub(super) fn name(claim: &ClaimAccount) -> String {
 /// What a claim says; for a reading, first what its claim says.
 pub(super) fn says(derivation: &Derivation, claim: &ClaimAccount) -> String {
     match declared(derivation, claim).and_then(|d| d.parent_says.as_ref()) {
-        Some(parent) => format!("{parent}: {}", claim.says),
+        Some(parent) => format!("{}: {}", parent.trim_end_matches('.'), claim.says),
         None => claim.says.clone(),
     }
 }

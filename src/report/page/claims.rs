@@ -24,8 +24,8 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
             h2 { "Claims" }
             @for family in &families {
                 @match family.as_slice() {
-                    [one] if one.reading.is_none() => { (article(derivation, one, account.trajectories.len())) },
-                    several => { (readings(derivation, several, account.trajectories.len())) },
+                    [one] if one.reading.is_none() => { (article(derivation, account, one)) },
+                    several => { (readings(derivation, account, several)) },
                 }
             }
         }
@@ -33,7 +33,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 }
 
 /// A claim that can be understood in several ways: the readings side by side, then each by itself.
-fn readings(derivation: &Derivation, family: &[&ClaimAccount], of: usize) -> Markup {
+fn readings(derivation: &Derivation, account: &Account, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
     let n =
@@ -49,10 +49,10 @@ fn readings(derivation: &Derivation, family: &[&ClaimAccount], of: usize) -> Mar
                     caption { "Readings of " (first.id) ", side by side" }
                     thead {
                         tr {
-                            th scope="col" { "reading" }
-                            th scope="col" { "says" }
-                            th scope="col" { "as a formula" }
-                            @for head in ["holds", "fails", "does not apply", "undecided"] { th scope="col" { (head) } }
+                            th { "reading" }
+                            th { "says" }
+                            th { "as a formula" }
+                            @for head in ["holds", "fails", "does not apply", "undecided"] { th { (head) } }
                         }
                     }
                     tbody {
@@ -71,7 +71,7 @@ fn readings(derivation: &Derivation, family: &[&ClaimAccount], of: usize) -> Mar
                     }
                 }
             }
-            @for claim in family { (article(derivation, claim, of)) }
+            @for claim in family { (article(derivation, account, claim)) }
         }
     }
 }
@@ -80,7 +80,7 @@ fn scope_of<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> &'d Scope {
     declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope)
 }
 
-fn article(derivation: &Derivation, claim: &ClaimAccount, of: usize) -> Markup {
+fn article(derivation: &Derivation, account: &Account, claim: &ClaimAccount) -> Markup {
     let declared = declared(derivation, claim);
     let scope = scope_of(derivation, claim);
     html! {
@@ -114,7 +114,7 @@ fn article(derivation: &Derivation, claim: &ClaimAccount, of: usize) -> Markup {
             @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
             @if let Some(remark) = &claim.remark { p.remark { (prose(remark, scope)) } }
             @if let Some(identity) = &claim.identity { (for_all_values(identity, scope)) }
-            @for group in groups(claim) { (verdicts(claim, &group, of, scope)) }
+            @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
         }
     }
 }
@@ -122,10 +122,10 @@ fn article(derivation: &Derivation, claim: &ClaimAccount, of: usize) -> Markup {
 /// Whether it is an identity, with its bound.
 fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
-        div.identity class=(identity.verdict) {
+        div class={ "identity " (identity.verdict) } {
             p {
                 b { "For all values: " }
-                (reason(&identity.sentence(), scope))
+                (sentence(identity, scope))
                 @if identity.generic { " The proof leaves out special cases of what is given; see the conditions." }
             }
             @if !identity.conditions.is_empty() {
@@ -138,6 +138,18 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
                 details { summary { "Refuting point" } p { code.point { (witness) } } }
             }
         }
+    }
+}
+
+/// The sentence on an identity, its power of two as one.
+fn sentence(identity: &IdentityAccount, scope: &Scope) -> Markup {
+    let text = identity.sentence();
+    match (identity.log2_error, text.split_once("2^")) {
+        (Some(_), Some((before, after))) => {
+            let end = after.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(after.len());
+            html! { (reason(before, scope)) "2" sup { (after[..end].replace('-', "−")) } (&after[end..]) }
+        }
+        _ => reason(&text, scope),
     }
 }
 
@@ -172,7 +184,8 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
 }
 
 /// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
-fn verdicts(claim: &ClaimAccount, group: &Group<'_>, of: usize, scope: &Scope) -> Markup {
+fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
+    let of = account.trajectories.len();
     let word = match group.word {
         "holds" => "Holds",
         "fails" => "Fails",
@@ -186,9 +199,9 @@ fn verdicts(claim: &ClaimAccount, group: &Group<'_>, of: usize, scope: &Scope) -
     };
     let telling = group.telling().filter(|_| group.word == "fails");
     html! {
-        details.verdicts class=(group.word) {
+        details class={ "verdicts " (group.word) } {
             summary {
-                span.mark class=(group.pairs.first().map(|p| class(p)).unwrap_or_default()) aria-hidden="true" {}
+                span class={ "mark " (group.pairs.first().map(|p| class(p)).unwrap_or_default()) } aria-hidden="true" {}
                 " " b { (word) } " " (on)
                 @if group.unexpected {
                     ", " strong.alarm {
@@ -196,7 +209,7 @@ fn verdicts(claim: &ClaimAccount, group: &Group<'_>, of: usize, scope: &Scope) -
                     }
                 }
             }
-            div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(claim, group, scope)) }
+            div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(account, claim, group, scope)) }
         }
         @if let Some(pair) = telling { (witness(pair, scope)) }
     }
@@ -208,7 +221,7 @@ fn common(pair: &PairAccount) -> (&str, &str) {
     text.split_once(": at t = ").map_or((text, ""), |(head, _)| (head, &text[head.len() + 2..]))
 }
 
-fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
+fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let compared = group.pairs.iter().any(|p| p.verdict.evidence().residual.is_some());
     // A reason that many pairs share is given once, above them.
     let mut parts: Vec<(&str, Vec<&PairAccount>)> = Vec::new();
@@ -224,13 +237,13 @@ fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
         table {
             thead {
                 tr {
-                    th scope="col" { "trajectory" }
+                    th { "trajectory" }
                     @if compared {
                         @for head in ["strength", "worst residual", "its bound", "at t", "samples"] {
-                            th scope="col" { (head) }
+                            th { (head) }
                         }
                     }
-                    th scope="col" { "notes" }
+                    th { "notes" }
                 }
             }
             @for (head, pairs) in &parts {
@@ -241,7 +254,7 @@ fn table(claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
                     }
                     @for pair in pairs {
                         @let evidence = pair.verdict.evidence();
-                        tr id=(anchor(claim, pair)) {
+                        tr id=(anchor(account, claim, pair)) {
                             th { (pair.trajectory) }
                             @if compared {
                                 td { (pair.verdict.outcome().strength().unwrap_or_default()) }

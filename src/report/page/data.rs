@@ -1,6 +1,6 @@
 //! The curves of all pairs, packed for the script.
 //!
-//! A page may have thousands of pairs. Each of its curves is some forty samples; a value takes two characters: its place
+//! A page may have thousands of pairs. Each of its curves is some thirty samples; a value takes two characters: its place
 //! between the least and the largest value, in 1/7225 of the way (85 characters that need no escape, squared), and the
 //! logarithm of a residual or bound one. That is finer than a line is thick. Equal strings are stored once. Numbers that a reader may want exactly (worst residual,
 //! witness) are stored as numbers.
@@ -69,7 +69,7 @@ fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, str
     let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > 1);
     let curves = drawn.map(|s| curves(s, text(&s.formula, strings), strings));
-    let worst = evidence.residual.as_ref().map(|r| json!([r.at, short(r.max), short(r.bound)]));
+    let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence
         .witness
         .as_ref()

@@ -25,9 +25,12 @@ pub(super) fn class(pair: &PairAccount) -> &'static str {
     }
 }
 
-/// Where a pair stands on the page: `claim@trajectory`, also its address.
-pub(super) fn anchor(claim: &ClaimAccount, pair: &PairAccount) -> String {
-    format!("{}@{}", name(claim), pair.trajectory)
+/// Where a pair stands on the page: `p`, row and column of the matrix. Short, since there are thousands; the script writes
+/// the address of a pair as `claim@trajectory`, which stays when claims are added.
+pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> String {
+    let row = account.claims.iter().position(|c| c.id == claim.id && c.reading == claim.reading);
+    let column = account.trajectories.iter().position(|t| t.id == pair.trajectory);
+    format!("p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
 }
 
 /// The words of a pair, for those who do not see its shape.
@@ -77,7 +80,7 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
                 @match claim.results.iter().find(|r| r.trajectory == t.id) {
                     Some(pair) => {
                         td class=(class(pair)) {
-                            a href={ "#" (anchor(claim, pair)) } {
+                            a href={ "#" (anchor(account, claim, pair)) } {
                                 (words(pair)) @if pair.is_unexpected() { ", not as expected" }
                             }
                         }
@@ -101,7 +104,7 @@ fn legend() -> Markup {
     ];
     html! {
         ul.legend aria-label="Legend" {
-            @for (class, text) in all { li { span.mark class=(class) aria-hidden="true" {} " " (text) } }
+            @for (class, text) in all { li { span class={ "mark " (class) } aria-hidden="true" {} " " (text) } }
         }
     }
 }

@@ -183,7 +183,7 @@ fn symbols(derivation: &Derivation) -> Markup {
                     tbody {
                         @for s in &derivation.symbols {
                             tr {
-                                th scope="row" { (formula(&s.name, scope)) }
+                                td { (formula(&s.name, scope)) }
                                 td { (s.role_word()) }
                                 td {
                                     @if derivation.graph.is_diagonal(s.symbol) { "diagonal " }

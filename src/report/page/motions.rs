@@ -1,23 +1,65 @@
 //! The trajectories: what is integrated, from where, how well, and what the motion looks like.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
 use super::super::numbers::{count, size, time, value};
-use super::text::{formula, prose};
-use crate::check::{Account, TrajectoryAccount};
-use crate::derivation::{Derivation, Motion};
+use super::super::plot;
+use super::super::tally::{declared, name};
+use super::text::{self, formula, plain, prose, unit};
+use crate::check::{Account, PictureAccount, TrajectoryAccount};
+use crate::derivation::{Derivation, FormKind, Motion, Picture, PictureKind, Written};
+use crate::expr::Expr;
 
 /// All trajectories.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         section #trajectories {
             h2 { "Trajectories" }
-            @for t in &account.trajectories { (article(derivation, t)) }
+            (what_is_drawn(derivation))
+            @for t in &account.trajectories { (article(derivation, account, t)) }
         }
     }
 }
 
-fn article(derivation: &Derivation, t: &TrajectoryAccount) -> Markup {
+/// What every picture of a kind shows, said once.
+fn what_is_drawn(derivation: &Derivation) -> Markup {
+    let scope = &derivation.scope;
+    html! {
+        @if !derivation.pictures.is_empty() {
+            p { "What is drawn of each motion:" }
+            ul {
+                @for picture in &derivation.pictures {
+                    li {
+                        (prose(&picture.says, scope)) ": "
+                        @for (k, w) in picture.show.iter().enumerate() {
+                            @if k > 0 { ", " }
+                            (formula(&w.text, scope))
+                        }
+                        @match picture.kind {
+                            PictureKind::Time => { " against time." },
+                            PictureKind::Curve => { ", the first to the right, the second up." },
+                            PictureKind::Sphere => { ", on the sphere of their length; faint on its far side." },
+                        }
+                        @if let Some(levels) = &picture.levels {
+                            " Thin lines are level sets of " (formula(&levels.text, scope))
+                            "; dashed ones go through its saddles and part the motions."
+                        }
+                        @if !picture.slopes.is_empty() {
+                            " Short lines along the curve have the slope "
+                            @for (k, w) in picture.slopes.iter().enumerate() {
+                                @if k > 0 { " or " }
+                                (formula(&w.text, scope))
+                            }
+                            "; where that is right, one of them lies on the curve."
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
     let scope = &derivation.scope;
     let declared = derivation.trajectories.iter().find(|d| d.id == t.id);
     html! {
@@ -55,6 +97,101 @@ fn article(derivation: &Derivation, t: &TrajectoryAccount) -> Markup {
                     }
                 }
             }
+            (integrals(derivation, account, t))
+            (pictures(derivation, account, t))
+        }
+    }
+}
+
+/// How well the declared first integrals are kept, which tells of the integration and of the claim alike.
+fn integrals(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
+    let kept: Vec<(String, &crate::check::Residual)> = account
+        .claims
+        .iter()
+        .filter(|c| {
+            declared(derivation, c).is_some_and(|d| d.forms.iter().all(|f| f.kind() == FormKind::FirstIntegral))
+        })
+        .filter_map(|c| {
+            let pair = c.results.iter().find(|r| r.trajectory == t.id)?;
+            Some((name(c), pair.verdict.evidence().residual.as_ref()?))
+        })
+        .collect();
+    html! {
+        @if !kept.is_empty() {
+            p {
+                "First integrals, largest change since the start: "
+                @for (i, (claim, r)) in kept.iter().enumerate() {
+                    @if i > 0 { "; " }
+                    a href={ "#" (claim) } { (claim) } " " (size(r.max)) " (bound " (size(r.bound)) ")"
+                }
+                "."
+            }
+        }
+    }
+}
+
+fn pictures(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
+    let drawn = account.pictures.iter().filter(|p| p.trajectory == t.id);
+    html! {
+        div.pictures {
+            @for account in drawn {
+                @if let Some(picture) = derivation.pictures.iter().find(|p| p.id == account.picture) {
+                    (figure(derivation, picture, account))
+                }
+            }
+        }
+    }
+}
+
+fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) -> Markup {
+    let scope = &derivation.scope;
+    let names: Vec<String> = picture.show.iter().map(|w| plain(&w.text)).collect();
+    let title = format!("{}: {}", account.trajectory, picture.id);
+    let with_unit = |w: &Written<Expr>| {
+        let entry = derivation.symbols.iter().find(|s| {
+            derivation.graph.leaves([w.value]).iter().all(|l| l.symbol == s.symbol && l.rate == 0)
+                && w.text.starts_with(&s.name)
+        });
+        let unit = entry.and_then(|s| s.unit.as_deref()).map(|u| format!(" ({})", unit(u))).unwrap_or_default();
+        format!("{}{unit}", plain(&w.text))
+    };
+    let time = derivation.scope.time().and_then(|l| derivation.symbols.iter().find(|s| s.symbol == l.symbol));
+    let time_unit = time.and_then(|s| s.unit.as_deref()).map(|u| format!(" ({})", unit(u))).unwrap_or_default();
+    let time_name = time.map_or_else(|| "t".to_owned(), |s| plain(&s.name));
+    let describe = match (picture.kind, names.as_slice()) {
+        (PictureKind::Curve, [x, y]) => format!("{y} going up against {x} to the right."),
+        (PictureKind::Sphere, _) => format!("The motion of ({}) on a sphere.", names.join(", ")),
+        _ => format!("{} against time.", names.join(", ")),
+    };
+    let units: Vec<String> = picture.show.iter().map(with_unit).collect();
+    let (across, up) = match (picture.kind, units.as_slice()) {
+        (PictureKind::Curve, [x, y]) => (x.clone(), y.clone()),
+        _ => (format!("{time_name}{time_unit}"), units.join(", ")),
+    };
+    let words = plot::Words { title: &title, describe: &describe, across: &across, up: &up };
+    let svg = match picture.kind {
+        PictureKind::Sphere => plot::sphere(&account.lines, &words),
+        _ => plot::plane(&account.lines, &words),
+    };
+    html! {
+        @match (&account.reason, svg) {
+            (None, Some(svg)) => {
+                figure class={ "picture " (picture.kind.key()) } {
+                    (PreEscaped(svg))
+                    figcaption {
+                        (prose(&picture.says, scope))
+                        @if picture.kind == PictureKind::Time && picture.show.len() > 1 {
+                            ": "
+                            @for (k, w) in picture.show.iter().enumerate() {
+                                @if k > 0 { ", " }
+                                span class={ "key k" (k % 6) } aria-hidden="true" {} (formula(&w.text, scope))
+                            }
+                        }
+                    }
+                }
+            },
+            (Some(reason), _) => { p.quiet { (prose(&picture.says, scope)) ": no picture, " (text::reason(reason, scope)) "." } },
+            (None, None) => {},
         }
     }
 }

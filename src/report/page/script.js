@@ -20,6 +20,14 @@ const write = s => {
   return "#" + s.anchor + (q.length ? "?" + q.join("&") : "");
 };
 
+// A pair is `claim@trajectory` in the address, and p, row and column on the page.
+const placeOf = anchor => {
+  const at = anchor.lastIndexOf("@");
+  return at < 0 ? anchor : `p${names.indexOf(anchor.slice(0, at))}-${motions.indexOf(anchor.slice(at + 1))}`;
+};
+const numbers = place => { const m = /^p(\d+)-(\d+)$/.exec(place); return m && names[m[1]] && motions[m[2]] ? [+m[1], +m[2]] : null; };
+const addressOf = place => { const n = numbers(place); return n ? `${names[n[0]]}@${motions[n[1]]}` : place; };
+
 // ---- filters ----
 const passes = (cell, s) => cell.className && (!s.verdict.length || s.verdict.some(v => cell.classList.contains(v)));
 const like = (name, part) => !part || name.toLowerCase().includes(part.toLowerCase());
@@ -52,7 +60,7 @@ function filter(s) {
     group.hidden = s.verdict.length > 0 && !s.verdict.some(v => v === "x" ? marked.contains("x") : group.classList.contains(words[v]));
   }
   for (const row of document.querySelectorAll(".verdicts tbody tr[id]"))
-    row.hidden = !like(row.id.slice(row.id.indexOf("@") + 1), s.trajectory);
+    row.hidden = !like(motions[numbers(row.id)[1]], s.trajectory);
 }
 function fill(s) {
   for (const box of form.elements.verdict) box.checked = s.verdict.includes(box.value);
@@ -71,14 +79,14 @@ document.addEventListener("click", e => {
   const link = e.target.closest && e.target.closest('a[href^="#"]');
   if (!link || e.ctrlKey || e.metaKey || e.shiftKey) return;
   e.preventDefault();
-  const to = write({ ...state, anchor: decodeURIComponent(link.getAttribute("href").slice(1)) });
-  if (to === location.hash) go(); else location.hash = to;
+  const to = write({ ...state, anchor: addressOf(decodeURIComponent(link.getAttribute("href").slice(1))) });
+  if (to === decodeURIComponent(location.hash)) go(); else location.hash = to;
 });
 function go() {
   state = read();
   fill(state);
   filter(state);
-  const target = state.anchor && byId(state.anchor);
+  const target = state.anchor && byId(placeOf(state.anchor));
   if (!target) return;
   for (let e = target; e; e = e.parentElement) { if (e.tagName === "DETAILS") e.open = true; if (e.hidden) e.hidden = false; }
   for (const old of document.querySelectorAll("tr.here")) old.classList.remove("here");
@@ -126,9 +134,9 @@ const unpack = (index, low, high) => {
 };
 const unpackLog = (index, low, high) => [...data.strings[index]].map(c =>
   value.get(c) ? low + (high - low) * (value.get(c) - 1) / (DIGITS.length - 2) : -Infinity);
-const pairOf = id => {
-  const at = id.lastIndexOf("@"), t = motions.indexOf(id.slice(at + 1));
-  return (data.pairs[id.slice(0, at)] || {})[t];
+const pairOf = place => {
+  const n = numbers(place);
+  return n && (data.pairs[names[n[0]]] || {})[n[1]];
 };
 const SVG = "http://www.w3.org/2000/svg";
 const add = (parent, name, attributes, text) => {
@@ -186,9 +194,9 @@ function open(row) {
   detail.className = "pair";
   const box = element(detail, "td", { colspan: row.cells.length });
   row.after(detail);
-  const link = element(element(box, "p"), "a", { href: "#trajectory-" + row.id.slice(row.id.lastIndexOf("@") + 1) });
+  const link = element(element(box, "p"), "a", { href: "#trajectory-" + motions[numbers(row.id)[1]] });
   link.textContent = "The trajectory";
-  if (pair[0]) curves(box, pair, row.id);
+  if (pair[0]) curves(box, pair, addressOf(row.id));
   if (pair[2]) witness(box, pair[2]);
 }
 function curves(box, [packed, w, , left_out], id) {
@@ -207,7 +215,7 @@ function curves(box, [packed, w, , left_out], id) {
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
   for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
   let figure = element(box, "figure");
-  const worst = w ? `The worst point is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
+  const worst = w ? `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
   const p = frame(figure, "Residual of " + id, `${t.length} of ${samples} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
   grey(p, left_out, time);
   line(p, t, d, "left");
@@ -238,7 +246,7 @@ document.addEventListener("toggle", e => {
     row.dataset.linked = "1";
     const cell = row.cells[row.cells.length - 1];
     cell.append(" ");
-    element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + row.id }, "curves");
+    element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + addressOf(row.id) }, "curves");
   }
 }, true);
 addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details.standing")) d.open = true; });

@@ -46,7 +46,7 @@ pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
 }
 
 /// A text that is no formula, without the signs that only LaTeX needs.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(at) = rest.find('\\') {

@@ -1,0 +1,292 @@
+//! Pictures of motions as SVG.
+//!
+//! **In:** the lines of a picture, computed by the check. **Out:** one `svg` element with a title and a description, whose
+//! colours are classes of the page, so that it follows light, dark and print.
+//!
+//! **Why `plotters`:** it places axes, ticks and labels, and its SVG is text with integer coordinates: the same bytes on
+//! every machine. It is drawn on a canvas larger than it is shown, so that integers are fine enough. The page
+//! may have hundreds of pictures: what is the same in all of them (widths, sizes of letters) is said once, in its style.
+
+use plotters::prelude::*;
+
+use super::mathml::escaped;
+use super::numbers;
+use crate::check::{Line, LineKind};
+
+/// Width and height of a picture with axes, in units of its canvas.
+const SIZE: (u32, u32) = (1400, 830);
+/// Width and height of a sphere.
+const ROUND: (u32, u32) = (999, 999);
+/// Height of letters.
+const LETTERS: u32 = 44;
+
+/// What is said about a picture.
+pub(super) struct Words<'a> {
+    /// Its title.
+    pub title: &'a str,
+    /// What it shows, for those who do not see it.
+    pub describe: &'a str,
+    /// What goes to the right.
+    pub across: &'a str,
+    /// What goes up.
+    pub up: &'a str,
+}
+
+/// Colours that stand for classes of the page.
+fn colour(kind: LineKind) -> RGBColor {
+    match kind {
+        LineKind::Shown(k) => RGBColor(1, 0, (k % 6) as u8),
+        LineKind::Slope(k) => RGBColor(1, 1, (k % 2) as u8),
+        LineKind::Hidden => RGBColor(1, 2, 0),
+        LineKind::Level => RGBColor(1, 2, 1),
+        LineKind::Separatrix => RGBColor(1, 2, 2),
+    }
+}
+
+const CLASSES: [(&str, &str); 14] = [
+    ("#010000", "c0"),
+    ("#010001", "c1"),
+    ("#010002", "c2"),
+    ("#010003", "c3"),
+    ("#010004", "c4"),
+    ("#010005", "c5"),
+    ("#010100", "s0"),
+    ("#010101", "s1"),
+    ("#010200", "hidden"),
+    ("#010201", "level"),
+    ("#010202", "separatrix"),
+    ("#000000", "axis"),
+    ("#020000", "grid"),
+    ("#030000", "rim"),
+];
+const GRID: RGBColor = RGBColor(2, 0, 0);
+const RIM: RGBColor = RGBColor(3, 0, 0);
+
+/// A picture with axes.
+pub(super) fn plane(lines: &[Line], words: &Words<'_>) -> Option<String> {
+    let points = || lines.iter().filter(|l| matches!(l.kind, LineKind::Shown(_))).flat_map(|l| &l.points);
+    let across = widened(points().map(|p| p.0), 0.0)?;
+    let up = widened(points().map(|p| p.1), 0.05)?;
+    let mut out = String::new();
+    let drawn = draw_plane(&mut out, lines, words, across, up);
+    drawn.ok().map(|()| finished(&out, words))
+}
+
+/// The least and largest value, with some room.
+fn widened(values: impl Iterator<Item = f64>, room: f64) -> Option<std::ops::Range<f64>> {
+    let (low, high) = values
+        .filter(|x| x.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    if low > high {
+        return None;
+    }
+    // What varies by rounding only is a constant, drawn in the middle.
+    let flat = high - low <= 1e-9 * low.abs().max(high.abs()).max(1e-300);
+    let room = if flat { 0.1 * low.abs().max(1.0) } else { room * (high - low) };
+    let (low, high) = (low - room, high + room);
+    (low < high && (high - low).is_finite()).then_some(low..high)
+}
+
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+fn draw_plane(
+    out: &mut String,
+    lines: &[Line],
+    words: &Words<'_>,
+    across: std::ops::Range<f64>,
+    up: std::ops::Range<f64>,
+) -> Drawn {
+    let area = SVGBackend::with_string(out, SIZE).into_drawing_area();
+    let letters = ("sans-serif", LETTERS);
+    let mut chart = ChartBuilder::on(&area)
+        .margin(14)
+        .margin_right(40)
+        .x_label_area_size(110)
+        .y_label_area_size(190)
+        .build_cartesian_2d(across, up)?;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(GRID)
+        .axis_style(BLACK)
+        .label_style(letters)
+        .axis_desc_style(letters)
+        .x_labels(7)
+        .y_labels(5)
+        .x_desc(words.across)
+        .y_desc(words.up)
+        .x_label_formatter(&|x| tick(*x))
+        .y_label_formatter(&|y| tick(*y))
+        .draw()?;
+    for line in lines {
+        chart.draw_series(std::iter::once(PathElement::new(line.points.clone(), colour(line.kind))))?;
+    }
+    area.present()?;
+    drop(chart);
+    drop(area);
+    Ok(())
+}
+
+/// A number at a tick.
+fn tick(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    numbers::value(if rounded.abs() < 1e-12 { 0.0 } else { rounded }).replace('-', "−")
+}
+
+/// A picture on a sphere: the rim, what is behind, level sets, and the motion.
+pub(super) fn sphere(lines: &[Line], words: &Words<'_>) -> Option<String> {
+    let mut out = String::new();
+    draw_sphere(&mut out, lines).ok().map(|()| finished(&out, words))
+}
+
+fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
+    let area = SVGBackend::with_string(out, ROUND).into_drawing_area();
+    let (half, radius) = (f64::from(ROUND.0) / 2.0, f64::from(ROUND.0) * 0.48);
+    let place = |&(x, y): &(f64, f64)| ((half + radius * x).round() as i32, (half - radius * y).round() as i32);
+    area.draw(&Circle::new(place(&(0.0, 0.0)), radius as i32, RIM))?;
+    for line in lines {
+        let points: Vec<(i32, i32)> = line.points.iter().map(place).collect();
+        let style = colour(line.kind);
+        let at_rest = points.iter().all(|p| Some(p) == points.first());
+        if let (true, Some(&point)) = (at_rest, points.first()) {
+            area.draw(&Circle::new(point, 16, style.filled()))?;
+        } else {
+            area.draw(&PathElement::new(points, style))?;
+        }
+    }
+    area.present()?;
+    drop(area);
+    Ok(())
+}
+
+/// A text without every attribute that begins like this.
+fn without(text: &str, attribute: &str) -> String {
+    let mut parts = text.split(attribute);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        out.push_str(part.split_once('"').map_or("", |(_, rest)| rest));
+    }
+    out
+}
+
+/// Whether this is the short line beside a label.
+fn is_tick(line: &str) -> bool {
+    let points = points_of(line);
+    let short = |a: &(i32, i32), b: &(i32, i32)| (a.0 - b.0).abs() + (a.1 - b.1).abs() < 12;
+    line.contains("class=\"axis\"") && matches!(points.as_slice(), [a, b] if short(a, b))
+}
+
+fn points_of(line: &str) -> Vec<(i32, i32)> {
+    let list = line.split_once("points=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("", |(l, _)| l);
+    let point = |p: &str| p.split_once(',').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
+    list.split_whitespace().filter_map(point).collect()
+}
+
+/// A line with as few points as draw the same, to less than a unit of the canvas.
+fn simplified(line: &str) -> String {
+    let (Some(start), points) = (line.find("points=\""), points_of(line)) else { return line.to_owned() };
+    let Some(end) = line[start + 8..].find('"') else { return line.to_owned() };
+    let mut kept = vec![false; points.len()];
+    let mut stretches = vec![(0, points.len().saturating_sub(1))];
+    while let Some((a, b)) = stretches.pop() {
+        for end in [a, b] {
+            if let Some(kept) = kept.get_mut(end) {
+                *kept = true;
+            }
+        }
+        let off = |i: usize| distance(points[i], points[a], points[b]);
+        if let Some(far) = (a + 1..b).max_by(|&i, &j| off(i).total_cmp(&off(j)))
+            && off(far) > 0.75
+        {
+            stretches.extend([(a, far), (far, b)]);
+        }
+    }
+    let text: Vec<String> =
+        points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|((x, y), _)| format!("{x},{y}")).collect();
+    format!("{}points=\"{}{}", &line[..start], text.join(" "), &line[start + 8 + end..])
+}
+
+/// How far a point is from the line between two others.
+fn distance(p: (i32, i32), a: (i32, i32), b: (i32, i32)) -> f64 {
+    let difference = |u: (i32, i32), v: (i32, i32)| (f64::from(u.0 - v.0), f64::from(u.1 - v.1));
+    let ((px, py), (dx, dy)) = (difference(p, a), difference(b, a));
+    let length = dx.hypot(dy);
+    // Where the ends are one point, and beyond them, the distance is that from an end.
+    let along = if length > 0.0 { (px * dx + py * dy) / length } else { -1.0 };
+    if (0.0..=length).contains(&along) {
+        (px * dy - py * dx).abs() / length
+    } else {
+        px.hypot(py).min((px - dx).hypot(py - dy))
+    }
+}
+
+/// What the library writes, with classes for colours, without what repeats, with a title and a description.
+fn finished(svg: &str, words: &Words<'_>) -> String {
+    let mut out = svg.to_owned();
+    for repeated in [" opacity=\"1\"", " font-family=\"sans-serif\"", " fill=\"none\"", " stroke-width=\"1\""] {
+        out = out.replace(repeated, "");
+    }
+    out = without(&out, " font-size=\"");
+    for (code, class) in CLASSES {
+        out = out.replace(&format!(" fill=\"{code}\" stroke=\"none\""), &format!(" class=\"{class} full\""));
+        out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
+        out = out.replace(&format!(" fill=\"{code}\""), "");
+    }
+    let mut lines: Vec<String> = Vec::new();
+    for line in out.lines().map(str::trim) {
+        // What cannot be seen is not drawn, and lines of the grid mark the ticks.
+        if !line.contains("opacity=\"0\"") && !is_tick(line) {
+            lines.push(simplified(line));
+        }
+    }
+    let out = lines.concat();
+    let head =
+        format!("<svg role=\"img\"><title>{}</title><desc>{}</desc>", escaped(words.title), escaped(words.describe));
+    // The library's own opening gives the size of the canvas in pixels; the page gives the width.
+    let size = out.split_once("viewBox=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("0 0 1 1", |(v, _)| v);
+    let body = out.split_once('>').map_or("", |(_, body)| body);
+    head.replace("<svg ", &format!("<svg viewBox=\"{size}\" ")) + body
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WORDS: Words<'_> = Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x" };
+
+    #[test]
+    fn a_line_keeps_its_shape_with_fewer_points() {
+        let line = "<polyline points=\"0,0 5,0 10,0 10,5 10,10 \"/>";
+        assert_eq!(simplified(line), "<polyline points=\"0,0 10,0 10,10\"/>");
+        assert_eq!(simplified("<circle r=\"1\"/>"), "<circle r=\"1\"/>");
+        assert_eq!(simplified("<polyline points=\"0,0 9,0 0,0\"/>"), "<polyline points=\"0,0 9,0 0,0\"/>");
+    }
+
+    #[test]
+    fn pictures_have_words_and_classes() {
+        let points = (0..50).map(|i| (f64::from(i), f64::from(i * i))).collect();
+        let lines = [Line { kind: LineKind::Shown(0), points }];
+        let svg = plane(&lines, &WORDS).expect("drawn");
+        for part in ["<title>&lt;t&gt;</title>", "<desc>d &amp; d</desc>", "class=\"c0\"", "t (s)", "class=\"grid\""] {
+            assert!(svg.contains(part), "{part}: {svg}");
+        }
+        assert!(!svg.contains("stroke=\"#") && !svg.contains("fill=\"#"), "colours are classes: {svg}");
+        assert_eq!(plane(&lines, &WORDS).as_ref(), Some(&svg), "the same bytes");
+        assert!(plane(&[], &WORDS).is_none());
+        assert!(sphere(&lines, &WORDS).expect("drawn").contains("class=\"rim\""));
+    }
+
+    #[test]
+    fn odd_values_are_no_panic() {
+        for points in [
+            vec![(0.0, f64::NAN), (1.0, 2.0)],
+            vec![(0.0, 1e300), (1.0, -1e300)],
+            vec![(0.0, 1e-320), (1.0, 0.0)],
+            vec![(1.0, 1.0), (1.0, 1.0)],
+            vec![(f64::INFINITY, 0.0), (0.0, 0.0)],
+        ] {
+            let lines = [Line { kind: LineKind::Shown(7), points }];
+            let _ = plane(&lines, &WORDS);
+        }
+    }
+}

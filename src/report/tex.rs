@@ -1,0 +1,425 @@
+//! The report as LaTeX source, for an appendix or a letter to an editor: plain `pdflatex` compiles it.
+//!
+//! **In:** a derivation and its account. **Out:** one file that needs only `amsmath`, `amssymb`, `bm` and `longtable`, which
+//! every distribution has.
+//!
+//! **Guaranteed:** texts of the file are escaped: no command of theirs is carried out. Formulas are written anew from their
+//! syntax trees, so that only commands of the formula language reach LaTeX; a text that is no formula is set as it is,
+//! letter by letter. Letters that plain `pdflatex` does not know are replaced by commands or spelled out.
+
+use super::numbers::{count, size, time, value};
+use super::tally::{Group, Standing, declared, groups, name, says};
+use crate::check::{Account, ClaimAccount};
+use crate::derivation::{Derivation, FormKind};
+use crate::latex::{self, Scope, syntax};
+
+const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{amsmath,amssymb,bm,longtable}
+\usepackage[margin=25mm]{geometry}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt plus 2pt}
+\emergencystretch=3em
+\allowdisplaybreaks
+\begin{document}
+";
+
+/// The LaTeX source.
+pub fn tex(derivation: &Derivation, account: &Account) -> String {
+    let scope = &derivation.scope;
+    let mut out = PREAMBLE.to_owned();
+    out.push_str(&format!("\\section*{{{}}}\n\n", prose(&derivation.title, scope)));
+    out.push_str(&format!("What is checked: {}\n\n", prose(&derivation.concerns, scope)));
+    for text in derivation.source.iter().chain(&derivation.remark) {
+        out.push_str(&format!("{}\n\n", prose(text, scope)));
+    }
+    findings(derivation, account, &mut out);
+    if !derivation.conventions.is_empty() {
+        out.push_str("\\subsection*{Conventions}\n\\begin{description}\n");
+        for (key, text) in &derivation.conventions {
+            out.push_str(&format!("\\item[{}] {}\n", escaped(&key.replace('-', " ")), prose(text, scope)));
+        }
+        out.push_str("\\end{description}\n\n");
+    }
+    claims(derivation, account, &mut out);
+    trajectories(derivation, account, &mut out);
+    out.push_str(&format!(
+        "\\subsection*{{How it was made}}\n{} {}, from the file {}, SHA-256\\\\\\texttt{{\\footnotesize {}}}.\\\\\nTo repeat it: \
+         \\texttt{{{} check {}}}\n\n\\end{{document}}\n",
+        env!("CARGO_PKG_NAME"),
+        env!("CARGO_PKG_VERSION"),
+        escaped(&derivation.file.path),
+        derivation.sha256,
+        env!("CARGO_PKG_NAME"),
+        escaped(&derivation.file.path)
+    ));
+    out
+}
+
+fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
+    let s = account.summary();
+    out.push_str("\\subsection*{What was found}\n\n");
+    out.push_str(&format!(
+        "{} (each reading counted) on {}. Of the verdicts, {} are that the claim holds, {} that it fails, {} that it does \
+         not apply, {} are undecided; {} differ from what the derivation file expects.\n\n",
+        count(account.claims.len(), "claim"),
+        count(account.trajectories.len(), "trajectory"),
+        s.holds,
+        s.fails,
+        s.not_applicable,
+        s.undecided,
+        s.unexpected
+    ));
+    for standing in Standing::ALL {
+        let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
+        if found.is_empty() {
+            continue;
+        }
+        out.push_str(&format!(
+            "\\textbf{{{} {}:}}\n\\begin{{itemize}}\n",
+            count(found.len(), "claim"),
+            standing.words(found.len())
+        ));
+        for claim in found {
+            let says = prose(&says(derivation, claim), &derivation.scope);
+            out.push_str(&format!("\\item {}: {says}\n", escaped(&name(claim))));
+        }
+        out.push_str("\\end{itemize}\n\n");
+    }
+}
+
+fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
+    out.push_str("\\subsection*{Claims}\n\n");
+    for claim in &account.claims {
+        let declared = declared(derivation, claim);
+        let scope = declared.map_or(&derivation.scope, |d| &d.scope);
+        out.push_str(&format!(
+            "\\subsubsection*{{{}}}\n{}\n",
+            escaped(&name(claim)),
+            prose(&says(derivation, claim), scope)
+        ));
+        if let Some(place) = &claim.place {
+            out.push_str(&format!(" ({})", prose(place, scope)));
+        }
+        out.push_str("\n\n");
+        let kinds: Vec<FormKind> = declared.map(|d| d.formulas.iter().map(|f| f.kind).collect()).unwrap_or_default();
+        for (i, text) in claim.formulas.iter().enumerate() {
+            let kind = kinds.get(i).copied().unwrap_or(FormKind::Always);
+            let words = match kind {
+                FormKind::Always => "At every time",
+                FormKind::Never => "At no time",
+                FormKind::Eventually => "At some time",
+                FormKind::FirstIntegral => "Constant along the motion",
+                FormKind::Defined => "Has a real value at every time",
+                FormKind::Independent => "Independent functions",
+                FormKind::Solves => {
+                    out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
+                    continue;
+                }
+                FormKind::SameMotion => {
+                    out.push_str(&format!("The motion is that of the trajectory {}.\n\n", escaped(text)));
+                    continue;
+                }
+            };
+            out.push_str(&format!("{words}:\n{}\n", display(text, scope)));
+        }
+        if !claim.assumptions.is_empty() {
+            let all: Vec<String> = claim.assumptions.iter().map(|a| inline(a, scope)).collect();
+            out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
+        }
+        if let Some(identity) = &claim.identity {
+            out.push_str(&format!("For all values: {}\n\n", prose(&identity.sentence(), scope)));
+        }
+        for group in groups(claim) {
+            verdicts(&group, scope, out);
+        }
+        if let Some(remark) = &claim.remark {
+            out.push_str(&format!("\\emph{{Remark:}} {}\n\n", prose(remark, scope)));
+        }
+    }
+}
+
+/// The pairs of a claim with the same verdict, and the clearest witness of those that fail.
+fn verdicts(group: &Group<'_>, scope: &Scope, out: &mut String) {
+    let word = match group.word {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
+    };
+    let names: Vec<String> = group.pairs.iter().map(|p| escaped(&p.trajectory)).collect();
+    out.push_str(&format!("\\textbf{{{word}}} on {}", names.join(", ")));
+    if let (true, Some(expected)) = (group.unexpected, group.expected) {
+        out.push_str(&format!(" (\\textbf{{expected: {expected}}})"));
+    }
+    out.push_str(".\n\n");
+    let Some(telling) = group.telling() else { return };
+    let evidence = telling.verdict.evidence();
+    match (&evidence.witness, &evidence.residual) {
+        (Some(w), _) if group.word == "fails" => {
+            out.push_str(&format!(
+                "For instance on {} at $t={}$: left side ${}$, right side ${}$, error bound ${}$, in {}.\n\n",
+                escaped(&telling.trajectory),
+                power(&time(w.t)),
+                power(&value(w.left)),
+                power(&value(w.right)),
+                power(&size(w.bound)),
+                label(&w.formula, scope)
+            ));
+        }
+        (_, Some(r)) if group.word == "holds" => {
+            out.push_str(&format!(
+                "Largest residual ${}$, with an error bound of ${}$, on {} at $t={}$.\n\n",
+                power(&size(r.max)),
+                power(&size(r.bound)),
+                escaped(&telling.trajectory),
+                power(&time(r.at))
+            ));
+        }
+        _ => {
+            if let Some(reason) = &evidence.reason {
+                out.push_str(&format!(
+                    "For instance on {}: {}.\n\n",
+                    escaped(&telling.trajectory),
+                    prose(reason, scope)
+                ));
+            }
+        }
+    }
+}
+
+fn trajectories(derivation: &Derivation, account: &Account, out: &mut String) {
+    out.push_str(
+        "\\subsection*{Trajectories}\n\\begin{longtable}{p{0.28\\linewidth}p{0.4\\linewidth}p{0.2\\linewidth}}\n",
+    );
+    out.push_str("trajectory & what it is & error at most\\\\\n\\hline\n\\endhead\n");
+    for t in &account.trajectories {
+        out.push_str(&format!(
+            "{} & {} ($t$ from ${}$ to ${}$) & ${}$\\\\\n",
+            escaped(&t.id),
+            prose(&t.title, &derivation.scope),
+            power(&time(t.span.0)),
+            power(&time(t.span.1)),
+            power(&size(t.error))
+        ));
+    }
+    out.push_str("\\end{longtable}\n\n");
+}
+
+/// `1.2e-14` as 1.2·10⁻¹⁴.
+fn power(number: &str) -> String {
+    match number.split_once('e') {
+        Some((digits, exponent)) if exponent.parse::<i32>().is_ok() => format!("{digits}\\cdot 10^{{{exponent}}}"),
+        _ if number.chars().all(|c| c.is_ascii_digit() || "+-.".contains(c)) => number.to_owned(),
+        _ => format!("\\text{{{}}}", escaped(number)),
+    }
+}
+
+/// A formula inside a line.
+fn inline(text: &str, scope: &Scope) -> String {
+    match latex::parse(text, scope) {
+        Ok(chains) => {
+            let all: Vec<String> = chains.iter().map(|c| format!("${}$", syntax::to_latex(c))).collect();
+            all.join(", ")
+        }
+        Err(_) => format!("\\texttt{{{}}}", escaped(text)),
+    }
+}
+
+/// A formula on lines of its own.
+fn display(text: &str, scope: &Scope) -> String {
+    match latex::parse(text, scope) {
+        Ok(chains) => chains.iter().map(|c| format!("\\[{}\\]", syntax::to_latex(c))).collect::<Vec<_>>().join("\n"),
+        Err(_) => format!("\\begin{{quote}}\\texttt{{{}}}\\end{{quote}}", escaped(text)),
+    }
+}
+
+/// What a comparison is called: a formula, then perhaps its component.
+fn label(text: &str, scope: &Scope) -> String {
+    match text.split_once("   [") {
+        Some((head, component)) => {
+            format!("{}, component {}", inline(head, scope), inline(component.trim_end_matches(']'), scope))
+        }
+        None => inline(text, scope),
+    }
+}
+
+/// A text of the file: `$…$` and `` `…` `` are formulas where they can be read as such.
+fn prose(text: &str, scope: &Scope) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    while let Some(start) = rest.find(['$', '`']) {
+        let mark = &rest[start..=start];
+        let after = &rest[start + 1..];
+        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
+        out.push_str(&escaped(&rest[..start]));
+        out.push_str(&inline(&after[..end], scope));
+        rest = &after[end + 1..];
+    }
+    out + &escaped(rest)
+}
+
+/// Text in which nothing is a command.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '\\' => out.push_str(r"\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '%' | '_' => out.extend(['\\', c]),
+            '^' => out.push_str(r"\textasciicircum{}"),
+            '~' => out.push_str(r"\textasciitilde{}"),
+            '<' => out.push_str(r"\textless{}"),
+            '>' => out.push_str(r"\textgreater{}"),
+            '|' => out.push_str(r"\textbar{}"),
+            '"' => out.push_str("''"),
+            '`' => out.push_str(r"\textasciigrave{}"),
+            c if c.is_ascii_graphic() || c == ' ' => out.push(c),
+            // Letters of western languages are known to the font encoding.
+            '\u{a1}'..='\u{17f}' => out.push_str(&latin(c)),
+            c => out.push_str(&sign(c)),
+        }
+    }
+    out
+}
+
+/// A sign of the range Latin-1 and Latin Extended-A.
+fn latin(c: char) -> String {
+    match c {
+        '²' => "$^2$".into(),
+        '³' => "$^3$".into(),
+        '¹' => "$^1$".into(),
+        '·' => r"$\cdot$".into(),
+        '×' => r"$\times$".into(),
+        '÷' => r"$\div$".into(),
+        '±' => r"$\pm$".into(),
+        '°' => r"$^\circ$".into(),
+        '¬' => r"$\neg$".into(),
+        'µ' => r"$\mu$".into(),
+        '½' => r"$\frac12$".into(),
+        '§' => r"\S{}".into(),
+        c if c.is_alphabetic() => c.to_string(),
+        c => format!("[U+{:04X}]", u32::from(c)),
+    }
+}
+
+/// A sign that plain `pdflatex` does not know, as a command; spelled out where there is none.
+fn sign(c: char) -> String {
+    let command = match c {
+        'α' => "alpha",
+        'β' => "beta",
+        'γ' => "gamma",
+        'δ' => "delta",
+        'ε' => "varepsilon",
+        'ϵ' => "epsilon",
+        'ζ' => "zeta",
+        'η' => "eta",
+        'θ' => "theta",
+        'ϑ' => "vartheta",
+        'ι' => "iota",
+        'κ' => "kappa",
+        'λ' => "lambda",
+        'μ' => "mu",
+        'ν' => "nu",
+        'ξ' => "xi",
+        'π' => "pi",
+        'ρ' => "rho",
+        'σ' => "sigma",
+        'ς' => "varsigma",
+        'τ' => "tau",
+        'υ' => "upsilon",
+        'φ' => "varphi",
+        'ϕ' => "phi",
+        'χ' => "chi",
+        'ψ' => "psi",
+        'ω' => "omega",
+        'Γ' => "Gamma",
+        'Δ' => "Delta",
+        'Θ' => "Theta",
+        'Λ' => "Lambda",
+        'Ξ' => "Xi",
+        'Π' => "Pi",
+        'Σ' => "Sigma",
+        'Υ' => "Upsilon",
+        'Φ' => "Phi",
+        'Ψ' => "Psi",
+        'Ω' => "Omega",
+        '≠' => "ne",
+        '≤' => "le",
+        '≥' => "ge",
+        '≈' => "approx",
+        '≡' => "equiv",
+        '∈' => "in",
+        '∞' => "infty",
+        '∓' => "mp",
+        '→' => "rightarrow",
+        '⇒' => "Rightarrow",
+        '∥' => "parallel",
+        '√' => "surd",
+        '∂' => "partial",
+        'ℓ' => "ell",
+        'ℏ' => "hbar",
+        '⊥' => "perp",
+        '⋅' => "cdot",
+        _ => "",
+    };
+    if !command.is_empty() {
+        return format!("$\\{command}$");
+    }
+    match c {
+        '−' => "$-$".into(),
+        '–' => "--".into(),
+        '—' => "---".into(),
+        '“' => "``".into(),
+        '”' => "''".into(),
+        '‘' => "`".into(),
+        '’' => "'".into(),
+        '…' => r"\ldots{}".into(),
+        'ᵀ' => "$^T$".into(),
+        '⁻' => "$^{-}$".into(),
+        '₁' => "$_1$".into(),
+        '₂' => "$_2$".into(),
+        '₃' => "$_3$".into(),
+        '\u{a0}' | '\u{2009}' | '\u{202f}' => "~".into(),
+        'ℝ' => r"$\mathbb{R}$".into(),
+        // Spelled out, so that nothing is lost and nothing stops the compiler.
+        c => format!("[U+{:04X}]", u32::from(c)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    #[test]
+    fn no_text_is_a_command() {
+        let derivation = derivation();
+        for text in
+            [r"\input{secret}", r"\write18{rm}", "50 % of a_b^c & #1 {", "$\\input{x}$", "`\\end{document}`", "日本 🎾"]
+        {
+            let out = prose(text, &derivation.scope);
+            for bad in [r"\input", r"\write", r"\end{", "日", "🎾"] {
+                assert!(!out.contains(bad), "{text}: {out}");
+            }
+            assert!(!out.contains('%') || out.contains(r"\%"), "{out}");
+        }
+    }
+
+    #[test]
+    fn numbers_have_powers_of_ten() {
+        assert_eq!(power("1.2e-14"), r"1.2\cdot 10^{-14}");
+        assert_eq!(power("-0.5"), "-0.5");
+        assert_eq!(power("no value"), r"\text{no value}");
+    }
+
+    #[test]
+    fn the_source_is_whole() {
+        let out = tex(&derivation(), &sample::account());
+        assert!(out.starts_with(r"\documentclass") && out.ends_with("\\end{document}\n"));
+        assert_eq!(out.matches(r"\begin{").count(), out.matches(r"\end{").count());
+        assert!(out.contains(r"everywhere \textless{}sic\textgreater{}"));
+    }
+}
