@@ -17,7 +17,7 @@ mod matrix;
 mod set;
 mod step;
 
-pub use compiled::{Compiled, Reach};
+pub use compiled::{Compiled, Reach, Stretch};
 pub use step::Stop;
 
 use std::collections::BTreeMap;
