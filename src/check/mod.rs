@@ -13,6 +13,7 @@
 mod account;
 mod comparison;
 mod describe;
+mod enclose;
 pub mod identity;
 mod independence;
 mod limit;
@@ -29,6 +30,7 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use enclose::Rigor;
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};
@@ -49,6 +51,8 @@ pub struct Options {
     pub claims: Vec<String>,
     /// Only trajectories with these ids; all when empty.
     pub trajectories: Vec<String>,
+    /// How much is asked of a verdict.
+    pub rigor: Rigor,
 }
 
 /// Why a check could not be made.
@@ -166,7 +170,12 @@ pub fn check(
             Ok((verdicts, measured))
         })
         .collect();
-    let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
+    let mut columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
+    if options.rigor == Rigor::Enclosed {
+        let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
+        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
+        enclose::strengthen(&request, &mut columns).map_err(CheckError::Defect)?;
+    }
     let identities: Vec<Option<IdentityAccount>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {

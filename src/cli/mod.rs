@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use rederive::check::CheckError;
+use rederive::check::{CheckError, Rigor};
 use rederive::diag::{Diagnostic, render, sort};
 
 /// How a run ended.
@@ -89,6 +89,24 @@ enum Format {
     Json,
 }
 
+/// How much is asked of a verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum RigorArgument {
+    /// At finitely many times
+    Sampled,
+    /// At every time of the span where it is possible, with rounding accounted for
+    Enclosed,
+}
+
+impl From<RigorArgument> for Rigor {
+    fn from(argument: RigorArgument) -> Rigor {
+        match argument {
+            RigorArgument::Sampled => Rigor::Sampled,
+            RigorArgument::Enclosed => Rigor::Enclosed,
+        }
+    }
+}
+
 #[derive(clap::Args)]
 struct CheckArguments {
     /// Derivation files, or folders that contain them
@@ -103,6 +121,9 @@ struct CheckArguments {
     /// What is printed
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "sampled")]
+    rigor: RigorArgument,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
