@@ -3,8 +3,85 @@
 mod flow_support;
 
 use flow_support::{UNIT, World, rigid_states};
+use rederive::check::{Options, Outcome, Rigor, Strength, check};
+use rederive::derivation::load;
+use rederive::diag::render;
 use rederive::flow::{Enclosure, Setup, Source, VectorField};
 use rederive::number::Interval;
+use std::path::Path;
+
+/// The corpus states the truth. What is enclosed or certified must be it, also where samples are fooled.
+#[test]
+fn no_verdict_of_the_corpus_is_wrong() {
+    let (mut enclosed, mut certified) = (0, 0);
+    for file in ["forms", "opponent", "precision", "systems", "traps"] {
+        let path = format!("{}/tests/corpus/{file}.toml", env!("CARGO_MANIFEST_DIR"));
+        let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
+        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{file}: {e:?}"));
+        for claim in &account.claims {
+            for pair in &claim.results {
+                let outcome = pair.verdict.outcome();
+                let at = || format!("{file}: {} on {}: {:?}", claim.id, pair.trajectory, pair.verdict);
+                match outcome {
+                    Outcome::Holds(Strength::Enclosed) => enclosed += 1,
+                    Outcome::Fails(Strength::Enclosed) => certified += 1,
+                    Outcome::Holds(Strength::Sampled) | Outcome::Fails(Strength::Sampled) => {
+                        let reason = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
+                        assert!(reason.contains("not enclosed: "), "{}", at());
+                        continue;
+                    }
+                    _ => continue,
+                }
+                assert_eq!(pair.expected, Some(outcome.word()), "{}", at());
+            }
+        }
+    }
+    println!("{enclosed} enclosed, {certified} certified");
+    assert!(enclosed >= 20 && certified >= 20, "{enclosed} enclosed, {certified} certified");
+}
+
+/// A blow-up ends the enclosure, with its time and the width there.
+#[test]
+fn a_singularity_ends_the_enclosure() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = x^2"]).expect("solvable");
+    let e = enclose(&mut w, &field, &[("x", "1")], &[], &[], (0.0, 2.0));
+    let (_, end) = e.reach();
+    assert!(end > 0.9 && end < 1.0, "{end}");
+    let text = e.stop().expect("it stops").to_string();
+    assert!(text.contains("wide") && text.contains("t = 0.9"), "{text}");
+    assert!(e.state(Interval::point(1.0)).is_none());
+}
+
+/// Decimals are enclosed: 0.1 is not a binary number, and the exact motion e^(0.1·t) is inside.
+#[test]
+fn decimals_are_enclosed() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = k*x"]).expect("solvable");
+    let e = enclose(&mut w, &field, &[("x", "0.1")], &[("k", "0.1")], &[], (-5.0, 10.0));
+    let start = e.state(Interval::point(0.0)).expect("a start")[0];
+    assert!(start.lo() < start.hi() && start.contains(0.1));
+    let end = e.state(Interval::point(10.0)).expect("reached")[0];
+    assert!(end.contains(0.271_828_182_845_904_5) && end.width() < 1e-15);
+    assert!(e.state(Interval::point(-5.0)).expect("reached")[0].contains(0.060_653_065_971_263_34));
+}
+
+/// An angle is followed through whole turns in both directions, and its rate with it.
+#[test]
+fn angles_are_followed() {
+    let mut w = World::default();
+    let field = w.field(&["x", "y"], &["x' = -y", "y' = x"]).expect("solvable");
+    let observables = [("a~", "atan2(y, x)")];
+    let mut e = enclose(&mut w, &field, &[("x", "1"), ("y", "0")], &[], &observables, (-20.0, 30.0));
+    let roots = [w.e("a"), w.e("a'"), w.e("a - t")];
+    let compiled = e.compile(&mut w.graph, &roots).expect("known");
+    for t in [-19.5, -3.0, -0.5, 0.0, 0.5, 3.0, 3.14, 3.15, 9.0, 29.9] {
+        let values = e.value(&compiled, Interval::point(t));
+        let [Ok(angle), Ok(rate), Ok(gap)] = values[..] else { panic!("t = {t}: {values:?}") };
+        assert!(angle.contains(t) && angle.width() < 1e-12 && rate.contains(1.0) && gap.contains(0.0), "{t}: {angle}");
+    }
+}
 
 /// Encloses an integrated motion; observables whose name ends in `~` are angles.
 fn enclose(
@@ -18,7 +95,7 @@ fn enclose(
     let setup = Setup {
         time: w.leaf("t"),
         span,
-        initial_time: span.0.max(0.0_f64.min(span.1)),
+        initial_time: 0.0,
         parameters: w.pairs(parameters),
         source: Source::Integrated { field, initial: w.pairs(initial) },
         observables: w.observables(observables),

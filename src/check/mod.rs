@@ -170,12 +170,7 @@ pub fn check(
             Ok((verdicts, measured))
         })
         .collect();
-    let mut columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    if options.rigor == Rigor::Enclosed {
-        let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
-        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
-        enclose::strengthen(&request, &mut columns).map_err(CheckError::Defect)?;
-    }
+    let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
     let identities: Vec<Option<IdentityAccount>> = (0..claimed.len())
         .into_par_iter()
         .map(|k| {
@@ -189,6 +184,11 @@ pub fn check(
         .collect();
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    if options.rigor == Rigor::Enclosed {
+        let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
+        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
+        enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
+    }
     Ok(account)
 }
 

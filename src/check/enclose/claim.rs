@@ -8,10 +8,16 @@ use crate::derivation::{Claim, Form};
 use crate::expr::Expr;
 use crate::flow::{Compiled, Reach};
 use crate::latex::RelationKind;
-use crate::number::{Interval, NoValue};
+use crate::number::{Bounded, Interval, NoValue};
 
-/// A residual contradicts a sampled `holds` only beyond this many times the precision: scales are estimates.
-const CONTRADICTION: f64 = 100.0;
+/// Sides that differ for certain refute a claim that holds on samples only if they differ by this many times what the
+/// precision allows.
+const CLEARLY: f64 = 10.0;
+/// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
+const DISAGREEMENT: f64 = 100.0;
+
+/// The residuals of all comparisons of a claim at a time, as samples see them: `None` for a comparison without a value.
+pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;
 
 /// Adds to a sampled verdict why it is not stronger.
 pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
@@ -34,11 +40,14 @@ enum Shown {
     Nothing(String),
 }
 
-/// A group, compiled with the assumptions: per sign and comparison the difference of the sides, both sides, and the size of
-/// the terms, after the differences of the assumptions.
+/// A group, compiled with the assumptions.
 struct Ready<'a> {
     group: &'a Group,
+    /// The differences of the assumptions, then, for each sign and comparison, that of its sides; for a claim that something
+    /// is defined, the left side.
     compiled: Compiled,
+    /// For each of the above: left side, right side, size of the terms.
+    sides: Compiled,
     /// Assumptions: kind, and whether it is an equation.
     assumptions: Vec<(RelationKind, bool, f64)>,
     signs: usize,
@@ -68,11 +77,18 @@ fn median(mut sizes: Vec<f64>) -> f64 {
 }
 
 impl<'a> Ready<'a> {
-    fn new(program: &'a Program, group: &'a Group, precision: f64, along: &mut Along, claim: &Claim) -> Result<Ready<'a>, String> {
+    fn new(
+        program: &'a Program,
+        (how, group): (&Use, &'a Group),
+        along: &mut Along,
+        claim: &Claim,
+    ) -> Result<Ready<'a>, String> {
+        let precision = claim.precision;
+        let defined = matches!(how, Use::Defined);
         let signs = if group.branching { 2 } else { 1 };
         let sign = claim.scope.branch_sign();
         let (plus, minus) = (along.graph.integer(1), along.graph.integer(-1));
-        let mut roots: Vec<Expr> = Vec::new();
+        let (mut roots, mut sides): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
         let mut assumptions = Vec::new();
         for assumption in &program.assumptions {
             if assumption.group.branching {
@@ -80,7 +96,7 @@ impl<'a> Ready<'a> {
             }
             for c in &assumption.group.comparisons {
                 roots.push(along.graph.sub(c.left, c.right));
-                roots.push(c.magnitude);
+                sides.extend([c.left, c.right, c.magnitude]);
                 assumptions.push((c.kind, assumption.throughout, 0.0));
             }
         }
@@ -90,11 +106,14 @@ impl<'a> Ready<'a> {
                 let graph = &mut along.graph;
                 let [left, right, size] =
                     [c.left, c.right, c.magnitude].map(|e| graph.substitute(e, |_, l| (l == sign).then_some(with)));
-                roots.extend([graph.sub(left, right), left, right, size]);
+                let value = defined && c.kind == RelationKind::Equal;
+                roots.push(if value { left } else { graph.sub(left, right) });
+                sides.extend([left, right, size]);
             }
         }
-        let compiled = along.enclosure.compile(&mut along.graph, &roots).map_err(|e| e.to_string())?;
-        let mut ready = Ready { group, compiled, assumptions, signs, scale: 1.0, precision };
+        let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots).map_err(|e| e.to_string());
+        let (compiled, sides) = (compile(&roots)?, compile(&sides)?);
+        let mut ready = Ready { group, compiled, sides, assumptions, signs, scale: 1.0, precision };
         ready.weigh(along);
         Ok(ready)
     }
@@ -106,23 +125,24 @@ impl<'a> Ready<'a> {
         times = times.into_iter().step_by(every).collect();
         let points: Vec<_> = times
             .iter()
-            .map(|t| along.enclosure.value(&self.compiled, Interval::point(t.mid())))
+            .map(|t| along.enclosure.value(&self.sides, Interval::point(t.mid())))
             .collect();
+        // A lower bound: what may be 0 has no size.
         let size = |at: usize| {
-            median(points.iter().filter_map(|p| p.get(at)?.as_ref().ok().map(Interval::magnitude)).collect())
+            median(points.iter().filter_map(|p| p.get(3 * at + 2)?.as_ref().ok().map(Interval::lo)).collect())
         };
         let count = self.group.comparisons.len() * self.signs;
-        let typical = (0..count).map(|i| size(self.place(0, i) + 3)).fold(0.0, f64::max);
+        let typical = (0..count).map(|i| size(self.assumptions.len() + i)).fold(0.0, f64::max);
         self.scale = if typical > 0.0 { typical } else { 1.0 };
         for i in 0..self.assumptions.len() {
-            let typical = size(2 * i + 1);
+            let typical = size(i);
             self.assumptions[i].2 = if typical > 0.0 { typical } else { 1.0 };
         }
     }
 
     /// Where the difference of a comparison stands.
     fn place(&self, sign: usize, comparison: usize) -> usize {
-        2 * self.assumptions.len() + 4 * (sign * self.group.comparisons.len() + comparison)
+        self.assumptions.len() + sign * self.group.comparisons.len() + comparison
     }
 
     /// Whether the assumptions that select times hold on a stretch: for certain, for certain not, or unknown.
@@ -132,7 +152,7 @@ impl<'a> Ready<'a> {
             if throughout {
                 continue;
             }
-            match &ranges[2 * i] {
+            match &ranges[i] {
                 Err(NoValue::OutOfDomain) => return Some(false),
                 Err(_) => all = None,
                 Ok(reach) => match certain(kind, reach.range()) {
@@ -153,7 +173,7 @@ impl<'a> Ready<'a> {
         along.cover(&self.compiled, |_, ranges| {
             for (i, &(_, throughout, scale)) in self.assumptions.iter().enumerate() {
                 let most = self.precision * scale;
-                match &ranges[2 * i] {
+                match &ranges[i] {
                     _ if !throughout => {}
                     Ok(r) if r.range().magnitude() <= most => {}
                     Ok(r) => return Judgement::Open(format!("an assumption is only known within {:.1e}", r.range().magnitude())),
@@ -204,6 +224,13 @@ impl<'a> Ready<'a> {
         (0..self.group.comparisons.len()).any(|c| matches!(ranges[place(c)], Err(NoValue::OutOfDomain)))
     }
 
+    /// Both sides at a time.
+    fn sides_at(&self, along: &Along, t: f64, place: usize) -> Option<(Interval, Interval)> {
+        let values = along.enclosure.value(&self.sides, Interval::point(t));
+        let side = |k: usize| values.get(3 * place + k)?.as_ref().ok().copied();
+        Some((side(0)?, side(1)?))
+    }
+
     /// A point at which every sign of ± fails, assumptions being met.
     fn witness(&self, along: &mut Along, t: f64, values: Vec<(String, f64)>) -> Option<Witness> {
         let time = Interval::point(t);
@@ -217,8 +244,8 @@ impl<'a> Ready<'a> {
             worst.get_or_insert((s, c));
         }
         let (s, c) = worst?;
-        let at = |offset: usize| ranges[self.place(s, c) + offset].as_ref().ok().map(Reach::range);
-        let (left, right, difference) = (at(1)?, at(2)?, at(0)?);
+        let difference = ranges[self.place(s, c)].as_ref().ok()?.range();
+        let (left, right) = self.sides_at(along, t, self.place(s, c))?;
         let formula = self.group.comparisons[c].label.clone();
         Some(Witness { t, formula, left: left.mid(), right: right.mid(), bound: difference.width(), values })
     }
@@ -228,7 +255,13 @@ impl<'a> Ready<'a> {
 ///
 /// # Errors
 /// A contradiction between an enclosure and samples.
-pub(super) fn strengthen(claim: &Claim, program: &Program, along: &mut Along, verdict: &mut Verdict) -> Result<(), String> {
+pub(super) fn strengthen(
+    claim: &Claim,
+    program: &Program,
+    along: &mut Along,
+    sampled: Sampled,
+    verdict: &mut Verdict,
+) -> Result<(), String> {
     let outcome = verdict.outcome();
     if matches!(outcome, Outcome::NotApplicable | Outcome::Holds(Strength::Enclosed | Strength::Proved)) {
         return Ok(());
@@ -252,19 +285,27 @@ pub(super) fn strengthen(claim: &Claim, program: &Program, along: &mut Along, ve
     }
     let mut reasons = Vec::new();
     for (how, group) in &program.groups {
-        let shown = match Ready::new(program, group, claim.precision, along, claim) {
+        let shown = match Ready::new(program, (how, group), along, claim) {
             Ok(ready) => part(claim, how, &ready, along)?,
             Err(reason) => Shown::Nothing(reason),
         };
         match shown {
             Shown::Holds(reason) => reasons.push(reason),
             Shown::Fails(witness, reason) => {
-                if let Outcome::Holds(_) = outcome {
-                    let Witness { t, left, right, .. } = witness;
-                    return Err(format!(
-                        "samples say that it holds, and an enclosure excludes it at t = {t}, where the sides are {left} and \
-                         {right}"
-                    ));
+                let Witness { t, left, right, bound, .. } = witness;
+                let same = group.comparisons.iter().find(|c| c.label == witness.formula).filter(|_| !group.branching);
+                if let Some(seen) = same.and_then(|c| sampled(c, t)) {
+                    // Between samples anything may happen; at one time both routes must find the same.
+                    let (gap, size) = ((seen.value - (left - right)).abs(), left.abs() + right.abs());
+                    if gap > DISAGREEMENT * (seen.error + bound + f64::EPSILON * size) {
+                        return Err(format!(
+                            "at t = {t} the sides differ by {} ± {:.1e} on the sampled motion, and by {} ± {bound:.1e} on \
+                             the enclosed one",
+                            seen.value,
+                            seen.error,
+                            left - right
+                        ));
+                    }
                 }
                 let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
                 *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);
@@ -294,7 +335,7 @@ fn certify(claim: &Claim, program: &Program, along: &mut Along, verdict: &mut Ve
         if !matches!(how, Use::Always | Use::Never(_)) {
             continue;
         }
-        let found = Ready::new(program, group, claim.precision, along, claim).and_then(|ready| {
+        let found = Ready::new(program, (how, group), along, claim).and_then(|ready| {
             ready.presupposed(along)?;
             match how {
                 Use::Never(_) => occurs(&ready, along, &sampled),
@@ -388,7 +429,7 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
                 reach.map_or(0.0, |r| r.range().mignitude())
             };
             let least = (0..ready.signs).map(size).fold(f64::INFINITY, f64::min);
-            apart = Some((time.mid(), usize::from(least > CONTRADICTION * ready.precision * ready.scale)));
+            apart = Some((time.mid(), usize::from(least > CLEARLY * ready.precision * ready.scale)));
             return Judgement::Stop(format!(
                 "at t = {:.6} the sides differ for certain, by at least {least:.1e}, which samples do not see",
                 time.mid()
@@ -439,7 +480,7 @@ fn defined(ready: &Ready, along: &mut Along) -> Shown {
         }
         for (c, comparison) in ready.group.comparisons.iter().enumerate() {
             if comparison.kind == RelationKind::Equal
-                && let Err(reason) = &ranges[ready.place(0, c) + 1]
+                && let Err(reason) = &ranges[ready.place(0, c)]
             {
                 return Judgement::Open(format!("`{}`: {reason}", comparison.label));
             }
@@ -527,11 +568,10 @@ fn eventually(ready: &Ready, along: &mut Along) -> Shown {
         (Ok(_), true) => {
             let t = along.span.0;
             let ranges = along.over(&ready.compiled, Interval::point(t));
-            let at = |k: usize| ranges[place + k].as_ref().ok().map(Reach::range);
-            match (at(0), at(1), at(2)) {
-                (Some(d), Some(left), Some(right)) => {
+            match (&ranges[place], ready.sides_at(along, t, place)) {
+                (Ok(reach), Some((left, right))) => {
                     let formula = ready.group.comparisons[0].label.clone();
-                    let (left, right, bound) = (left.mid(), right.mid(), d.width());
+                    let (left, right, bound) = (left.mid(), right.mid(), reach.range().width());
                     let witness = Witness { t, formula, left, right, bound, values: Vec::new() };
                     Shown::Fails(witness, "excluded at every time of the span".to_owned())
                 }

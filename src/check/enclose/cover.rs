@@ -12,7 +12,7 @@ const DEGREE: usize = 10;
 /// Stretches are halved down to this part of the span.
 const SHORTEST: f64 = 1e-6;
 /// Most stretches that are looked at for one thing.
-const MOST: usize = 1_500;
+const MOST: usize = 1_000;
 
 /// An enclosed motion, with the stretches that were looked at before.
 pub(super) struct Along {

@@ -19,13 +19,17 @@
 //! `scale` is the median size of the terms along the motion. Equations among the assumptions must themselves be enclosed.
 //! *Certified* means that there is a time, in the span, at which the assumptions hold and the relation does not.
 //!
-//! **An enclosure never contradicts a sample.** If it did, one of the two would be wrong, and the run stops as defective.
+//! An enclosure may find what lies between samples, and refute what held on all of them. But **at one and the same time the
+//! two never contradict each other**: if they did, one of them would be wrong, and the run stops as defective.
 
 mod claim;
 mod cover;
 
 use super::stage::{Fields, Stage, setup};
-use super::{Column, Prepared};
+use super::account::ClaimAccount;
+use super::comparison::Comparison;
+use super::verdict::{Outcome, Strength, Verdict};
+use super::Prepared;
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::Graph;
 use crate::flow::Enclosure;
@@ -52,13 +56,22 @@ pub(super) struct Request<'a> {
     pub tried: &'a [usize],
 }
 
-/// Strengthens the verdicts of all columns.
+/// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
+type Change = (usize, usize, Verdict);
+
+/// Strengthens the verdicts that are not proved.
 ///
 /// # Errors
 /// A description of an enclosure that contradicts a sampled verdict.
-pub(super) fn strengthen(request: &Request, columns: &mut [Column]) -> Result<(), String> {
-    let pairs: Vec<(&mut Column, usize)> = columns.iter_mut().zip(request.tried.iter().copied()).collect();
-    pairs.into_par_iter().try_for_each(|(column, t)| one_motion(request, t, column))
+pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+    let changes: Vec<Result<Vec<Change>, String>> =
+        request.tried.par_iter().map(|&t| one_motion(request, t, claims)).collect();
+    for change in changes {
+        for (k, at, verdict) in change? {
+            claims[k].results[at].verdict = verdict;
+        }
+    }
+    Ok(())
 }
 
 /// The enclosure of a motion, and of those that it comes from.
@@ -72,21 +85,39 @@ fn enclosure(request: &Request, graph: &mut Graph, t: usize) -> Result<Enclosure
     Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())
 }
 
-fn one_motion(request: &Request, t: usize, column: &mut Column) -> Result<(), String> {
+fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
     let trajectory = &request.derivation.trajectories[t];
+    let open = |v: &Verdict| match v.outcome() {
+        Outcome::Holds(strength) | Outcome::Fails(strength) => strength == Strength::Sampled,
+        Outcome::Undecided => true,
+        Outcome::NotApplicable => false,
+    };
+    let mut changes: Vec<Change> = Vec::new();
+    for (k, claim) in claims.iter().enumerate() {
+        let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
+        changes.extend(here.filter(|(_, r)| open(&r.verdict)).map(|(at, r)| (k, at, r.verdict.clone())));
+    }
+    if changes.is_empty() {
+        return Ok(changes);
+    }
     let mut graph = request.derivation.graph.clone();
     let mut along = match enclosure(request, &mut graph, t) {
         Ok(enclosure) => Along::new(enclosure, graph, trajectory.span),
         Err(reason) => {
-            column.0.iter_mut().flatten().for_each(|v| claim::remark(v, &reason));
-            return Ok(());
+            changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
+            return Ok(changes);
         }
     };
-    for (k, verdict) in column.0.iter_mut().enumerate() {
-        let Some(verdict) = verdict else { continue };
-        let prepared = &request.prepared[k][request.start_of[t]];
-        claim::strengthen(prepared.claim, &prepared.program, &mut along, verdict)
+    for (k, _, verdict) in &mut changes {
+        let prepared = &request.prepared[*k][request.start_of[t]];
+        let program = &prepared.program;
+        let sampled = |comparison: &Comparison, time: f64| {
+            let at = program.position(comparison)?;
+            let values = request.stage.values(t, time);
+            program.measure(&values, 1.0, &mut None).get(at)?.as_ref().ok().map(|m| m.difference)
+        };
+        claim::strengthen(prepared.claim, program, &mut along, &sampled, verdict)
             .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;
     }
-    Ok(())
+    Ok(changes)
 }

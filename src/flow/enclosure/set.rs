@@ -159,6 +159,12 @@ pub(super) mod faults {
         pub static NO_ROTATION: Cell<bool> = const { Cell::new(false) };
         pub static LOST_DIRECTIONS: Cell<bool> = const { Cell::new(false) };
         pub static NO_REMAINDER: Cell<bool> = const { Cell::new(false) };
+        /// No mistake: steps so long that their remainders count.
+        pub static LONG_STEPS: Cell<bool> = const { Cell::new(false) };
+    }
+
+    pub fn long_steps() -> bool {
+        LONG_STEPS.get()
     }
 
     pub fn no_rotation() -> bool {
@@ -175,6 +181,10 @@ pub(super) mod faults {
 /// There are none.
 #[cfg(not(test))]
 pub(super) mod faults {
+    #[inline(always)]
+    pub fn long_steps() -> bool {
+        false
+    }
     #[inline(always)]
     pub fn no_rotation() -> bool {
         false
