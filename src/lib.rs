@@ -25,6 +25,14 @@
 //!
 //! `tests/layering.rs` keeps these rules.
 
+#[cfg(test)]
+extern crate self as rederive;
+
+/// The notation of the tests, for those beside the code.
+#[cfg(test)]
+#[path = "../tests/flow_support/mod.rs"]
+mod flow_support;
+
 pub mod check;
 pub mod derivation;
 pub mod diag;

@@ -78,7 +78,7 @@ fn fails_when_pasted(text: &str, account: &SearchAccount) {
     }
     let mut derivation = read(&text);
     let id = found.claim.split('/').next().unwrap_or_default().to_owned();
-    let options = Options { claims: vec![id], trajectories: vec![found.id.clone()], plain: false };
+    let options = Options { claims: vec![id], trajectories: vec![found.id.clone()], ..Options::default() };
     let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     let reading = found.claim.split('/').nth(1);
     let claim = account.claims.iter().find(|c| c.reading.as_deref() == reading).expect("the claim is tried");

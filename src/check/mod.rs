@@ -14,6 +14,7 @@ mod account;
 mod between;
 mod comparison;
 mod describe;
+mod enclose;
 pub mod identity;
 mod independence;
 mod limit;
@@ -47,6 +48,7 @@ pub use variant::{
     AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
     altered_formulas, says_the_same,
 };
+pub use enclose::Rigor;
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -70,6 +72,8 @@ pub struct Options {
     pub trajectories: Vec<String>,
     /// No variants: the verdicts alone.
     pub plain: bool,
+    /// How much is asked of a verdict.
+    pub rigor: Rigor,
 }
 
 /// Why a check could not be made.
@@ -232,6 +236,11 @@ fn check_claims(
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    if options.rigor == Rigor::Enclosed {
+        let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
+        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
+        enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
+    }
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };

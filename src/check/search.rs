@@ -13,7 +13,7 @@
 //! still fails.
 
 use super::verdict::{Outcome, Verdict};
-use super::{CheckError, Options, check_claims};
+use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::{Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::Source;
 use crate::latex::Role;
@@ -315,7 +315,7 @@ impl Trial<'_> {
                 read.measures.clear();
                 let claims = self.names.iter().map(|n| n.split('/').next().unwrap_or(n).to_owned()).collect();
                 let trajectories = (0..drafts.len()).map(id).collect();
-                match check_claims(&mut read, &Options { claims, trajectories, plain: true }, &|_, _| {}) {
+                match check_claims(&mut read, &Options { claims, trajectories, plain: true, rigor: Rigor::Sampled }, &|_, _| {}) {
                     Ok(account) => Some(account),
                     Err(CheckError::Problems(_)) => None,
                     Err(defect) => return Err(defect),

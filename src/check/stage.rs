@@ -18,7 +18,7 @@ use super::trial::{Course, Values};
 use crate::derivation::{Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{FlowError, Motion, Observable, Search, Setup, Source, VectorField, Zeros};
+use crate::flow::{Motion, Observable, Search, Setup, Source, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -198,6 +198,11 @@ impl Stage {
         self.built(trajectory).map(|b| b.motion.as_ref())
     }
 
+    /// A motion that others come from, and the symbols that it knows.
+    pub fn source(&self, trajectory: usize) -> Option<(Arc<Motion>, &[Symbol])> {
+        self.built(trajectory).map(|b| (Arc::clone(&b.motion), b.known.as_slice()))
+    }
+
     /// The values of the wanted leaves on a motion at a time.
     pub fn values(&self, trajectory: usize, t: f64) -> Values {
         let Some(built) = self.built(trajectory) else { return Values::new() };
@@ -333,8 +338,10 @@ fn family(
                 },
                 _ => None,
             };
-            match setup(derivation, fields, &mut graph, trajectory, from) {
-                Ok((motion, known)) => {
+            let from = from.map(|b| (Arc::clone(&b.motion), b.known.as_slice()));
+            let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false);
+            match Motion::new(&mut graph, setup) {
+                Ok(motion) => {
                     let built = prepare(derivation, requests, &mut graph, t, motion, known)?;
                     done.push((t, built));
                 }
@@ -354,21 +361,24 @@ fn family(
     if problems.is_empty() { Ok(done) } else { Err(CheckError::Problems(problems)) }
 }
 
-/// A motion, and the symbols that it knows.
-fn setup(
+/// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
+/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`.
+pub(super) fn setup<'a>(
     derivation: &Derivation,
-    fields: &Fields,
+    fields: &'a Fields,
     graph: &mut Graph,
     trajectory: &Trajectory,
-    from: Option<&Built>,
-) -> Result<(Motion, Vec<Symbol>), FlowError> {
+    from: Option<(Arc<Motion>, &[Symbol])>,
+    exact: bool,
+) -> (Setup<'a>, Vec<Symbol>) {
     let Derivation { scope, systems, symbols, claims, .. } = derivation;
     let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
     let mut known = vec![fields.time.symbol];
     for (symbol, value) in &trajectory.parameters {
         parameters.retain(|(l, _)| l.symbol != *symbol);
-        let rounded: Vec<Expr> = value.value.iter().map(|&e| rounded(graph, e)).collect();
-        parameters.extend(paired(graph, *symbol, 0, &rounded));
+        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
+        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
+        parameters.extend(paired(graph, *symbol, 0, &values));
         known.push(*symbol);
     }
     let source = match (&trajectory.motion, from) {
@@ -383,7 +393,7 @@ fn setup(
         }
         (Given::Derived { map, .. }, from) => {
             let mut states: Vec<(Leaf, Expr)> = Vec::new();
-            let kept = from.map_or(&[][..], |b| b.known.as_slice());
+            let kept = from.as_ref().map_or(&[][..], |(_, known)| known);
             for &symbol in kept.iter().filter(|&&s| scope.role(s) == Some(Role::State)) {
                 if map.iter().any(|(s, _)| *s == symbol) {
                     continue;
@@ -399,7 +409,7 @@ fn setup(
                 known.push(*symbol);
             }
             match from {
-                Some(built) => Source::Derived { from: Arc::clone(&built.motion), states },
+                Some((motion, _)) => Source::Derived { from: motion, states },
                 None => Source::Formula { states },
             }
         }
@@ -418,8 +428,7 @@ fn setup(
         }
     }
     let (span, initial_time) = (trajectory.span, trajectory.initial_time);
-    let setup = Setup { time: fields.time, span, initial_time, parameters, source, observables };
-    Ok((Motion::new(graph, setup)?, known))
+    (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
 }
 
 /// Compiles what points need, and finds the events.

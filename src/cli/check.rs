@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
+use rederive::check::{Account, CheckError, ClaimAccount, Options, Rigor, Summary};
 use rederive::derivation::Derivation;
 use rederive::report;
 
@@ -32,7 +32,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
     for (i, mut derivation) in derivations.into_iter().enumerate() {
-        let account = match account(&mut derivation, claims, trajectories) {
+        let account = match account(&mut derivation, claims, trajectories, arguments.rigor.into()) {
             Ok(account) => account,
             // The other files may have problems, too, or be good.
             Err(CheckError::Problems(noted)) => {
@@ -88,7 +88,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
 /// Checks one derivation, with a progress bar on a terminal if it takes long.
 ///
 /// `claims` are ids, or `id/reading` for one reading; all if empty, as for trajectories.
-pub fn account(derivation: &mut Derivation, claims: &[String], trajectories: &[String]) -> Result<Account, CheckError> {
+pub fn account(
+    derivation: &mut Derivation,
+    claims: &[String],
+    trajectories: &[String],
+    rigor: Rigor,
+) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
         && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
@@ -106,7 +111,7 @@ pub fn account(derivation: &mut Derivation, claims: &[String], trajectories: &[S
         bar.set_position(done as u64);
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
-    let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..Options::default() };
+    let options = Options { claims: ids, trajectories: trajectories.to_vec(), rigor, ..Options::default() };
     let account = rederive::check::check(derivation, &options, &progress);
     bar.finish_and_clear();
     account.map(|mut account| {

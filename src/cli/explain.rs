@@ -1,5 +1,6 @@
 //! `rederive explain`.
 
+use rederive::check::Rigor;
 use rederive::report;
 
 use super::{Exit, ExplainArguments, Stop, check, files, print};
@@ -11,7 +12,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     derivations.retain(|d| files::concerns(d, &claims, &arguments.on));
     let mut shown = 0;
     for derivation in &mut derivations {
-        let account = check::account(derivation, &claims, &arguments.on)?;
+        let account = check::account(derivation, &claims, &arguments.on, Rigor::Sampled)?;
         shown += account.claims.iter().map(|c| c.results.len()).sum::<usize>();
         print(&report::explain(derivation, &account, true))?;
     }

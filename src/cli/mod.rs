@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
-use rederive::check::CheckError;
+use rederive::check::{CheckError, Rigor};
 use rederive::diag::{Diagnostic, render, sort};
 
 /// How a run ended.
@@ -115,6 +115,24 @@ impl Format {
     }
 }
 
+/// How much is asked of a verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum RigorArgument {
+    /// At finitely many times
+    Sampled,
+    /// At every time of the span where it is possible, with rounding accounted for
+    Enclosed,
+}
+
+impl From<RigorArgument> for Rigor {
+    fn from(argument: RigorArgument) -> Rigor {
+        match argument {
+            RigorArgument::Sampled => Rigor::Sampled,
+            RigorArgument::Enclosed => Rigor::Enclosed,
+        }
+    }
+}
+
 #[derive(clap::Args)]
 struct CheckArguments {
     /// Derivation files, or folders that contain them
@@ -135,6 +153,9 @@ struct CheckArguments {
     /// The two together.
     #[arg(skip)]
     targets: Vec<outputs::Target>,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "sampled")]
+    rigor: RigorArgument,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,

@@ -82,6 +82,7 @@ impl Found {
             Format::Text if quiet => each(&|d, a| report::exceptions(d, a, false), ""),
             Format::Text => each(&|d, a| report::summary(d, a, false), "\n"),
             Format::Json => each(&report::json, ""),
+            Format::Tex => each(&report::tex, "\n"),
             Format::Junit => report::junit(&checked, &self.others),
             Format::Sarif => report::sarif(&self.findings),
             Format::Github => report::github(&self.findings),

@@ -27,6 +27,8 @@ mod slope;
 pub use bounded::Bounded;
 pub use dashu_ratio::RBig as Rational;
 pub use finite::{Finite, FiniteField, is_prime};
+#[cfg(test)]
+pub(crate) use interval::faults as interval_faults;
 pub use interval::{Continuity, Interval};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};

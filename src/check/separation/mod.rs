@@ -18,7 +18,7 @@ pub use account::{AssumptionAccount, ConditionName, ConditionsAccount, Explanati
 
 use super::account::Account;
 use super::verdict::Outcome;
-use super::{CheckError, Options, check_claims};
+use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::Derivation;
 use candidates::Candidate;
 
@@ -48,7 +48,7 @@ pub(super) fn separate(
     derivation.claims.extend(candidates.iter().map(|c| c.claim.clone()));
     derivation.claims.extend(dropped.iter().map(|d| d.claim.clone()));
     let claims = derivation.claims[own..].iter().map(|c| c.id.clone()).collect();
-    let options = Options { claims, trajectories: options.trajectories.clone(), plain: true };
+    let options = Options { claims, trajectories: options.trajectories.clone(), plain: true, rigor: Rigor::Sampled };
     let probed = check_claims(derivation, &options, &|_, _| {});
     derivation.claims.truncate(own);
     let probed = probed?;

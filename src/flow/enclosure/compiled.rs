@@ -38,6 +38,23 @@ pub struct Reach {
     wide: Vec<Interval>,
 }
 
+/// The states over a stretch of time, expanded: around its middle, and over all of it.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    time: Interval,
+    degree: usize,
+    wide: Result<Vec<Interval>, NoValue>,
+    narrow: Result<Vec<Interval>, NoValue>,
+    plain: Result<Vec<Interval>, NoValue>,
+}
+
+impl Stretch {
+    /// The times.
+    pub fn time(&self) -> Interval {
+        self.time
+    }
+}
+
 impl Reach {
     /// The times.
     pub fn stretch(&self) -> Interval {
@@ -112,45 +129,43 @@ impl Enclosure {
         Ok(Compiled { tape, inputs, moving })
     }
 
-    /// The series of all roots around all times of an interval.
+    /// The series of the states around all times of an interval.
+    fn states(&self, time: Interval, degree: usize) -> Result<Vec<Interval>, NoValue> {
+        let Some(tube) = self.tube.as_deref() else { return Ok(Vec::new()) };
+        let state = self.state(time).ok_or(NoValue::Indeterminate)?;
+        if degree == 0 {
+            return Ok(state);
+        }
+        let mut coefficients = vec![Interval::ZERO; state.len() * (degree + 1)];
+        let flow = &tube.field.flow;
+        let mut field = flow.slots(degree, &tube.field.constants);
+        flow.expand(&mut field, degree, time, &state, &mut coefficients).map_err(|(_, reason)| reason)?;
+        Ok(coefficients)
+    }
+
+    /// The series of all roots around the times of an interval, of which `of` is the stretch that decides on angles.
     fn series(
         &self,
         compiled: &Compiled,
         time: Interval,
         degree: usize,
         of: Interval,
+        states: &Result<Vec<Interval>, NoValue>,
     ) -> Vec<Result<Vec<Interval>, NoValue>> {
         let orders = Orders::all(degree);
         let row = degree + 1;
         let mut slots = compiled.tape.slots::<Jet<Interval>>(&orders);
-        let mut coefficients = Vec::new();
-        let mut missing = None;
-        if let Some(tube) = self.tube.as_deref().filter(|_| compiled.moving) {
-            match self.state(time) {
-                None => missing = Some(NoValue::Indeterminate),
-                Some(state) => {
-                    coefficients = vec![Interval::ZERO; state.len() * row];
-                    let flow = &tube.field.flow;
-                    let mut field = flow.slots(degree, &tube.field.constants);
-                    let grown = flow.expand(&mut field, degree, time, &state, &mut coefficients);
-                    missing = grown.err().map(|(_, reason)| reason);
-                }
-            }
-        }
         for (at, input) in compiled.inputs.iter().enumerate() {
             let value = match *input {
                 Input::Time => Ok(Jet::variable(time, Interval::point(1.0), &orders)),
                 Input::Constant(i) => self.constants[i].1.map(|c| Jet::constant(c, &orders)),
                 Input::Turns(i) => self.angles[i].turns(of).map(|(turns, _)| Jet::constant(turns, &orders)),
                 Input::Side(i) => self.angles[i].turns(of).map(|(_, side)| Jet::constant(side, &orders)),
-                Input::State(i) => match missing {
-                    Some(reason) => Err(reason),
-                    None => {
-                        let mut jet = Jet::constant(coefficients[i * row], &orders);
-                        (1..row).for_each(|k| jet.set_coefficient(k, coefficients[i * row + k]));
-                        Ok(jet)
-                    }
-                },
+                Input::State(i) => states.as_ref().map_err(|&reason| reason).map(|coefficients| {
+                    let mut jet = Jet::constant(coefficients[i * row], &orders);
+                    (1..row).for_each(|k| jet.set_coefficient(k, coefficients[i * row + k]));
+                    jet
+                }),
             };
             slots.set(at, value);
         }
@@ -164,24 +179,34 @@ impl Enclosure {
 
     /// All values of the roots over an interval of times.
     pub fn value(&self, compiled: &Compiled, time: Interval) -> Vec<Result<Interval, NoValue>> {
-        self.series(compiled, time, 0, time).into_iter().map(|s| s.map(|s| s[0])).collect()
+        let states = if compiled.moving { self.states(time, 0) } else { Ok(Vec::new()) };
+        self.series(compiled, time, 0, time, &states).into_iter().map(|s| s.map(|s| s[0])).collect()
     }
 
-    /// What the roots do over an interval of times, by polynomials of a degree.
+    /// The states over a stretch of time, for any number of calls of [`Enclosure::over`], by polynomials of a degree.
+    pub fn stretch(&self, time: Interval, degree: usize) -> Stretch {
+        let middle = Interval::point(time.mid());
+        let (wide, narrow) = (self.states(time, degree + 1), self.states(middle, degree));
+        Stretch { time, degree, wide, narrow, plain: self.states(time, 0) }
+    }
+
+    /// What the roots do over a stretch of time.
     ///
     /// # Errors
     /// For each root, why it has no value at some of the times, or may have none.
-    pub fn over(&self, compiled: &Compiled, time: Interval, degree: usize) -> Vec<Result<Reach, NoValue>> {
+    pub fn over(&self, compiled: &Compiled, stretch: &Stretch) -> Vec<Result<Reach, NoValue>> {
+        let Stretch { time, degree, .. } = *stretch;
         let middle = time.mid();
-        let wide = self.series(compiled, time, degree + 1, time);
-        let narrow = self.series(compiled, Interval::point(middle), degree, time);
+        let wide = self.series(compiled, time, degree + 1, time, &stretch.wide);
+        let narrow = self.series(compiled, Interval::point(middle), degree, time, &stretch.narrow);
         // A value exists also where a derivative does not.
-        let plain = if wide.iter().any(Result::is_err) { Some(self.series(compiled, time, 0, time)) } else { None };
+        let failed = wide.iter().chain(&narrow).any(Result::is_err);
+        let plain = failed.then(|| self.series(compiled, time, 0, time, &stretch.plain));
         let all = wide.into_iter().zip(narrow).enumerate();
         all.map(|(i, (wide, narrow))| match (wide, narrow) {
             (Ok(wide), Ok(narrow)) => Ok(Reach { stretch: time, middle, narrow, wide }),
             (wide, _) => {
-                let fallback = plain.as_ref().map_or(wide.clone(), |p| p[i].clone());
+                let fallback = plain.as_ref().map_or(wide, |p| p[i].clone());
                 fallback.map(|wide| Reach { stretch: time, middle, narrow: Vec::new(), wide })
             }
         })

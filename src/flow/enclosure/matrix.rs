@@ -88,22 +88,56 @@ pub(super) fn orthogonal(m: &[f64], weights: &[f64], n: usize) -> Vec<f64> {
     (0..n * n).map(|i| columns.get(i % n).map_or(0.0, |c| c[i / n])).collect()
 }
 
-/// A matrix of intervals that contains the inverse of a nearly orthogonal matrix Q; `None` when Q is not.
-///
-/// With E = I − QQᵀ and ‖E‖∞ ≤ ε < 1, Q⁻¹ = Qᵀ(QQᵀ)⁻¹ = Qᵀ(I + E + E² + …), and the entries of E + E² + … are at most
-/// ε/(1 − ε) (Neumann series).
-pub(super) fn inverse(q: &[f64], n: usize) -> Option<Vec<Interval>> {
-    let mut norm = 0.0_f64;
-    for i in 0..n {
-        let mut row = Interval::ZERO;
-        for j in 0..n {
-            let mut e = Interval::point(if i == j { -1.0 } else { 0.0 });
-            for k in 0..n {
-                e = e + Interval::point(q[i * n + k]) * Interval::point(q[j * n + k]);
-            }
-            row = row + Interval::point(e.magnitude());
+/// The transpose.
+pub(super) fn transpose(m: &[f64], n: usize) -> Vec<f64> {
+    (0..n * n).map(|i| m[i % n * n + i / n]).collect()
+}
+
+/// Roughly the inverse, by elimination with the largest pivot; `None` where a pivot vanishes.
+pub(super) fn rough_inverse(m: &[f64], n: usize) -> Option<Vec<f64>> {
+    let (mut a, mut inverse) = (m.to_vec(), identity(n));
+    for k in 0..n {
+        let best = (k..n).max_by(|&i, &j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs()))?;
+        let pivot = a[best * n + k];
+        if !(pivot.abs() > 0.0 && pivot.is_finite()) {
+            return None;
         }
-        norm = norm.max(row.hi());
+        for j in 0..n {
+            a.swap(k * n + j, best * n + j);
+            inverse.swap(k * n + j, best * n + j);
+        }
+        for j in 0..n {
+            a[k * n + j] /= pivot;
+            inverse[k * n + j] /= pivot;
+        }
+        for i in (0..n).filter(|&i| i != k) {
+            let factor = a[i * n + k];
+            if factor != 0.0 {
+                for j in 0..n {
+                    a[i * n + j] -= factor * a[k * n + j];
+                    inverse[i * n + j] -= factor * inverse[k * n + j];
+                }
+            }
+        }
+    }
+    Some(inverse)
+}
+
+/// A matrix of intervals that contains the inverse of `m`, from a rough inverse A; `None` when A is too rough.
+///
+/// With E = I − A·m and ‖E‖∞ ≤ ε < 1, m⁻¹ = (I − E)⁻¹A = (I + E + E² + …)A, and the entries of E + E² + … are at most
+/// ε/(1 − ε) (Neumann series).
+pub(super) fn inverse(m: &[f64], rough: &[f64], n: usize) -> Option<Vec<Interval>> {
+    let points: Vec<Interval> = rough.iter().map(|&x| Interval::point(x)).collect();
+    let product = times_point(&points, m, n);
+    let mut norm = 0.0_f64;
+    for (i, row) in product.chunks_exact(n).enumerate() {
+        let mut sum = Interval::ZERO;
+        for (j, &x) in row.iter().enumerate() {
+            let e = if i == j { Interval::point(1.0) - x } else { x };
+            sum = sum + Interval::point(e.magnitude());
+        }
+        norm = norm.max(sum.hi());
     }
     if !(norm < 0.5) {
         return None;
@@ -111,13 +145,7 @@ pub(super) fn inverse(q: &[f64], n: usize) -> Option<Vec<Interval>> {
     let rest = (Interval::point(norm) / (Interval::point(1.0) - Interval::point(norm))).hi();
     let mut series: Vec<Interval> = vec![Interval::ball(0.0, rest); n * n];
     (0..n).for_each(|i| series[i * n + i] = series[i * n + i] + Interval::point(1.0));
-    let mut out = vec![Interval::ZERO; n * n];
-    for i in 0..n {
-        for j in 0..n {
-            out[i * n + j] = dot((0..n).map(|k| Interval::point(q[k * n + i])), (0..n).map(|k| series[k * n + j]));
-        }
-    }
-    Some(out)
+    Some(times_point(&series, rough, n))
 }
 
 /// M·N for matrices of intervals.
@@ -142,22 +170,25 @@ mod tests {
     fn the_inverse_of_a_rotation_is_contained() {
         let (c, s) = (0.6, 0.8);
         let q = [c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0];
-        let inverse = inverse(&q, 3).expect("nearly orthogonal");
+        let inverse = inverse(&q, &transpose(&q, 3), 3).expect("nearly orthogonal");
         let product = times_point(&inverse, &q, 3);
         for (i, x) in product.iter().enumerate() {
             let one = if i / 3 == i % 3 { 1.0 } else { 0.0 };
             assert!(x.contains(one) && x.width() < 1e-14, "{x}");
         }
-        assert!(super::inverse(&[1.0, 1.0, 0.0, 1.0], 2).is_none());
+        assert!(super::inverse(&[1.0, 1.0, 0.0, 1.0], &identity(2), 2).is_none());
+        let m = [1.0, 2.0, 0.0, 0.0, 3.0, 1.0, 5.0, 0.0, 1.0];
+        let rough = rough_inverse(&m, 3).expect("regular");
+        let product = times_point(&super::inverse(&m, &rough, 3).expect("regular"), &m, 3);
+        assert!(product.iter().enumerate().all(|(i, x)| x.contains(if i % 4 == 0 { 1.0 } else { 0.0 })));
+        assert!(rough_inverse(&[1.0, 2.0, 2.0, 4.0], 2).is_none());
     }
 
     #[test]
     fn columns_are_orthonormal_also_of_singular_matrices() {
-        for m in
-            [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]]
-        {
+        for m in [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]] {
             let q = orthogonal(&m, &[1.0, 2.0, 0.5], 3);
-            assert!(inverse(&q, 3).is_some(), "{q:?}");
+            assert!(inverse(&q, &transpose(&q, 3), 3).is_some(), "{q:?}");
         }
     }
 }

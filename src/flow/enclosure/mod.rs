@@ -17,7 +17,7 @@ mod matrix;
 mod set;
 mod step;
 
-pub use compiled::{Compiled, Reach};
+pub use compiled::{Compiled, Reach, Stretch};
 pub use step::Stop;
 
 use std::collections::BTreeMap;
@@ -190,8 +190,13 @@ impl Enclosure {
     ///
     /// Definitions of observables and values at fixed times are those of the first: use it for states only.
     pub fn restart(&self, initial: &[Interval]) -> Option<Enclosure> {
+        self.restart_over(initial, self.span)
+    }
+
+    /// [`Enclosure::restart`] over another span, which must contain the initial time.
+    pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
-        let mut new = self.clone();
+        let mut new = Enclosure { span, ..self.clone() };
         new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
         Some(new)
     }

@@ -20,13 +20,18 @@ use crate::flow::error::{FlowError, leaf_name};
 use crate::flow::taylor::Flow;
 use crate::number::{Interval, Jet, NoValue, Scalar};
 use crate::tape::{Slots, Tape};
+use std::sync::Arc;
 
 /// Order of the Taylor polynomials.
 pub(super) const ORDER: usize = 20;
 /// The remainder of a step shall be below this part of the largest state.
 const REMAINDER: f64 = 1e-17;
+/// Or below this part of the width of the set: what a step adds would otherwise decide on its directions.
+const REMAINDER_OF_WIDTH: f64 = 1e-8;
 /// The set may become as wide as this part of the largest state.
 const WIDEST: f64 = 0.5;
+/// Number of parts of a step over which its remainder is sharpened.
+const PARTS: usize = 4;
 /// Largest number of steps in one direction.
 const MAX_STEPS: usize = 20_000;
 
@@ -37,7 +42,7 @@ pub(super) struct Field {
     /// The field and its variational equations, as one field whose further states are the entries of V.
     variation: Flow,
     /// Row and column of every further state.
-    entries: Vec<(usize, usize)>,
+    entries: Arc<[(usize, usize)]>,
     pub(super) constants: Vec<Interval>,
     driven: bool,
 }
@@ -83,19 +88,46 @@ pub(super) struct Piece {
     /// Time at the start, and at the end (which is earlier for a step back).
     pub(super) from: f64,
     pub(super) to: f64,
-    /// `ORDER + 2` coefficients for every state; the last one holds throughout.
+    /// `ORDER + 2` coefficients for every state, over all states at the start; the last one holds throughout.
     coefficients: Vec<Interval>,
+    /// The states at the start, the coefficients at their centre (but the first) and those of the derivatives.
+    set: Set,
+    of_centre: Vec<Interval>,
+    of_derivatives: Vec<Interval>,
+    /// Row and column of every derivative.
+    entries: Arc<[(usize, usize)]>,
     /// All states of the step.
     pub(super) hull: Vec<Interval>,
 }
 
 impl Piece {
-    /// The states at all times of an interval that lies in the step.
+    /// The states at all times of an interval that lies in the step: at one time, by the mean value form.
     pub(super) fn at(&self, time: Interval) -> Vec<Interval> {
         let s = time - Interval::point(self.from);
         let row = ORDER + 2;
         let all = self.coefficients.chunks_exact(row).zip(&self.hull);
-        all.map(|(c, &hull)| polynomial(c, s).intersection(hull).unwrap_or(hull)).collect()
+        let direct = all.map(|(c, &hull)| polynomial(c, s).intersection(hull).unwrap_or(hull));
+        if !time.is_point() {
+            return direct.collect();
+        }
+        let (shift, jacobian) = self.map(s);
+        let centred = self.set.hull_of_image(&shift, &jacobian);
+        direct.zip(centred).map(|(d, c)| d.intersection(c).unwrap_or(d)).collect()
+    }
+
+    /// The map from the states at the start to those s later, as [`Set::image`] takes it.
+    fn map(&self, s: Interval) -> (Vec<Interval>, Vec<Interval>) {
+        let n = self.set.centre.len();
+        let mut last = s;
+        (0..ORDER).for_each(|_| last = last * s);
+        let remainder = self.coefficients.chunks_exact(ORDER + 2).map(|c| c[ORDER + 1] * last);
+        let moved = self.of_centre.chunks_exact(ORDER).map(|c| s * polynomial(c, s));
+        let shift = moved.zip(remainder).map(|(m, r)| m + r).collect();
+        let mut jacobian = vec![Interval::ZERO; n * n];
+        for (c, &(i, j)) in self.of_derivatives.chunks_exact(ORDER + 1).zip(self.entries.iter()) {
+            jacobian[i * n + j] = polynomial(c, s);
+        }
+        (shift, jacobian)
     }
 }
 
@@ -179,7 +211,7 @@ impl Field {
         Ok(Field {
             flow: Flow::new(tape, states, names.clone()),
             variation: Flow::new(variation, &extended, Vec::new()),
-            entries,
+            entries: entries.into(),
             constants: constants.into_iter().map(|c| c.1).collect(),
             driven,
         })
@@ -256,7 +288,7 @@ impl Field {
             step = if step >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (64.0 * f64::EPSILON * time.abs()).max(1e-9 * (end - start).abs()).min(remaining);
-        let tolerance = (REMAINDER * size).max(1e-4 * width);
+        let tolerance = (remainder_of_step() * size).max(REMAINDER_OF_WIDTH * width);
         let mut reason = "no box was found that holds the motion".to_owned();
         while step >= smallest {
             let mut to = if step >= remaining { end } else { time + direction * step };
@@ -286,23 +318,25 @@ impl Field {
                 break;
             }
             let zero_to_h = h.hull(Interval::ZERO);
-            let mut piece = Piece { from: time, to, coefficients: Vec::with_capacity(n * (row + 1)), hull: Vec::new() };
-            let mut shift = Vec::with_capacity(n);
-            let mut power = h;
-            (1..row).for_each(|_| power = power * h);
+            let mut coefficients = Vec::with_capacity(n * (row + 1));
+            let mut of_centre = Vec::with_capacity(n * ORDER);
             for i in 0..n {
-                let of_set = &bench.of_set[i * row..(i + 1) * row];
-                let last = if faults::no_remainder() { Interval::ZERO } else { coefficient(i) };
-                piece.coefficients.extend_from_slice(of_set);
-                piece.coefficients.push(last);
-                piece.hull.push(polynomial(&piece.coefficients[i * (row + 1)..], zero_to_h));
-                let moved = h * polynomial(&bench.of_point[i * row + 1..(i + 1) * row], h);
-                shift.push(moved + last * power);
+                coefficients.extend_from_slice(&bench.of_set[i * row..(i + 1) * row]);
+                coefficients.push(if faults::no_remainder() { Interval::ZERO } else { coefficient(i) });
+                of_centre.extend_from_slice(&bench.of_point[i * row + 1..(i + 1) * row]);
             }
-            let mut jacobian = vec![Interval::ZERO; n * n];
-            for (k, &(i, j)) in self.entries.iter().enumerate() {
-                jacobian[i * n + j] = polynomial(&bench.of_set[(n + k) * row..(n + k + 1) * row], h);
-            }
+            let whole = coefficients.chunks_exact(row + 1).map(|c| polynomial(c, zero_to_h)).collect();
+            let piece = Piece {
+                from: time,
+                to,
+                coefficients,
+                set: set.clone(),
+                of_centre,
+                of_derivatives: bench.of_set[n * row..].to_vec(),
+                entries: Arc::clone(&self.entries),
+                hull: whole,
+            };
+            let (shift, jacobian) = piece.map(h);
             return match set.image(&shift, &jacobian) {
                 Some(next) => Ok((piece, next)),
                 None => Err("the image of the set is not finite".to_owned()),
@@ -337,11 +371,49 @@ impl Field {
             let found: Vec<Interval> =
                 (0..n).map(|i| polynomials[i] + bench.of_hull[i * (row + 1) + row] * power).collect();
             if found.iter().zip(&candidate).all(|(f, c)| c.encloses_strictly(*f)) {
-                return Ok(());
+                return self.sharpen(bench, time, to, &polynomials);
             }
             candidate = found.iter().zip(&candidate).map(|(f, c)| f.hull(*c).widened(0.05, guess(0))).collect();
         }
         Err(None)
+    }
+
+    /// Replaces the last coefficients by sharper ones. Once it is known that the motion exists and what its last coefficients
+    /// are, the states of each part of the step are known better than their hull, and the last coefficients over the parts
+    /// together hold for the step.
+    fn sharpen(&self, bench: &mut Bench, time: f64, to: f64, polynomials: &[Interval]) -> Result<(), Option<String>> {
+        let n = self.dimension();
+        let row = ORDER + 1;
+        // Where states hardly move, there is nothing to be gained.
+        let moves = |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
+        if !(0..n).any(moves) {
+            return Ok(());
+        }
+        let last: Vec<Interval> = (0..n).map(|i| bench.of_hull[i * (row + 1) + row]).collect();
+        let mut sharper: Option<Vec<Interval>> = None;
+        for part in 0..PARTS {
+            let at = |k: usize| if k == PARTS { to } else { time + (to - time) * (k as f64 / PARTS as f64) };
+            let over = Interval::point(at(part)).hull(Interval::point(at(part + 1)));
+            let s = over - Interval::point(time);
+            let mut power = s;
+            (1..row).for_each(|_| power = power * s);
+            let states: Vec<Interval> = (0..n)
+                .map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power)
+                .collect();
+            let grown = self.flow.expand(&mut bench.whole, row, over, &states, &mut bench.of_hull);
+            if grown.is_err() {
+                return Err(None);
+            }
+            let of_part = (0..n).map(|i| bench.of_hull[i * (row + 1) + row]);
+            sharper = Some(match sharper {
+                None => of_part.collect(),
+                Some(all) => all.into_iter().zip(of_part).map(|(a, b)| a.hull(b)).collect(),
+            });
+        }
+        for (i, (found, old)) in sharper.into_iter().flatten().zip(last).enumerate() {
+            bench.of_hull[i * (row + 1) + row] = found.intersection(old).unwrap_or(old);
+        }
+        Ok(())
     }
 
     /// The step at which the last terms of the series are of the size of the remainder that is asked for.
@@ -352,11 +424,16 @@ impl Field {
         for k in [ORDER - 1, ORDER] {
             let last = top(k);
             if last > 1e-280 && size > 0.0 {
-                step = step.min(pxfm::f_exp(pxfm::f_log(4.0 * REMAINDER * size / last) / k as f64));
+                step = step.min(pxfm::f_exp(pxfm::f_log(4.0 * remainder_of_step() * size / last) / k as f64));
             }
         }
         step
     }
+}
+
+/// What the remainder of a step shall be, as a part of the largest state.
+fn remainder_of_step() -> f64 {
+    if faults::long_steps() { 1e-9 } else { REMAINDER }
 }
 
 /// xⁿ for x ≥ 0, roughly: it decides on lengths of steps and nothing else.

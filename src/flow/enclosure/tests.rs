@@ -1,1 +1,83 @@
+//! The comparison with closed forms must notice every mistake that an enclosure could rest on.
 
+#[path = "../../../tests/enclosure_support/mod.rs"]
+mod enclosure_support;
+
+use super::set::faults::{LONG_STEPS, LOST_DIRECTIONS, NO_REMAINDER, NO_ROTATION};
+use crate::number::interval_faults::NEAREST;
+use enclosure_support::CASES;
+use std::cell::Cell;
+use std::thread::LocalKey;
+
+/// Switches a mistake on, and off again however the test ends.
+struct Broken(&'static LocalKey<Cell<bool>>);
+
+impl Broken {
+    fn new(what: &'static LocalKey<Cell<bool>>) -> Broken {
+        what.set(true);
+        Broken(what)
+    }
+}
+
+impl Drop for Broken {
+    fn drop(&mut self) {
+        self.0.set(false);
+    }
+}
+
+/// The cases in which a mistake puts the truth outside.
+fn noticed(what: &'static LocalKey<Cell<bool>>) -> Vec<&'static str> {
+    let _broken = Broken::new(what);
+    let found = |case: &enclosure_support::Case| {
+        let (_, outside) = case.compare(200, 7);
+        (outside > 0).then_some(case.name)
+    };
+    CASES.iter().filter_map(found).collect()
+}
+
+#[test]
+fn nothing_is_outside_as_long_as_nothing_is_broken() {
+    for case in &CASES {
+        assert_eq!(case.compare(200, 7).1, 0, "{}", case.name);
+    }
+}
+
+#[test]
+fn rounding_to_nearest_is_noticed() {
+    let found = noticed(&NEAREST);
+    for name in ["decay", "oscillator", "tanh", "rigid body", "Kepler"] {
+        assert!(found.contains(&name), "{name} not in {found:?}");
+    }
+}
+
+#[test]
+fn a_missing_remainder_is_noticed() {
+    // Remainders are usually below rounding. Where steps are so long that they are not, they make up for it.
+    let _long = Broken::new(&LONG_STEPS);
+    for case in &CASES {
+        assert_eq!(case.compare(200, 7).1, 0, "{}", case.name);
+    }
+    let found = noticed(&NO_REMAINDER);
+    for name in ["oscillator", "tanh", "rigid body", "Kepler"] {
+        assert!(found.contains(&name), "{name} not in {found:?}");
+    }
+}
+
+#[test]
+fn errors_along_wrong_directions_are_noticed() {
+    let found = noticed(&LOST_DIRECTIONS);
+    assert!(found.contains(&"oscillator") && found.contains(&"rigid body"), "{found:?}");
+}
+
+/// Boxes that do not turn are right, and much wider: this is what directions are for.
+#[test]
+fn boxes_that_do_not_turn_are_wider() {
+    let case = CASES.iter().find(|c| c.name == "oscillator").expect("there");
+    let width = || case.final_width(&[1.0, 0.0], 1e-6);
+    let turning = width();
+    let _broken = Broken::new(&NO_ROTATION);
+    let boxes = case.final_width_of_error(&[1.0, 0.0]);
+    drop(_broken);
+    let kept = case.final_width_of_error(&[1.0, 0.0]);
+    assert!(turning < 1e-5 && boxes > 100.0 * kept, "{turning:e} {boxes:e} {kept:e}");
+}

@@ -20,6 +20,7 @@
 //! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
 
 mod elementary;
+pub(crate) mod faults;
 mod round;
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
@@ -326,6 +327,7 @@ impl Scalar for Interval {
         let slips = n as f64;
         // (1 + u)ⁿ − 1 < (n + 1)u for the n ≤ 2³⁰ that fit; `size` itself may have been rounded down by as much.
         let room = (slips + 2.0) * U * size * (1.0 + 4.0 * slips * U) + slips * f64::MIN_POSITIVE;
+        let room = if faults::nearest() { 0.0 * room } else { room };
         if !(room < f64::MAX) {
             return Interval::INVALID;
         }

@@ -10,6 +10,8 @@
 //! [Knuth 1969, §4.2.2]: https://www-cs-faculty.stanford.edu/~knuth/taocp.html
 //! [Dekker 1971]: https://doi.org/10.1007/BF01397083
 
+use super::faults;
+
 /// Products between these sizes can be split without underflow of the residual or overflow of a part.
 const SMALLEST: f64 = 1e-280;
 const LARGEST: f64 = 1e290;
@@ -17,6 +19,9 @@ const LARGEST: f64 = 1e290;
 /// The next number below `x` where the exact result is below it: `below` says so.
 #[inline(always)]
 fn down_if(x: f64, below: bool) -> f64 {
+    if faults::nearest() {
+        return x;
+    }
     // An overflow to +∞ means that the exact result is at least MAX.
     if x == f64::INFINITY {
         f64::MAX
@@ -128,12 +133,15 @@ pub(super) fn sqrt_up(a: f64) -> f64 {
         return if a == 0.0 { 0.0 } else { s.next_up() };
     }
     let p = s * s;
-    if (a - p) - product_error(s, s, p) > 0.0 { s.next_up() } else { s }
+    if !faults::nearest() && (a - p) - product_error(s, s, p) > 0.0 { s.next_up() } else { s }
 }
 
 /// A number that is at least one unit in the last place of `x` below it.
 #[inline(always)]
 pub(super) fn below(x: f64) -> f64 {
+    if faults::nearest() {
+        return x;
+    }
     let next = x.next_down();
     // Below a power of two the numbers are twice as dense.
     if x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0 { next.next_down() } else { next }

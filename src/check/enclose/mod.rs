@@ -1,0 +1,123 @@
+//! Verdicts for every time of a span, with rounding accounted for.
+//!
+//! **In:** the verdicts that samples gave, and the derivation. **Out:** the same verdicts, of which some are stronger:
+//! `holds` becomes *enclosed*, `fails` becomes *certified*, and `undecided` is decided where only an enclosure could. A verdict
+//! that stays as it was says why.
+//!
+//! **Guaranteed.** The motion is enclosed by validated integration, with the numbers of the file as they are written (not
+//! rounded). What is then shown is:
+//!
+//! | claim | *enclosed* means: at every time of the span at which the assumptions hold and the formula has a value |
+//! |---|---|
+//! | left = right | \|left − right\| ≤ precision · scale, and no stretch of time is found on which left ≠ right for certain |
+//! | <, >, ≠ | the relation holds |
+//! | ≤, ≥ | the relation holds, or is missed by at most precision · scale |
+//! | `never` | the relation does not hold |
+//! | `eventually` | there is a time at which it holds (by the intermediate value theorem for an equation) |
+//! | `defined` | every operation has a value |
+//!
+//! `scale` is the median size of the terms along the motion. Equations among the assumptions must themselves be enclosed.
+//! *Certified* means that there is a time, in the span, at which the assumptions hold and the relation does not.
+//!
+//! An enclosure may find what lies between samples, and refute what held on all of them. But **at one and the same time the
+//! two never contradict each other**: if they did, one of them would be wrong, and the run stops as defective.
+
+mod claim;
+mod cover;
+
+use super::stage::{Fields, Stage, setup};
+use super::account::ClaimAccount;
+use super::comparison::Comparison;
+use super::verdict::{Outcome, Strength, Verdict};
+use super::Prepared;
+use crate::derivation::{Derivation, Motion as Given};
+use crate::expr::Graph;
+use crate::flow::Enclosure;
+use cover::Along;
+use rayon::prelude::*;
+
+/// How much is asked of a verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Rigor {
+    /// At finitely many times.
+    #[default]
+    Sampled,
+    /// At every time, where it is possible.
+    Enclosed,
+}
+
+/// What is needed to enclose.
+pub(super) struct Request<'a> {
+    pub derivation: &'a Derivation,
+    pub fields: &'a Fields,
+    pub stage: &'a Stage,
+    pub prepared: &'a [Vec<Prepared<'a>>],
+    pub start_of: &'a [usize],
+    pub tried: &'a [usize],
+}
+
+/// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
+type Change = (usize, usize, Verdict);
+
+/// Strengthens the verdicts that are not proved.
+///
+/// # Errors
+/// A description of an enclosure that contradicts a sampled verdict.
+pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+    let changes: Vec<Result<Vec<Change>, String>> =
+        request.tried.par_iter().map(|&t| one_motion(request, t, claims)).collect();
+    for change in changes {
+        for (k, at, verdict) in change? {
+            claims[k].results[at].verdict = verdict;
+        }
+    }
+    Ok(())
+}
+
+/// The enclosure of a motion, and of those that it comes from.
+fn enclosure(request: &Request, graph: &mut Graph, t: usize) -> Result<Enclosure, String> {
+    let trajectory = &request.derivation.trajectories[t];
+    let (from, source) = match trajectory.motion {
+        Given::Derived { from, .. } => (Some(enclosure(request, graph, from)?), request.stage.source(from)),
+        _ => (None, None),
+    };
+    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);
+    Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())
+}
+
+fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
+    let trajectory = &request.derivation.trajectories[t];
+    let open = |v: &Verdict| match v.outcome() {
+        Outcome::Holds(strength) | Outcome::Fails(strength) => strength == Strength::Sampled,
+        Outcome::Undecided => true,
+        Outcome::NotApplicable => false,
+    };
+    let mut changes: Vec<Change> = Vec::new();
+    for (k, claim) in claims.iter().enumerate() {
+        let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
+        changes.extend(here.filter(|(_, r)| open(&r.verdict)).map(|(at, r)| (k, at, r.verdict.clone())));
+    }
+    if changes.is_empty() {
+        return Ok(changes);
+    }
+    let mut graph = request.derivation.graph.clone();
+    let mut along = match enclosure(request, &mut graph, t) {
+        Ok(enclosure) => Along::new(enclosure, graph, trajectory.span),
+        Err(reason) => {
+            changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
+            return Ok(changes);
+        }
+    };
+    for (k, _, verdict) in &mut changes {
+        let prepared = &request.prepared[*k][request.start_of[t]];
+        let program = &prepared.program;
+        let sampled = |comparison: &Comparison, time: f64| {
+            let at = program.position(comparison)?;
+            let values = request.stage.values(t, time);
+            program.measure(&values, 1.0, &mut None).get(at)?.as_ref().ok().map(|m| m.difference)
+        };
+        claim::strengthen(prepared.claim, program, &mut along, &sampled, verdict)
+            .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;
+    }
+    Ok(changes)
+}

@@ -1,0 +1,156 @@
+//! Enclosed motions: widths, ends, angles, dense output.
+
+mod flow_support;
+
+use flow_support::{UNIT, World, rigid_states};
+use rederive::check::{Options, Outcome, Rigor, Strength, check};
+use rederive::derivation::load;
+use rederive::diag::render;
+use rederive::flow::{Enclosure, Setup, Source, VectorField};
+use rederive::number::Interval;
+use std::path::Path;
+
+/// The corpus states the truth. What is enclosed or certified must be it, also where samples are fooled.
+#[test]
+fn no_verdict_of_the_corpus_is_wrong() {
+    let (mut enclosed, mut certified) = (0, 0);
+    for file in ["forms", "opponent", "precision", "systems", "traps"] {
+        let path = format!("{}/tests/corpus/{file}.toml", env!("CARGO_MANIFEST_DIR"));
+        let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
+        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{file}: {e:?}"));
+        for claim in &account.claims {
+            for pair in &claim.results {
+                let outcome = pair.verdict.outcome();
+                let at = || format!("{file}: {} on {}: {:?}", claim.id, pair.trajectory, pair.verdict);
+                match outcome {
+                    Outcome::Holds(Strength::Enclosed) => enclosed += 1,
+                    Outcome::Fails(Strength::Enclosed) => certified += 1,
+                    Outcome::Holds(Strength::Sampled) | Outcome::Fails(Strength::Sampled) => {
+                        let reason = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
+                        assert!(reason.contains("not enclosed: "), "{}", at());
+                        continue;
+                    }
+                    _ => continue,
+                }
+                assert_eq!(pair.expected, Some(outcome.word()), "{}", at());
+            }
+        }
+    }
+    println!("{enclosed} enclosed, {certified} certified");
+    assert!(enclosed >= 20 && certified >= 20, "{enclosed} enclosed, {certified} certified");
+}
+
+/// A blow-up ends the enclosure, with its time and the width there.
+#[test]
+fn a_singularity_ends_the_enclosure() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = x^2"]).expect("solvable");
+    let e = enclose(&mut w, &field, &[("x", "1")], &[], &[], (0.0, 2.0));
+    let (_, end) = e.reach();
+    assert!(end > 0.9 && end < 1.0, "{end}");
+    let text = e.stop().expect("it stops").to_string();
+    assert!(text.contains("wide") && text.contains("t = 0.9"), "{text}");
+    assert!(e.state(Interval::point(1.0)).is_none());
+}
+
+/// Decimals are enclosed: 0.1 is not a binary number, and the exact motion e^(0.1·t) is inside.
+#[test]
+fn decimals_are_enclosed() {
+    let mut w = World::default();
+    let field = w.field(&["x"], &["x' = k*x"]).expect("solvable");
+    let e = enclose(&mut w, &field, &[("x", "0.1")], &[("k", "0.1")], &[], (-5.0, 10.0));
+    let start = e.state(Interval::point(0.0)).expect("a start")[0];
+    assert!(start.lo() < start.hi() && start.contains(0.1));
+    let end = e.state(Interval::point(10.0)).expect("reached")[0];
+    assert!(end.contains(0.271_828_182_845_904_5) && end.width() < 1e-15);
+    assert!(e.state(Interval::point(-5.0)).expect("reached")[0].contains(0.060_653_065_971_263_34));
+}
+
+/// An angle is followed through whole turns in both directions, and its rate with it.
+#[test]
+fn angles_are_followed() {
+    let mut w = World::default();
+    let field = w.field(&["x", "y"], &["x' = -y", "y' = x"]).expect("solvable");
+    let observables = [("a~", "atan2(y, x)")];
+    let mut e = enclose(&mut w, &field, &[("x", "1"), ("y", "0")], &[], &observables, (-20.0, 30.0));
+    let roots = [w.e("a"), w.e("a'"), w.e("a - t")];
+    let compiled = e.compile(&mut w.graph, &roots).expect("known");
+    for t in [-19.5, -3.0, -0.5, 0.0, 0.5, 3.0, 3.14, 3.15, 9.0, 29.9] {
+        let values = e.value(&compiled, Interval::point(t));
+        let [Ok(angle), Ok(rate), Ok(gap)] = values[..] else { panic!("t = {t}: {values:?}") };
+        assert!(angle.contains(t) && angle.width() < 1e-12 && rate.contains(1.0) && gap.contains(0.0), "{t}: {angle}");
+    }
+}
+
+/// Encloses an integrated motion; observables whose name ends in `~` are angles.
+fn enclose(
+    w: &mut World,
+    field: &VectorField,
+    initial: &[(&str, &str)],
+    parameters: &[(&str, &str)],
+    observables: &[(&str, &str)],
+    span: (f64, f64),
+) -> Enclosure {
+    let setup = Setup {
+        time: w.leaf("t"),
+        span,
+        initial_time: 0.0,
+        parameters: w.pairs(parameters),
+        source: Source::Integrated { field, initial: w.pairs(initial) },
+        observables: w.observables(observables),
+    };
+    Enclosure::new(&mut w.graph, &setup, None).expect("a motion")
+}
+
+fn euler(w: &mut World) -> VectorField {
+    let equations = ["I1*O1' = (I2-I3)*O2*O3", "I2*O2' = (I3-I1)*O3*O1", "I3*O3' = (I1-I2)*O1*O2"];
+    w.field(&["O1", "O2", "O3"], &equations).expect("solvable")
+}
+
+const MOMENTS: [(&str, &str); 3] = [("I1", "1"), ("I2", "2"), ("I3", "3")];
+const TUMBLING: [(&str, &str); 3] = [("O1", "0.01"), ("O2", "1"), ("O3", "0.01")];
+
+fn width(enclosure: &Enclosure, t: f64) -> f64 {
+    let state = enclosure.state(Interval::point(t));
+    state.unwrap_or_else(|| panic!("{:?}", enclosure.stop())).iter().map(Interval::width).fold(0.0, f64::max)
+}
+
+#[test]
+fn widths_of_the_free_rigid_body() {
+    let mut w = World::default();
+    let field = euler(&mut w);
+    for (span, most) in [(20.0, 7e-13), (100.0, 7e-11)] {
+        let e = enclose(&mut w, &field, &TUMBLING, &MOMENTS, &[], (0.0, span));
+        println!("3 unknowns, T = {span}: {} steps, {:.1e}", e.steps(), width(&e, span));
+        assert!(width(&e, span) < most);
+    }
+    let e = enclose(&mut w, &field, &TUMBLING, &MOMENTS, &[], (0.0, 20.0));
+    let start = e.state(Interval::point(0.0)).expect("a start");
+    let wide: Vec<Interval> = start.iter().map(|x| Interval::ball(x.mid(), 1e-10)).collect();
+    let e = e.restart(&wide).expect("integrated");
+    // What the box really becomes: its corners.
+    let mut hull: Option<Vec<Interval>> = None;
+    for corner in 0..8 {
+        let at = |i: usize| if corner >> i & 1 == 1 { wide[i].hi() } else { wide[i].lo() };
+        let point = e.restart(&[0, 1, 2].map(|i| Interval::point(at(i)))).expect("integrated");
+        let state = point.state(Interval::point(20.0)).expect("reached");
+        hull = Some(match hull {
+            None => state,
+            Some(h) => h.iter().zip(state).map(|(a, b)| a.hull(b)).collect(),
+        });
+    }
+    let least = hull.expect("corners").iter().map(Interval::width).fold(0.0, f64::max);
+    println!("radius 1e-10, T = 20: {} steps, {:.2e}, of which {least:.2e} is real", e.steps(), width(&e, 20.0));
+    assert!(width(&e, 20.0) < 1.2 * least);
+
+    let mut w = World::default();
+    let field = flow_support::rigid_body(&mut w);
+    let initial: Vec<(&str, &str)> =
+        rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.01", "1", "0.01"])).collect();
+    for (span, most) in [(20.0, 2.7e-12), (100.0, 1.6e-9)] {
+        let e = enclose(&mut w, &field, &initial, &MOMENTS, &[], (0.0, span));
+        println!("12 unknowns, T = {span}: {} steps, {:.1e}", e.steps(), width(&e, span));
+        assert!(width(&e, span) < most);
+    }
+}
