@@ -121,6 +121,9 @@ struct CheckArguments {
     /// The file for the --format before it
     #[arg(long, value_name = "FILE")]
     output: Vec<PathBuf>,
+    /// The LaTeX source of the paper: formulas that name a label are compared with what is printed under it
+    #[arg(long, value_name = "PAPER.TEX")]
+    source: Option<PathBuf>,
     /// The two together.
     #[arg(skip)]
     targets: Vec<outputs::Target>,
