@@ -1,9 +1,12 @@
 //! The command line: arguments, streams, exit codes.
 
 mod check;
+mod completions;
 mod explain;
 mod files;
+mod init;
 mod list;
+mod manual;
 mod outputs;
 
 use std::io::Write;
@@ -80,6 +83,12 @@ enum Command {
     Explain(ExplainArguments),
     /// Lists claims, trajectories and measures of a derivation file
     List(ListArguments),
+    /// Drafts a derivation file from a paper's LaTeX source
+    Init(InitArguments),
+    /// Prints completions for a shell
+    Completions(CompletionsArguments),
+    /// Prints the manual page, or writes all of them
+    Manual(ManualArguments),
 }
 
 /// How results are printed.
@@ -157,6 +166,30 @@ struct ListArguments {
     path: PathBuf,
 }
 
+#[derive(clap::Args)]
+struct InitArguments {
+    /// The LaTeX source of the paper
+    #[arg(value_name = "PAPER.TEX")]
+    paper: PathBuf,
+    /// The derivation file, `-` for standard output; without it derivations/PAPER.toml. No file is replaced
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
+struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    shell: clap_complete::Shell,
+}
+
+#[derive(clap::Args)]
+struct ManualArguments {
+    /// The folder for the pages of all commands
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
 /// Why a command stops before its end.
 enum Stop {
     /// Problems in files.
@@ -202,6 +235,9 @@ pub fn run() -> ExitCode {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
+        Command::Init(a) => init::init(a),
+        Command::Completions(a) => completions::completions(a),
+        Command::Manual(a) => manual::manual(a),
     });
     ExitCode::from(exit.code())
 }

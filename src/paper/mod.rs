@@ -24,7 +24,7 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare};
-pub use draft::draft;
+pub use draft::{Draft, draft};
 
 use crate::diag::{Diagnostic, Source};
 use mark::{Mark, group_text, marks, parts, text_of};
