@@ -2,12 +2,14 @@
 
 mod check;
 mod completions;
+mod diff;
 mod explain;
 mod files;
 mod init;
 mod list;
 mod manual;
 mod outputs;
+mod schema;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -85,6 +87,10 @@ enum Command {
     List(ListArguments),
     /// Drafts a derivation file from a paper's LaTeX source
     Init(InitArguments),
+    /// Compares two reports: which verdicts changed. The exit code is 1 if something got worse
+    Diff(DiffArguments),
+    /// Prints the JSON Schema of derivation files or of reports
+    Schema(SchemaArguments),
     /// Prints completions for a shell
     Completions(CompletionsArguments),
     /// Prints the manual page, or writes all of them
@@ -177,6 +183,42 @@ struct InitArguments {
 }
 
 #[derive(clap::Args)]
+struct DiffArguments {
+    /// The report as it was: a report.json, or a folder with reports
+    old: PathBuf,
+    /// The report as it is
+    new: PathBuf,
+    /// How the changes are printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: DiffFormat,
+}
+
+/// How changes are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum DiffFormat {
+    /// For people
+    Text,
+    /// For a comment on a pull request
+    Markdown,
+}
+
+#[derive(clap::Args)]
+struct SchemaArguments {
+    /// Of what
+    #[arg(value_enum)]
+    of: Schema,
+}
+
+/// What has a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Schema {
+    /// Derivation files
+    Derivation,
+    /// report.json
+    Report,
+}
+
+#[derive(clap::Args)]
 struct CompletionsArguments {
     /// The shell
     #[arg(value_enum)]
@@ -236,6 +278,8 @@ pub fn run() -> ExitCode {
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
         Command::Init(a) => init::init(a),
+        Command::Diff(a) => diff::diff(a),
+        Command::Schema(a) => schema::schema(a),
         Command::Completions(a) => completions::completions(a),
         Command::Manual(a) => manual::manual(a),
     });

@@ -17,6 +17,7 @@ mod load;
 mod model;
 mod motions;
 mod number;
+mod schema;
 mod symbols;
 mod table;
 mod values;
@@ -26,3 +27,4 @@ pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
     Claim, Derivation, Form, FormKind, Formula, Measure, Motion, SymbolEntry, System, Trajectory, Written,
 };
+pub use schema::{schema, undescribed};

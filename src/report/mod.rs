@@ -8,6 +8,7 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+mod diff;
 mod explain;
 mod finding;
 mod github;
@@ -17,11 +18,13 @@ mod markdown;
 mod numbers;
 mod paper;
 mod sarif;
+mod schema;
 mod summary;
 mod tally;
 mod text;
 mod write;
 
+pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
 pub use github::github;
@@ -30,6 +33,7 @@ pub use junit::{Checked, junit};
 pub use markdown::markdown;
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use sarif::sarif;
+pub use schema::schema;
 pub use summary::{exceptions, summary};
 pub use write::{WriteError, write_files};
 
