@@ -11,6 +11,7 @@
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
 mod account;
+mod cache;
 mod comparison;
 mod describe;
 pub mod identity;
@@ -29,6 +30,7 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use cache::Cache;
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};

@@ -10,6 +10,7 @@ mod list;
 mod manual;
 mod outputs;
 mod schema;
+mod watch;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -89,6 +90,8 @@ enum Command {
     Init(InitArguments),
     /// Compares two reports: which verdicts changed. The exit code is 1 if something got worse
     Diff(DiffArguments),
+    /// Checks a derivation file again whenever it is saved: only what the change concerns
+    Watch(WatchArguments),
     /// Prints the JSON Schema of derivation files or of reports
     Schema(SchemaArguments),
     /// Prints completions for a shell
@@ -203,6 +206,15 @@ enum DiffFormat {
 }
 
 #[derive(clap::Args)]
+struct WatchArguments {
+    /// The derivation file
+    file: PathBuf,
+    /// Stop after so many checks
+    #[arg(long, value_name = "N")]
+    checks: Option<usize>,
+}
+
+#[derive(clap::Args)]
 struct SchemaArguments {
     /// Of what
     #[arg(value_enum)]
@@ -279,6 +291,7 @@ pub fn run() -> ExitCode {
         Command::List(a) => list::list(a),
         Command::Init(a) => init::init(a),
         Command::Diff(a) => diff::diff(a),
+        Command::Watch(a) => watch::watch(a),
         Command::Schema(a) => schema::schema(a),
         Command::Completions(a) => completions::completions(a),
         Command::Manual(a) => manual::manual(a),
