@@ -21,7 +21,8 @@
 //! | [`tape`] | graph → straight-line program; the one evaluation loop | expr, number |
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
 //! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number |
-//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check |
+//! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
+//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
 //! `tests/layering.rs` keeps these rules.
 
@@ -40,5 +41,6 @@ pub mod expr;
 pub mod flow;
 pub mod latex;
 pub mod number;
+pub mod paper;
 pub mod report;
 pub mod tape;

@@ -13,7 +13,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("tape", &["expr", "number"]),
     ("flow", &["expr", "tape", "number"]),
     ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
-    ("report", &["diag", "expr", "latex", "derivation", "check"]),
+    ("paper", &["diag", "derivation", "latex"]),
+    ("report", &["diag", "expr", "latex", "derivation", "check", "paper"]),
 ];
 
 /// Files of `src/` that belong to no room.

@@ -141,8 +141,18 @@ fn the_exit_codes_are_those_of_the_program() {
 }
 
 #[test]
+fn the_workflow_uses_what_the_action_has() {
+    let (workflow, action) = (part(&read("README.md"), "workflow"), read("action.yml"));
+    assert!(workflow.lines().count() <= 10, "ten lines to copy");
+    assert!(workflow.contains("with: { files: ") && action.contains("\n  files:\n"));
+    let sarif = workflow.split("sarif_file: ").nth(1).and_then(|t| t.split(' ').next()).expect("a file");
+    assert!(action.contains(&format!("default: {sarif}\n")), "{sarif} is not what the action writes");
+}
+
+#[test]
 fn links_lead_somewhere() {
-    for page in ["README.md", "CHANGELOG.md", "docs/method.md", "docs/derivation-file.md"] {
+    let pages = ["docs/continuous-integration.md", "docs/stability.md", "docs/schema.md"];
+    for page in ["README.md", "CHANGELOG.md", "docs/method.md", "docs/derivation-file.md"].into_iter().chain(pages) {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
         let folder = folder.parent().expect("a page lies in a folder");
         let text = read(page);

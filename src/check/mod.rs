@@ -12,6 +12,7 @@
 
 mod account;
 mod between;
+mod cache;
 mod comparison;
 mod describe;
 mod enclose;
@@ -39,6 +40,8 @@ mod verdict;
 mod weigh;
 
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use cache::Cache;
+pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
@@ -48,7 +51,6 @@ pub use variant::{
     AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
     altered_formulas, says_the_same,
 };
-pub use enclose::Rigor;
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};

@@ -97,6 +97,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         precision: DEFAULT_PRECISION,
         branches_throughout: proposition.throughout,
         expect_inconsistent_units: false,
+        printed: false,
         trajectories: Vec::new(),
         expect: Vec::new(),
         scope,

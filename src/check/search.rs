@@ -315,7 +315,11 @@ impl Trial<'_> {
                 read.measures.clear();
                 let claims = self.names.iter().map(|n| n.split('/').next().unwrap_or(n).to_owned()).collect();
                 let trajectories = (0..drafts.len()).map(id).collect();
-                match check_claims(&mut read, &Options { claims, trajectories, plain: true, rigor: Rigor::Sampled }, &|_, _| {}) {
+                match check_claims(
+                    &mut read,
+                    &Options { claims, trajectories, plain: true, rigor: Rigor::Sampled },
+                    &|_, _| {},
+                ) {
                     Ok(account) => Some(account),
                     Err(CheckError::Problems(_)) => None,
                     Err(defect) => return Err(defect),

@@ -7,22 +7,35 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rederive::check::{Account, CheckError, ClaimAccount, Options, Rigor, Summary};
 use rederive::derivation::Derivation;
+use rederive::diag::Diagnostic;
+use rederive::paper::{self, Comparison};
 use rederive::report;
 
-use super::outputs::{Found, standard};
+use super::outputs::{Found, json, standard, summary};
 use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut found = Found::default();
+    let told = |found: &Found, problems: Vec<Diagnostic>| {
+        found.write(&arguments.targets, arguments.quiet)?;
+        Err(Stop::Diagnostics(problems))
+    };
     let mut derivations = match files::load_all(&files::find(&arguments.paths)?) {
         Ok(derivations) => derivations,
         Err(Stop::Diagnostics(problems)) => {
             found.problems(&problems);
-            found.write(&arguments.targets, arguments.quiet)?;
-            return Err(Stop::Diagnostics(problems));
+            return told(&found, problems);
         }
         Err(stop) => return Err(stop),
     };
+    let paper = match arguments.source.as_ref().map(|path| paper::read(&files::within_project(path))).transpose() {
+        Ok(paper) => paper,
+        Err(problem) => {
+            found.problems(&[*problem.clone()]);
+            return told(&found, vec![*problem]);
+        }
+    };
+    let about = paper.as_ref().map(|_| of_the_paper(&derivations)).transpose()?;
     let format = standard(&arguments.targets);
     files::known(&derivations, &arguments.claim, &arguments.trajectory)?;
     derivations.retain(|d| files::concerns(d, &arguments.claim, &arguments.trajectory));
@@ -42,15 +55,17 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             }
             Err(defect) => return Err(defect.into()),
         };
+        let compared = paper.as_ref().filter(|_| about.as_ref() == Some(&derivation.id));
+        let compared = compared.map(|paper| paper::compare(&derivation, paper));
         let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
         if let Some(folder) = &folder {
-            write_reports(folder, &derivation, &account)?;
+            write_reports(folder, &derivation, &account, compared.as_ref())?;
         }
         let mut text = match (format, arguments.quiet) {
-            (Format::Json, _) => report::json(&derivation, &account),
+            (Format::Json, _) => json(&derivation, &account, compared.as_ref()),
             (Format::Tex, _) => report::tex(&derivation, &account),
             (Format::Text, true) => report::exceptions(&derivation, &account, true),
-            (Format::Text, false) => report::summary(&derivation, &account, true),
+            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), true),
             _ => String::new(),
         };
         if format == Format::Text && !arguments.quiet {
@@ -60,6 +75,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         print(&text)?;
         let summary = account.summary();
+        if let Some(compared) = &compared
+            && compared.differences.len() + compared.unknown.len() > 0
+        {
+            complain(&format!("{}: what it says is not what the paper prints\n", derivation.file.path));
+            exit = exit.and(Exit::Different);
+        }
         if summary.holds + summary.fails == 0 {
             complain(&format!("{}: no claim was decided\n", derivation.file.path));
             exit = exit.and(Exit::Undecided);
@@ -72,8 +93,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
             exit = exit.and(Exit::Different);
         }
-        found.findings.extend(report::findings(&derivation, &account));
-        found.checked.push((derivation, account));
+        found.account(derivation, account, compared);
     }
     found.write(&arguments.targets, arguments.quiet)?;
     if !problems.is_empty() {
@@ -124,6 +144,26 @@ pub fn account(
     })
 }
 
+/// The derivation that a paper is compared with: the only one, or the only one that names labels.
+fn of_the_paper(derivations: &[Derivation]) -> Result<String, Stop> {
+    let labels =
+        |d: &&Derivation| d.claims.iter().any(|c| c.label.is_some()) || d.systems.iter().any(|s| s.label.is_some());
+    let named: Vec<&Derivation> = derivations.iter().filter(labels).collect();
+    match (derivations, named.as_slice()) {
+        ([one], _) => Ok(one.id.clone()),
+        (_, [one]) => Ok(one.id.clone()),
+        (_, []) => {
+            Err(Stop::Message("no derivation file names a label, so that none can be compared with a paper".to_owned()))
+        }
+        (_, many) => {
+            let names: Vec<&str> = many.iter().map(|d| d.id.as_str()).collect();
+            let message =
+                format!("`--source` is the paper of one derivation file, but {} name labels", names.join(", "));
+            Err(Stop::Message(message))
+        }
+    }
+}
+
 fn exit_of(summary: &Summary) -> Exit {
     if summary.unexpected > 0 {
         Exit::Different
@@ -134,9 +174,14 @@ fn exit_of(summary: &Summary) -> Exit {
     }
 }
 
-fn write_reports(folder: &Path, derivation: &Derivation, account: &Account) -> Result<(), Stop> {
+fn write_reports(
+    folder: &Path,
+    derivation: &Derivation,
+    account: &Account,
+    paper: Option<&Comparison>,
+) -> Result<(), Stop> {
     let files = [
-        ("report.json", report::json(derivation, account)),
+        ("report.json", json(derivation, account, paper)),
         ("report.md", report::markdown(derivation, account)),
         ("index.html", report::page(derivation, account)),
     ];

@@ -54,7 +54,7 @@ fn search(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) -> Result<(), Sto
 }
 
 /// The path from the current folder, where it leads inside it.
-fn within_project(path: &Path) -> PathBuf {
+pub fn within_project(path: &Path) -> PathBuf {
     let here = std::env::current_dir().ok();
     let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_path_buf));
     let path = inside.unwrap_or_else(|| path.to_path_buf());

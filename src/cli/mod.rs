@@ -1,12 +1,18 @@
 //! The command line: arguments, streams, exit codes.
 
 mod check;
+mod completions;
+mod diff;
 mod explain;
 mod files;
+mod init;
 mod list;
+mod manual;
 mod outputs;
 mod prove;
+mod schema;
 mod search;
+mod watch;
 
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
@@ -89,6 +95,18 @@ enum Command {
     /// Searches for a motion on which a claim fails, and prints it as a table of a derivation file
     #[command(after_help = search::EXIT_CODES)]
     Search(search::SearchArguments),
+    /// Drafts a derivation file from a paper's LaTeX source
+    Init(InitArguments),
+    /// Compares two reports: which verdicts changed. The exit code is 1 if something got worse
+    Diff(DiffArguments),
+    /// Checks a derivation file again whenever it is saved: only what the change concerns
+    Watch(WatchArguments),
+    /// Prints the JSON Schema of derivation files or of reports
+    Schema(SchemaArguments),
+    /// Prints completions for a shell
+    Completions(CompletionsArguments),
+    /// Prints the manual page, or writes all of them
+    Manual(ManualArguments),
 }
 
 /// How results are printed.
@@ -150,6 +168,9 @@ struct CheckArguments {
     /// The file for the --format before it
     #[arg(long, value_name = "FILE")]
     output: Vec<PathBuf>,
+    /// The LaTeX source of the paper: formulas that name a label are compared with what is printed under it
+    #[arg(long, value_name = "PAPER.TEX")]
+    source: Option<PathBuf>,
     /// The two together.
     #[arg(skip)]
     targets: Vec<outputs::Target>,
@@ -193,6 +214,75 @@ struct ListArguments {
     /// Derivation file, or a folder that contains them
     #[arg(value_name = "FILE", default_value = "derivations")]
     path: PathBuf,
+}
+
+#[derive(clap::Args)]
+struct InitArguments {
+    /// The LaTeX source of the paper
+    #[arg(value_name = "PAPER.TEX")]
+    paper: PathBuf,
+    /// The derivation file, `-` for standard output; without it derivations/PAPER.toml. No file is replaced
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(clap::Args)]
+struct DiffArguments {
+    /// The report as it was: a report.json, or a folder with reports
+    old: PathBuf,
+    /// The report as it is
+    new: PathBuf,
+    /// How the changes are printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: DiffFormat,
+}
+
+/// How changes are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum DiffFormat {
+    /// For people
+    Text,
+    /// For a comment on a pull request
+    Markdown,
+}
+
+#[derive(clap::Args)]
+struct WatchArguments {
+    /// The derivation file
+    file: PathBuf,
+    /// Stop after so many checks
+    #[arg(long, value_name = "N")]
+    checks: Option<usize>,
+}
+
+#[derive(clap::Args)]
+struct SchemaArguments {
+    /// Of what
+    #[arg(value_enum)]
+    of: Schema,
+}
+
+/// What has a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Schema {
+    /// Derivation files
+    Derivation,
+    /// report.json
+    Report,
+}
+
+#[derive(clap::Args)]
+struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    shell: clap_complete::Shell,
+}
+
+#[derive(clap::Args)]
+struct ManualArguments {
+    /// The folder for the pages of all commands
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
 /// Why a command stops before its end.
@@ -242,6 +332,12 @@ pub fn run() -> ExitCode {
         Command::List(a) => list::list(a),
         Command::Prove(a) => prove::prove(a),
         Command::Search(a) => search::search(a),
+        Command::Init(a) => init::init(a),
+        Command::Diff(a) => diff::diff(a),
+        Command::Watch(a) => watch::watch(a),
+        Command::Schema(a) => schema::schema(a),
+        Command::Completions(a) => completions::completions(a),
+        Command::Manual(a) => manual::manual(a),
     });
     ExitCode::from(exit.code())
 }

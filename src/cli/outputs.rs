@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use rederive::check::Account;
 use rederive::derivation::Derivation;
+use rederive::paper::Comparison;
 use rederive::report::{self, Checked, Finding};
 
 use super::{Format, Stop, print};
@@ -56,7 +57,7 @@ pub fn standard(targets: &[Target]) -> Format {
 #[derive(Default)]
 pub struct Found {
     /// What was checked.
-    pub checked: Vec<(Derivation, Account)>,
+    pub checked: Vec<(Derivation, Account, Option<Comparison>)>,
     /// Everything that is to be told, verdicts included.
     pub findings: Vec<Finding>,
     /// Of these, what is not of a verdict.
@@ -64,6 +65,19 @@ pub struct Found {
 }
 
 impl Found {
+    /// Adds what was found of one derivation file.
+    pub fn account(&mut self, derivation: Derivation, account: Account, compared: Option<Comparison>) {
+        let mut verdicts = report::findings(&derivation, &account);
+        if let Some(comparison) = &compared {
+            report::add_paper(&mut verdicts, &derivation, comparison);
+            let found = report::paper_findings(&derivation, comparison);
+            self.others.extend(found.iter().cloned());
+            verdicts.extend(found);
+        }
+        self.findings.extend(verdicts);
+        self.checked.push((derivation, account, compared));
+    }
+
     /// Adds problems of files.
     pub fn problems(&mut self, found: &[rederive::diag::Diagnostic]) {
         let found = report::problems(found);
@@ -74,15 +88,15 @@ impl Found {
     /// The text of a format; colour is for standard output.
     fn text(&self, format: Format, quiet: bool) -> String {
         let checked: Vec<Checked<'_>> =
-            self.checked.iter().map(|(derivation, account)| Checked { derivation, account }).collect();
-        let each = |text: &dyn Fn(&Derivation, &Account) -> String, between: &str| {
-            self.checked.iter().map(|(d, a)| text(d, a)).collect::<Vec<_>>().join(between)
+            self.checked.iter().map(|(derivation, account, _)| Checked { derivation, account }).collect();
+        let each = |text: &dyn Fn(&Derivation, &Account, Option<&Comparison>) -> String, between: &str| {
+            self.checked.iter().map(|(d, a, p)| text(d, a, p.as_ref())).collect::<Vec<_>>().join(between)
         };
         match format {
-            Format::Text if quiet => each(&|d, a| report::exceptions(d, a, false), ""),
-            Format::Text => each(&|d, a| report::summary(d, a, false), "\n"),
-            Format::Json => each(&report::json, ""),
-            Format::Tex => each(&report::tex, "\n"),
+            Format::Text if quiet => each(&|d, a, _| report::exceptions(d, a, false), ""),
+            Format::Text => each(&|d, a, p| summary(d, a, p, false), "\n"),
+            Format::Json => each(&json, ""),
+            Format::Tex => each(&|d, a, _| report::tex(d, a), "\n"),
             Format::Junit => report::junit(&checked, &self.others),
             Format::Sarif => report::sarif(&self.findings),
             Format::Github => report::github(&self.findings),
@@ -100,6 +114,21 @@ impl Found {
         }
         Ok(())
     }
+}
+
+/// The report as data, with the comparison with the paper where there is one.
+pub fn json(derivation: &Derivation, account: &Account, paper: Option<&Comparison>) -> String {
+    match paper {
+        Some(paper) => report::json_with_paper(derivation, account, paper),
+        None => report::json(derivation, account),
+    }
+}
+
+/// The summary for people, with the comparison with the paper where there is one.
+pub fn summary(derivation: &Derivation, account: &Account, paper: Option<&Comparison>, colour: bool) -> String {
+    let mut out = report::summary(derivation, account, colour);
+    out.extend(paper.map(|paper| report::paper_summary(derivation, paper)));
+    out
 }
 
 fn write(file: &Path, text: String) -> Result<(), Stop> {

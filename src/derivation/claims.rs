@@ -71,6 +71,7 @@ impl Loader<'_> {
             parent_says: None,
             place: table.text(problems, "place"),
             label: table.text(problems, "label"),
+            printed: true,
             remark: table.text(problems, "remark"),
             symbols: Vec::new(),
             formulas: Vec::new(),
@@ -141,6 +142,9 @@ impl Loader<'_> {
 
     /// What a claim and a reading of it have in common; a reading adds to what its claim says.
     fn fill(&mut self, claim: &mut Claim, table: &Table<'_, '_>, ids: &[String]) {
+        if table.get("printed").is_some() {
+            claim.printed = table.boolean(&mut self.problems, "printed").unwrap_or(true);
+        }
         if let Some(value) = table.get("symbols") {
             let mut scope = claim.scope.clone();
             let declared = self.declare_all(value, &mut scope, true);

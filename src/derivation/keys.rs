@@ -8,7 +8,7 @@ pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"]
 /// Keys of a symbol.
 pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "formula", "arguments", "says"];
 /// Keys of `[system.…]`.
-pub const SYSTEM: &[&str] = &["says", "states", "equations"];
+pub const SYSTEM: &[&str] = &["says", "label", "states", "equations"];
 /// Keys of `[[trajectory]]`.
 pub const TRAJECTORY: &[&str] =
     &["id", "title", "says", "system", "initial", "formula", "from", "map", "parameters", "span", "initial-time"];
@@ -17,6 +17,7 @@ pub const READING: &[&str] = &[
     "id",
     "says",
     "remark",
+    "printed",
     "symbols",
     "assuming",
     "follows-from",

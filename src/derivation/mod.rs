@@ -20,6 +20,7 @@ mod motions;
 mod number;
 mod pictures;
 mod premise;
+mod schema;
 mod symbols;
 mod table;
 mod typed;
@@ -33,4 +34,5 @@ pub use model::{
     SymbolEntry, System, Trajectory, Written,
 };
 pub use premise::Premise;
+pub use schema::{schema, undescribed};
 pub use unit::Unit;

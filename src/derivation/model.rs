@@ -109,6 +109,8 @@ pub struct System {
     pub id: String,
     /// What it is, in the file's words.
     pub says: Option<String>,
+    /// The label of its equations in the paper's source.
+    pub label: Option<String>,
     /// The unknowns, in the order of the file; all have the role [`Role::State`].
     pub states: Vec<Symbol>,
     /// Its equations; every relation is a plain `=`.
@@ -294,6 +296,8 @@ pub struct Claim {
     pub place: Option<String>,
     /// The label of its equation in the paper's source.
     pub label: Option<String>,
+    /// Whether its formulas are those that the paper prints under the label.
+    pub printed: bool,
     /// What a reader should know.
     pub remark: Option<String>,
     /// Symbols that are declared for this claim only.

@@ -45,6 +45,7 @@ impl Loader<'_> {
         let table = Table::open(&mut self.problems, value, "a system", keys::SYSTEM)?;
         let scope = self.out.scope.clone();
         let says = table.text(&mut self.problems, "says");
+        let label = table.text(&mut self.problems, "label");
         let states = self.states(&table, "states", &scope);
         let formulas = table.formulas(&mut self.problems, "equations");
         for key in ["states", "equations"].iter().filter(|k| table.get(k).is_none()) {
@@ -65,6 +66,7 @@ impl Loader<'_> {
         (!states.is_empty() && !equations.is_empty()).then(|| System {
             id: id.to_owned(),
             says,
+            label,
             states,
             equations,
             span,

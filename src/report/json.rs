@@ -5,14 +5,26 @@ use serde_json::{Map, Value, json};
 use super::certificates::file_name;
 use super::discrimination;
 use super::graph::DerivationGraph;
+use super::paper::paper_data;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
+use crate::paper::Comparison;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
     let mut out = String::new();
     write(&document(derivation, account), 0, &mut out);
+    out.push('\n');
+    out
+}
+
+/// The same with the comparison with the paper, as `paper`.
+pub fn json_with_paper(derivation: &Derivation, account: &Account, paper: &Comparison) -> String {
+    let mut value = document(derivation, account);
+    value["paper"] = paper_data(paper);
+    let mut out = String::new();
+    write(&value, 0, &mut out);
     out.push('\n');
     out
 }

@@ -124,6 +124,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         trajectories: (0..derivation.trajectories.len()).collect(),
         expect: vec![None; derivation.trajectories.len()],
         expect_inconsistent_units: false,
+        printed: false,
         scope: derivation.scope.clone(),
         span: 0..0,
     }

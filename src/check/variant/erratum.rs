@@ -301,7 +301,12 @@ impl Search<'_> {
         let found = if ids.is_empty() {
             Vec::new()
         } else {
-            let options = Options { claims: ids.clone(), trajectories: used.iter().map(name).collect(), plain: true, ..Options::default() };
+            let options = Options {
+                claims: ids.clone(),
+                trajectories: used.iter().map(name).collect(),
+                plain: true,
+                ..Options::default()
+            };
             crate::check::check(&mut scratch, &options, &|_, _| {})?.claims
         };
         for (candidate, id) in read.iter().zip(&ids) {

@@ -90,7 +90,8 @@ impl Enclosure {
 
     /// Whether an angle is continuous on a stretch, and for which σ.
     fn sort(&self, compiled: &super::Compiled, stretch: Interval, two_sided: bool) -> Option<(bool, Vec<Reach>)> {
-        let reach: Vec<Reach> = self.over(compiled, &self.stretch(stretch, DEGREE)).into_iter().collect::<Result<_, _>>().ok()?;
+        let reach: Vec<Reach> =
+            self.over(compiled, &self.stretch(stretch, DEGREE)).into_iter().collect::<Result<_, _>>().ok()?;
         if !two_sided {
             return Some((false, reach));
         }

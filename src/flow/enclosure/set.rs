@@ -120,14 +120,11 @@ impl Set {
         }
         let back = inverse(&directions, &rough, n)?;
         let rest: Vec<Interval> = moved.iter().zip(&directions).map(|(&m, &d)| m - Interval::point(d)).collect();
-        let fresh: Vec<Interval> =
-            apply(&rest, &self.errors).iter().zip(error).map(|(&r, &e)| r + e).collect();
+        let fresh: Vec<Interval> = apply(&rest, &self.errors).iter().zip(error).map(|(&r, &e)| r + e).collect();
         let added = apply(&back, &fresh);
         if condition > GOOD_CONDITION {
             // Directions are renewed when what a step adds is no longer small against what is there.
-            let size = |v: &[Interval]| {
-                apply_point(&directions, v).iter().map(Interval::width).fold(0.0, f64::max)
-            };
+            let size = |v: &[Interval]| apply_point(&directions, v).iter().map(Interval::width).fold(0.0, f64::max);
             if size(&added) > RENEWAL * size(&self.errors) {
                 return None;
             }

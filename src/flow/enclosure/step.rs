@@ -385,7 +385,8 @@ impl Field {
         let n = self.dimension();
         let row = ORDER + 1;
         // Where states hardly move, there is nothing to be gained.
-        let moves = |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
+        let moves =
+            |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
         if !(0..n).any(moves) {
             return Ok(());
         }
@@ -397,9 +398,8 @@ impl Field {
             let s = over - Interval::point(time);
             let mut power = s;
             (1..row).for_each(|_| power = power * s);
-            let states: Vec<Interval> = (0..n)
-                .map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power)
-                .collect();
+            let states: Vec<Interval> =
+                (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power).collect();
             let grown = self.flow.expand(&mut bench.whole, row, over, &states, &mut bench.of_hull);
             if grown.is_err() {
                 return Err(None);

@@ -1,0 +1,61 @@
+//! `rederive diff`.
+
+use std::path::{Path, PathBuf};
+
+use rederive::report;
+use serde_json::Value;
+
+use super::{DiffArguments, DiffFormat, Exit, Stop, print};
+
+/// Deepest folder inside a folder that is searched for reports.
+const DEEPEST: usize = 8;
+
+pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
+    let (old, new) = (reports(&arguments.old)?, reports(&arguments.new)?);
+    let named = |values: &[(PathBuf, Value)]| values.iter().map(|(_, v)| v.clone()).collect::<Vec<_>>();
+    for (path, value) in old.iter().chain(&new) {
+        // One at a time, so that the message names the file.
+        report::diff(std::slice::from_ref(value), &[])
+            .map_err(|e| Stop::Message(format!("`{}` cannot be compared: {e}", path.display())))?;
+    }
+    let changes = report::diff(&named(&old), &named(&new)).map_err(Stop::Message)?;
+    print(&report::diff_text(&changes, arguments.format == DiffFormat::Markdown))?;
+    Ok(if report::is_worse(&changes) { Exit::Different } else { Exit::Good })
+}
+
+/// The reports that a path names: a file, or every `report.json` below a folder.
+fn reports(path: &Path) -> Result<Vec<(PathBuf, Value)>, Stop> {
+    let mut files = Vec::new();
+    if path.is_dir() {
+        search(path, 0, &mut files)?
+    } else {
+        files.push(path.to_path_buf())
+    }
+    files.sort();
+    if files.is_empty() {
+        return Err(Stop::Message(format!("there is no report.json in `{}`", path.display())));
+    }
+    let read = |file: PathBuf| {
+        let text = std::fs::read_to_string(&file)
+            .map_err(|e| Stop::Message(format!("`{}` cannot be read: {e}", file.display())))?;
+        let value =
+            serde_json::from_str(&text).map_err(|e| Stop::Message(format!("`{}` is not JSON: {e}", file.display())))?;
+        Ok((file, value))
+    };
+    files.into_iter().map(read).collect()
+}
+
+fn search(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) -> Result<(), Stop> {
+    let failed = |e: std::io::Error| Stop::Message(format!("`{}` cannot be read: {e}", folder.display()));
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.is_dir() {
+            if depth < DEEPEST {
+                search(&path, depth + 1, out)?;
+            }
+        } else if path.file_name().is_some_and(|n| n == "report.json") {
+            out.push(path);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,36 @@
+//! `rederive manual`.
+
+use clap::{Command, CommandFactory};
+use rederive::report;
+
+use super::{Arguments, Exit, ManualArguments, Stop, print};
+
+pub fn manual(arguments: &ManualArguments) -> Result<Exit, Stop> {
+    let mut command = Arguments::command();
+    command.build();
+    let pages = pages(&command, None)?;
+    match &arguments.output {
+        Some(folder) => {
+            let files: Vec<(&str, String)> = pages.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
+            report::write_files(folder, &files).map_err(|e| Stop::Message(e.to_string()))?;
+        }
+        None => print(pages.first().map_or("", |(_, text)| text))?,
+    }
+    Ok(Exit::Good)
+}
+
+/// The page of a command, then those of its subcommands, each with the name of its file.
+fn pages(command: &Command, parent: Option<&str>) -> Result<Vec<(String, String)>, Stop> {
+    let name = match parent {
+        Some(parent) => format!("{parent}-{}", command.get_name()),
+        None => command.get_name().to_owned(),
+    };
+    let mut text = Vec::new();
+    let page = clap_mangen::Man::new(command.clone()).title(name.to_uppercase());
+    page.render(&mut text).map_err(|e| Stop::Defect(format!("a page of the manual cannot be written: {e}")))?;
+    let mut out = vec![(format!("{name}.1"), String::from_utf8_lossy(&text).into_owned())];
+    for inner in command.get_subcommands().filter(|c| c.get_name() != "help" && !c.is_hide_set()) {
+        out.extend(pages(inner, Some(&name))?);
+    }
+    Ok(out)
+}

@@ -1,0 +1,70 @@
+//! `rederive watch`.
+//!
+//! The file is looked at forty times a second. This needs no service of the operating system, and works on every file system
+//! and with editors that replace a file instead of writing to it.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use rederive::check::{Cache, CheckError};
+use rederive::derivation::load;
+use rederive::diag::{Diagnostic, render, sort};
+use rederive::report;
+
+use super::{Exit, Stop, WatchArguments, complain, files, print};
+
+/// Between two looks at the file.
+const PAUSE: Duration = Duration::from_millis(25);
+
+pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
+    let path = files::within_project(&arguments.file);
+    let mut cache = Cache::default();
+    let mut last = None;
+    let mut checks = 0;
+    loop {
+        // A file that is being replaced may be missing for a moment; if it stays away, that is told once.
+        let now = std::fs::read(&path).ok();
+        if now.is_some() && now != last || last.is_none() && checks == 0 {
+            last = now;
+            check(&path, &mut cache)?;
+            checks += 1;
+            if arguments.checks.is_some_and(|n| checks >= n) {
+                return Ok(Exit::Good);
+            }
+        }
+        std::thread::sleep(PAUSE);
+    }
+}
+
+/// Checks the file as it is now, and prints what is not as expected.
+fn check(path: &Path, cache: &mut Cache) -> Result<(), Stop> {
+    let started = Instant::now();
+    let mut derivation = match load(path) {
+        Ok(derivation) => derivation,
+        Err(found) => {
+            problems(found);
+            return Ok(());
+        }
+    };
+    let (account, checked) = match cache.check(&mut derivation) {
+        Ok(found) => found,
+        Err(CheckError::Problems(found)) => {
+            problems(found);
+            return Ok(());
+        }
+        Err(defect) => return Err(defect.into()),
+    };
+    let took = started.elapsed().as_millis();
+    let summary = account.summary();
+    let mut text = report::exceptions(&derivation, &account, true);
+    text.push_str(&format!(
+        "{}: {} claims checked again in {took} ms; {} hold, {} fail, {} do not apply, {} undecided, {} not as expected\n",
+        derivation.id, checked.len(), summary.holds, summary.fails, summary.not_applicable, summary.undecided, summary.unexpected,
+    ));
+    print(&text)
+}
+
+fn problems(mut found: Vec<Diagnostic>) {
+    sort(&mut found);
+    complain(&render(&found, true));
+}

@@ -1,0 +1,198 @@
+//! The JSON Schema of derivation files, for editors that complete and check TOML.
+//!
+//! Its keys are those of [`keys`], from which the loader reads, so the two cannot drift apart: a key without a description
+//! here is allowed with any value, and [`undescribed`] names it, which a test forbids.
+
+use serde_json::{Map, Value, json};
+
+use super::keys;
+
+/// What a key may have as its value, and what it means. `table` is a name of [`keys::ALL`].
+fn describe(table: &str, key: &str) -> Option<Value> {
+    let text = |says: &str| json!({ "type": "string", "description": says });
+    let formula = |says: &str| json!({ "$ref": "#/definitions/formula", "description": says });
+    let formulas = |says: &str| json!({ "$ref": "#/definitions/formulas", "description": says });
+    let id = |says: &str| json!({ "$ref": "#/definitions/id", "description": says });
+    let ids = |says: &str| json!({ "type": "array", "items": { "type": "string" }, "description": says });
+    let flag = |says: &str| json!({ "type": "boolean", "description": says });
+    let value = |says: &str| json!({ "$ref": "#/definitions/value", "description": says });
+    let values = |says: &str| json!({ "type": "object", "additionalProperties": { "$ref": "#/definitions/value" }, "description": says });
+    let part = |name: &str, says: &str| json!({ "$ref": format!("#/definitions/{name}"), "description": says });
+    let many = |name: &str, says: &str| json!({ "type": "array", "items": { "$ref": format!("#/definitions/{name}") }, "description": says });
+    let named = |name: &str, says: &str| {
+        let of = json!({ "$ref": format!("#/definitions/{name}") });
+        json!({ "type": "object", "additionalProperties": of, "description": says })
+    };
+    Some(match (table, key) {
+        ("file", "derivation") => part("derivation", "What is checked"),
+        ("file", "conventions") => json!({
+            "type": "object", "additionalProperties": { "type": "string" },
+            "description": "Any names with any texts: the report shows them",
+        }),
+        ("file", "symbols") => named("symbol", "Every symbol of the formulas, under its LaTeX name in single quotes"),
+        ("file", "system") => named("system", "Systems of differential equations, each under its id"),
+        ("file", "trajectory") => many("trajectory", "Motions on which claims are tried"),
+        ("file", "claim") => many("claim", "What the paper claims"),
+        ("file", "measure") => many("measure", "Quantities to be measured"),
+        ("[derivation]", "id") => id("Name of the report's folder; without it, the file's name without .toml"),
+        ("[derivation]", "title") => text("What the report is called"),
+        ("[derivation]", "concerns") => text("The citation of what is checked"),
+        ("[derivation]", "source") => text("Where the paper can be found"),
+        ("[derivation]", "remark") => text("What a reader of the report should know"),
+        ("[symbols]", "role") => json!({
+            "enum": ["time", "state", "parameter", "observable", "abbreviation"], "description": "What the symbol is",
+        }),
+        ("[symbols]", "shape") => json!({
+            "type": ["string", "integer"],
+            "description": "\"3\" for a vector, \"3x3\" for a matrix, \"diagonal 3\" for a diagonal matrix; nothing for a scalar",
+        }),
+        ("[symbols]", "unit") => text("Its unit, for the reader"),
+        ("[symbols]", "positive") => flag("Every component is positive"),
+        ("[symbols]", "angle") => flag("Its values along a motion are continued without jumps by 2π"),
+        ("[symbols]", "formula") => formula("The definition of an observable or abbreviation"),
+        ("[symbols]", "arguments") => formulas("Names of arguments: the abbreviation is then a function"),
+        ("[symbols]", "says") => text("What it stands for"),
+        ("[system.…]", "says") => text("What the system is"),
+        ("[system.…]", "label") => text("The label of its equations in the paper's source"),
+        ("[system.…]", "states") => ids("The unknowns"),
+        ("[system.…]", "equations") => formulas("The equations, one or several in a string; only plain ="),
+        ("[[trajectory]]", "id") => id("Its id"),
+        ("[[trajectory]]", "title") => text("For the reader"),
+        ("[[trajectory]]", "says") => text("For the reader"),
+        ("[[trajectory]]", "system") => text("Integrated: the id of the system"),
+        ("[[trajectory]]", "initial") => values("Integrated: the value of every state at the initial time"),
+        ("[[trajectory]]", "formula") => values("Given by formulas: every state, in terms of time and parameters"),
+        ("[[trajectory]]", "from") => text("Computed from another trajectory: its id"),
+        ("[[trajectory]]", "map") => values("With `from`: states in terms of those of the other trajectory"),
+        ("[[trajectory]]", "parameters") => values("Values of parameters"),
+        ("[[trajectory]]", "span") => json!({
+            "type": "array", "items": { "$ref": "#/definitions/value" }, "minItems": 2, "maxItems": 2,
+            "description": "First and last time",
+        }),
+        ("[[trajectory]]", "initial-time") => value("The time of the initial values"),
+        ("[[claim]] and [[claim.reading]]", key) => match key {
+            "id" => id("Its id"),
+            "says" => text("The claim in your own words; $…$ around a formula"),
+            "remark" => text("What a reader should know, for instance why it fails"),
+            "printed" => flag("false: the formulas are a variant of what the paper prints under the label"),
+            "symbols" => named("symbol", "Symbols for this claim only"),
+            "assuming" => formulas("Relations without which the claim does not apply"),
+            "follows-from" => ids("Claims, systems and symbols from which it follows"),
+            "precision" => json!({
+                "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1,
+                "description": "The relative precision that is asked for, 1e-9 unless given",
+            }),
+            "branches" => json!({
+                "enum": ["pointwise", "throughout"],
+                "description": "For ±: some sign at each time, or one sign for the whole motion",
+            }),
+            "trajectories" => ids("Where it is tried; all unless given"),
+            "always" => formulas("These relations hold at every time"),
+            "never" => formulas("These relations hold at no time"),
+            "eventually" => formulas("These relations hold at some time"),
+            "first-integral" => formulas("These expressions are constant along the motion"),
+            "defined" => formulas("These expressions have a real value at every time"),
+            "solves" => text("The motion solves this system: its id"),
+            "same-motion" => part("same-motion", "The motion is that of another trajectory"),
+            "independent" => part("independent", "Functions of the states are independent of one another"),
+            "at" => formula("An equation between scalars: the claim is tried only when it holds"),
+            "expect" => part("expect", "The expected verdict: one word, or trajectories for each verdict"),
+            _ => return None,
+        },
+        ("[[claim]]", "place") => text("Where it stands in the paper"),
+        ("[[claim]]", "label") => text("The label of its equation in the paper's source"),
+        ("[[claim]]", "reading") => many("reading", "The ways in which the claim can be understood"),
+        ("same-motion", "as") => text("The id of the other trajectory"),
+        ("same-motion", "of") => ids("The states that are compared"),
+        ("independent", "functions") => formulas("The functions"),
+        ("independent", "subject-to") => formulas("Equations that hold between the states anyway"),
+        ("expect", "holds" | "fails" | "not-applicable" | "undecided") => json!({
+            "anyOf": [{ "enum": ["all", "others"] }, { "type": "array", "items": { "type": "string" } }],
+            "description": "Trajectories on which this verdict is expected",
+        }),
+        ("[[measure]]", "id") => id("Its id"),
+        ("[[measure]]", "says") => text("What it is"),
+        ("[[measure]]", "formula") => formula("A scalar"),
+        ("[[measure]]", "at") => formula("When it is taken; without it, at the initial time"),
+        ("[[measure]]", "trajectories") => ids("Where it is measured; all unless given"),
+        ("[[measure]]", "unit") => text("Its unit, for the reader"),
+        _ => return None,
+    })
+}
+
+/// A table with the keys that the loader knows.
+fn object(tables: &[&str], needed: &[&str]) -> Value {
+    let mut properties = Map::new();
+    for (table, keys) in keys::ALL.iter().filter(|(table, _)| tables.contains(table)) {
+        for key in *keys {
+            properties.insert((*key).to_owned(), describe(table, key).unwrap_or_else(|| json!({})));
+        }
+    }
+    json!({ "type": "object", "properties": properties, "required": needed, "additionalProperties": false })
+}
+
+/// The tables of [`keys::ALL`] that the schema has.
+const TABLES: &[&str] = &[
+    "file",
+    "[derivation]",
+    "[symbols]",
+    "[system.…]",
+    "[[trajectory]]",
+    "[[claim]] and [[claim.reading]]",
+    "[[claim]]",
+    "same-motion",
+    "independent",
+    "expect",
+    "[[measure]]",
+];
+
+/// Keys that the loader knows and the schema does not describe: table and key. A test wants it empty.
+pub fn undescribed() -> Vec<(&'static str, &'static str)> {
+    let mut out = Vec::new();
+    for (table, keys) in keys::ALL {
+        let missing = keys.iter().filter(|key| !TABLES.contains(table) || describe(table, key).is_none());
+        out.extend(missing.map(|key| (*table, *key)));
+    }
+    out
+}
+
+/// The schema, in draft 7 of JSON Schema, which editors of TOML know.
+pub fn schema() -> Value {
+    let reading = "[[claim]] and [[claim.reading]]";
+    let mut file = object(&["file"], &["derivation", "symbols"]);
+    let expect = object(&["expect"], &[]);
+    let definitions = json!({
+        "id": {
+            "type": "string", "pattern": "^[A-Za-z0-9][A-Za-z0-9._-]*$", "maxLength": 100,
+            "description": "Letters, digits, -, _ and ., beginning with a letter or digit",
+        },
+        "formula": { "type": "string", "description": "LaTeX, in single quotes" },
+        "formulas": { "type": "array", "items": { "$ref": "#/definitions/formula" } },
+        "value": {
+            "description": "A number, a formula in single quotes, or an array of them",
+            "anyOf": [
+                { "type": "number" },
+                { "type": "string" },
+                { "type": "array", "items": { "$ref": "#/definitions/value" } },
+            ],
+        },
+        "derivation": object(&["[derivation]"], &["title", "concerns"]),
+        "symbol": object(&["[symbols]"], &["role"]),
+        "system": object(&["[system.…]"], &["states", "equations"]),
+        "trajectory": object(&["[[trajectory]]"], &["id"]),
+        "claim": object(&[reading, "[[claim]]"], &["id", "says"]),
+        "reading": object(&[reading], &["id", "says"]),
+        "same-motion": object(&["same-motion"], &["as", "of"]),
+        "independent": object(&["independent"], &["functions"]),
+        "expect": { "anyOf": [{ "enum": keys::EXPECT }, expect] },
+        "measure": object(&["[[measure]]"], &["id", "says", "formula"]),
+    });
+    let mut out = Map::new();
+    out.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));
+    out.insert("title".to_owned(), json!("A derivation file of rederive"));
+    if let Some(file) = file.as_object_mut() {
+        out.append(file);
+    }
+    out.insert("definitions".to_owned(), definitions);
+    Value::Object(out)
+}

@@ -1,0 +1,335 @@
+//! A first derivation file from a paper: what can be copied is copied, what is guessed is marked.
+//!
+//! The draft is loaded again and again while it is made. A symbol that is missing is guessed from how it is used; a formula
+//! that cannot be read stands in a comment, with the reason. What is returned loads. It decides nothing, since it has no
+//! motions: every guess waits for a person.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::ops::Range;
+
+use super::Paper;
+use super::mark::{Mark, marks};
+use super::token::tokens;
+use crate::derivation::parse;
+use crate::diag::{Diagnostic, Source};
+
+/// The draft of a derivation file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Draft {
+    /// Its text.
+    pub text: String,
+    /// How many formulas it has.
+    pub formulas: usize,
+    /// How many more stand in comments, because they cannot be read.
+    pub refused: usize,
+    /// How many symbols were guessed.
+    pub symbols: usize,
+}
+
+/// The most rounds of loading: each declares a symbol or puts a formula into a comment.
+const MOST_ROUNDS: usize = 2000;
+
+/// A formula of the draft.
+struct Formula {
+    text: String,
+    /// Why it stands in a comment.
+    refused: Option<String>,
+    /// Its place in the text of the last round.
+    place: Range<usize>,
+}
+
+struct Claim {
+    id: String,
+    label: Option<String>,
+    line: usize,
+    formulas: Vec<Formula>,
+}
+
+/// A guessed symbol.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Guess {
+    name: String,
+    role: &'static str,
+    shape: Option<&'static str>,
+    why: &'static str,
+}
+
+/// A derivation file for a paper, to be confirmed and completed. `name` is what the paper's file is called in it.
+pub fn draft(paper: &Paper, name: &str) -> Draft {
+    let mut claims = claims(paper);
+    let all: Vec<Mark> =
+        paper.equations.iter().flat_map(|e| &e.parts).chain(&paper.relations).flat_map(|p| plain(&p.text)).collect();
+    let time = Guess { name: "t".into(), role: "time", shape: None, why: "the usual name" };
+    let mut symbols = vec![time];
+    for _ in 0..MOST_ROUNDS {
+        let text = written(paper, name, &symbols, &mut claims);
+        let source = Source { path: "draft.toml".to_owned(), text };
+        match parse(source, "draft") {
+            Ok(_) => break,
+            Err(found) => {
+                if !repair(&found, &mut symbols, &mut claims, &all) {
+                    // A problem that belongs to no formula: nothing is kept that could be wrong.
+                    claims.iter_mut().flat_map(|c| &mut c.formulas).for_each(|f| {
+                        f.refused.get_or_insert_with(|| "the file could not be loaded with it".to_owned());
+                    });
+                    symbols.truncate(1);
+                }
+            }
+        }
+    }
+    let text = written(paper, name, &symbols, &mut claims);
+    let formulas = || claims.iter().flat_map(|c| &c.formulas);
+    Draft {
+        text,
+        formulas: formulas().filter(|f| f.refused.is_none()).count(),
+        refused: formulas().filter(|f| f.refused.is_some()).count(),
+        symbols: symbols.len(),
+    }
+}
+
+/// Commands that choose a style: a symbol in bold is the vector of which the plain letter has the components.
+const STYLES: &[&str] = &["bf", "mathbf", "boldsymbol", "bm", "vec", "pmb"];
+
+/// The marks of a formula without styles.
+fn plain(text: &str) -> Vec<Mark> {
+    let kept: Vec<_> = tokens(text).into_iter().filter(|t| !STYLES.iter().any(|s| t.is(s))).collect();
+    marks(&kept)
+}
+
+fn claims(paper: &Paper) -> Vec<Claim> {
+    let mut taken = BTreeSet::new();
+    let mut out = Vec::new();
+    for (i, equation) in paper.equations.iter().enumerate() {
+        let line = paper.file.text.get(..equation.span.start).map_or(0, |t| t.matches('\n').count()) + 1;
+        let base = equation.label.as_ref().map_or_else(|| format!("equation-{}", i + 1), |l| id_of(l));
+        let mut id = base.clone();
+        let mut n = 2;
+        while !taken.insert(id.clone()) {
+            id = format!("{base}-{n}");
+            n += 1;
+        }
+        let formula = |text: &str| {
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let unquotable = text.contains("'''") || text.ends_with('\'');
+            let refused = unquotable.then(|| "it cannot stand between quotes".to_owned());
+            Formula { text, refused, place: 0..0 }
+        };
+        let formulas = equation.parts.iter().map(|p| formula(&p.text)).collect();
+        out.push(Claim { id, label: equation.label.clone(), line, formulas });
+    }
+    out
+}
+
+/// A label as an id: `eq:motion` becomes `eq-motion`.
+fn id_of(label: &str) -> String {
+    let kept: String =
+        label.chars().map(|c| if c.is_ascii_alphanumeric() || "._".contains(c) { c } else { '-' }).collect();
+    let kept: String = kept.trim_start_matches(|c: char| !c.is_ascii_alphanumeric()).chars().take(80).collect();
+    if kept.is_empty() { "equation".to_owned() } else { kept }
+}
+
+/// Declares what is missing, or puts formulas into comments; whether anything was done.
+fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], all: &[Mark]) -> bool {
+    let mut done = false;
+    let before = symbols.len();
+    let mut refuse = Vec::new();
+    for problem in found {
+        let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
+        let here = |f: &Formula| f.refused.is_none() && f.place.start <= span.start && span.start <= f.place.end;
+        let at = claims.iter().enumerate().find_map(|(c, claim)| Some((c, claim.formulas.iter().position(here)?)));
+        let Some((c, f)) = at else { continue };
+        let text = &problem.source.text;
+        let (at, after) = (text.get(span.clone()).unwrap_or_default(), text.get(span.end..).unwrap_or_default());
+        let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
+        let name = problem.message.split('`').nth(1).filter(|_| missing);
+        let guess = match name {
+            Some(name) => Some(guess(name, at, after, all)),
+            // The letter is known, but not with this subscript.
+            None => with_subscript(at, after),
+        };
+        let base = |name: &str| {
+            let letters: Vec<String> = plain(name).into_iter().map(|m| m.text).collect();
+            letters
+        };
+        match guess {
+            Some(guess) if !symbols.iter().any(|s| s.name == guess.name) => {
+                // A letter in bold may be found once the plain one is there: one of a kind in each round.
+                if !symbols[before..].iter().any(|s| base(&s.name) == base(&guess.name)) {
+                    symbols.push(guess);
+                }
+                done = true;
+            }
+            Some(_) if done && missing => {}
+            _ => refuse.push((c, f, problem.message.clone())),
+        }
+    }
+    // A formula is given up only when no symbol is missing any more: a new one may change what is wrong with it.
+    if !done {
+        for (c, f, why) in refuse {
+            claims[c].formulas[f].refused.get_or_insert(why);
+            done = true;
+        }
+    }
+    done
+}
+
+/// What a symbol may be, from how the paper uses it; `at` is where it is missed, `after` what follows.
+fn guess(name: &str, at: &str, after: &str, all: &[Mark]) -> Guess {
+    let base = plain(name);
+    let base: Vec<&str> = base.iter().map(|m| m.text.as_str()).collect();
+    let is_bold = base.len() < marks(&tokens(name)).iter().filter(|m| m.text != "{" && m.text != "}").count();
+    let subscripts = subscripts(&base, all);
+    let index = |s: &&String| s.chars().all(|c| "ijklmnpqrs123".contains(c)) && (1..=2).contains(&s.chars().count());
+    let indices: Vec<&String> = subscripts.iter().filter(index).collect();
+    let letter = indices.iter().any(|s| s.chars().any(|c| "ijklmnpqrs".contains(c)));
+    let indexed = letter || indices.len() > 1;
+    let counts: Vec<usize> = indices.iter().map(|s| s.chars().count()).collect();
+    let shape = match counts.iter().max() {
+        // With one index and with two: principal values of a matrix.
+        Some(2) if indexed && counts.contains(&1) => Some("diagonal 3"),
+        Some(2) if indexed => Some("3x3"),
+        Some(1) if indexed => Some("3"),
+        _ if is_bold => Some("3"),
+        _ => None,
+    };
+    if shape.is_none()
+        && let Some(guess) = with_subscript(at, after)
+    {
+        return guess;
+    }
+    let moving = ["\\dot", "\\ddot"].iter().any(|dot| {
+        let named = |w: &[Mark]| w[1..].iter().map(|m| m.text.as_str()).eq(base.iter().copied());
+        all.windows(base.len() + 1).any(|w| w[0].text == *dot && named(w))
+    });
+    let (role, why) = match moving {
+        true => ("state", "the paper prints its rate"),
+        false => ("parameter", "the paper prints no rate of it"),
+    };
+    Guess { name: name.to_owned(), role, shape, why }
+}
+
+/// A symbol whose subscript is part of its name: where one is missed, or right after.
+fn with_subscript(at: &str, after: &str) -> Option<Guess> {
+    let text = match at.contains('_') {
+        true => at.to_owned(),
+        false => format!("{at}_{}", first_unit(after.trim_start().strip_prefix('_')?)?),
+    };
+    let (letter, rest) = text.split_once('_')?;
+    let letter = letter.trim().trim_start_matches(r"\dot").trim_start_matches(r"\ddot").trim();
+    let subscript = first_unit(rest)?;
+    // A single letter may be an index over components: to take it for a name would be a misreading.
+    let index = subscript.trim_matches(['{', '}']).chars().all(|c| "ijklmnpqrs,".contains(c));
+    let one = marks(&tokens(letter)).len() == 1 && !index && !subscript.contains(['\\', '(']);
+    let name = format!("{letter}_{subscript}");
+    one.then_some(Guess { name, role: "parameter", shape: None, why: "a subscript that is no index" })
+}
+
+/// The subscripts with which a name is used, without braces.
+fn subscripts(base: &[&str], all: &[Mark]) -> Vec<String> {
+    let mut out = Vec::new();
+    for (i, w) in all.windows(base.len() + 1).enumerate() {
+        let named = w[..base.len()].iter().map(|m| m.text.as_str()).eq(base.iter().copied());
+        if !named || w[base.len()].text != "_" {
+            continue;
+        }
+        let rest = &all[i + base.len() + 1..];
+        let text: String = match rest.first().map(|m| m.text.as_str()) {
+            Some("{") => rest[1..].iter().map(|m| m.text.as_str()).take_while(|t| *t != "}").collect(),
+            Some(one) => one.to_owned(),
+            None => continue,
+        };
+        if !out.contains(&text) {
+            out.push(text);
+        }
+    }
+    out
+}
+
+/// The first letter, command or group of a text.
+fn first_unit(text: &str) -> Option<&str> {
+    let text = text.trim_start();
+    let end = match text.chars().next()? {
+        '{' => text.find('}')? + 1,
+        '\\' => 1 + text[1..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len() - 1),
+        c => c.len_utf8(),
+    };
+    text.get(..end)
+}
+
+/// A text in double quotes.
+fn quoted(text: &str) -> String {
+    let mut out = String::from('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// A text in a comment of one line.
+fn comment(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+fn formula(text: &str) -> String {
+    if text.contains('\'') { format!("'''{text}'''") } else { format!("'{text}'") }
+}
+
+/// The text of the draft; notes where the formulas stand.
+fn written(paper: &Paper, name: &str, symbols: &[Guess], claims: &mut [Claim]) -> String {
+    let title = paper.title.clone().unwrap_or_else(|| format!("The derivations of {name}"));
+    let mut out = String::new();
+    let _ = writeln!(out, "# A draft, made from {}. What is marked `confirm` is a guess.", comment(name));
+    out.push_str(
+        "# It decides nothing until it has motions: see [[trajectory]] below.\n\
+         # Every key is described in docs/derivation-file.md of rederive.\n\n[derivation]\n",
+    );
+    let _ = writeln!(out, "title = {}", quoted(&title));
+    let _ = writeln!(out, "concerns = {} # confirm: the citation", quoted(&title));
+    out.push_str("\n[symbols]\n# confirm: each role and shape is guessed from how the paper prints the symbol.\n");
+    out.push_str(
+        "# Roles: time, state, parameter, observable, abbreviation; the last two have a formula of their own.\n",
+    );
+    for guess in symbols {
+        let shape = guess.shape.map(|s| format!(", shape = {}", quoted(s))).unwrap_or_default();
+        let key = if guess.name.contains('\'') { quoted(&guess.name) } else { format!("'{}'", guess.name) };
+        let _ = writeln!(out, "{key} = {{ role = {}{shape} }} # confirm: {}", quoted(guess.role), guess.why);
+    }
+    let states: Vec<String> = symbols.iter().filter(|s| s.role == "state").map(|s| formula(&s.name)).collect();
+    let _ = write!(
+        out,
+        "\n# confirm: name a system, with the equations that move the states, and take the marks of comments away.\n\
+         # [system.motion]\n# states = [{}]\n# equations = ['…']\n\n\
+         # [[trajectory]]\n# id = \"first\"\n# system = \"motion\"\n# parameters = {{ }}\n# initial = {{ }}\n# span = [0, 10]\n",
+        states.join(", ")
+    );
+    for claim in claims {
+        let _ = writeln!(out, "\n# line {} of {}", claim.line, comment(name));
+        for f in claim.formulas.iter().filter(|f| f.refused.is_some()) {
+            let why = f.refused.as_deref().unwrap_or_default();
+            let _ = writeln!(out, "# confirm: not read, {}:\n#   {}", comment(why), comment(&f.text));
+        }
+        let hash = if claim.formulas.iter().all(|f| f.refused.is_some()) { "# " } else { "" };
+        let _ = writeln!(out, "{hash}[[claim]]\n{hash}id = {}", quoted(&claim.id));
+        if let Some(label) = &claim.label {
+            let _ = writeln!(out, "{hash}label = {}", quoted(label));
+        }
+        let _ = writeln!(out, "{hash}says = \"confirm: what this equation says\"");
+        let _ = writeln!(out, "{hash}always = [");
+        for f in claim.formulas.iter_mut().filter(|f| f.refused.is_none()) {
+            let start = out.len();
+            let _ = writeln!(out, "  {},", formula(&f.text));
+            f.place = start..out.len();
+        }
+        let _ = writeln!(out, "{hash}]");
+    }
+    out
+}

@@ -1,0 +1,287 @@
+//! Macros of a paper, expanded: what is left is what LaTeX would print.
+//!
+//! A token that comes out of a macro has the place of the call, so that a difference points at what the author wrote.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use super::token::{Kind, Token, tokens};
+
+/// The most tokens that a paper may have when its macros are expanded.
+const MOST_TOKENS: usize = 4_000_000;
+/// The deepest that macros may call each other.
+const DEEPEST: usize = 200;
+
+#[derive(Clone, Debug)]
+struct Macro {
+    arguments: usize,
+    default: Option<Vec<Token>>,
+    body: Vec<Token>,
+}
+
+/// Macros that do not end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Endless {
+    /// The name of one of them.
+    pub name: String,
+    /// Where it is called.
+    pub span: Range<usize>,
+}
+
+/// The tokens of a document with its own macros expanded; definitions leave no token.
+pub(super) fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
+    let mut macros: BTreeMap<String, Macro> = BTreeMap::new();
+    // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
+    let mut rest: Vec<(Token, usize)> = tokens(text).into_iter().rev().map(|t| (t, 0)).collect();
+    let mut out: Vec<Token> = Vec::new();
+    while let Some((token, depth)) = rest.pop() {
+        if token.kind != Kind::Command {
+            out.push(token);
+        } else if token.is("end") && begins_group(&rest, "document") {
+            break;
+        } else if token.is("iffalse") {
+            skip_branch(&mut rest);
+        } else if define(&token.text, &mut rest, &mut macros) {
+            // Nothing is printed.
+        } else if let Some(found) = macros.get(&token.text) {
+            let body = call(found, &token, &mut rest);
+            if depth >= DEEPEST || rest.len() + body.len() + out.len() > MOST_TOKENS {
+                return Err(Endless { name: token.text, span: token.span });
+            }
+            rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
+        } else {
+            out.push(token);
+        }
+        if out.len() > MOST_TOKENS {
+            let span = out.last().map_or(0..0, |t| t.span.clone());
+            return Err(Endless { name: String::new(), span });
+        }
+    }
+    Ok(out)
+}
+
+type Rest = Vec<(Token, usize)>;
+
+fn begins_group(rest: &Rest, name: &str) -> bool {
+    let mut next = rest.iter().rev().map(|(t, _)| t);
+    let open = next.next().is_some_and(|t| t.kind == Kind::Open);
+    let inside: String = next.take_while(|t| t.kind != Kind::Close).take(40).map(|t| t.text.as_str()).collect();
+    open && inside == name
+}
+
+/// Drops everything up to the `\fi` or `\else` of an `\iffalse`.
+fn skip_branch(rest: &mut Rest) {
+    let mut depth = 0;
+    while let Some((token, _)) = rest.pop() {
+        if token.kind != Kind::Command {
+            continue;
+        }
+        match token.text.as_str() {
+            "fi" | "else" if depth == 0 => return,
+            "fi" => depth -= 1,
+            name if name.starts_with("if") && name != "iff" => depth += 1,
+            _ => {}
+        }
+    }
+}
+
+fn spaces(rest: &mut Rest) {
+    while rest.last().is_some_and(|(t, _)| t.kind == Kind::Space) {
+        rest.pop();
+    }
+}
+
+fn next_is(rest: &mut Rest, c: &str) -> bool {
+    spaces(rest);
+    let found = rest.last().is_some_and(|(t, _)| t.is_char(c));
+    if found {
+        rest.pop();
+    }
+    found
+}
+
+/// An argument: a group without its braces, or one token.
+fn argument(rest: &mut Rest) -> Vec<Token> {
+    spaces(rest);
+    match rest.pop() {
+        Some((t, _)) if t.kind == Kind::Open => {
+            let mut depth = 0;
+            let mut out = Vec::new();
+            while let Some((t, _)) = rest.pop() {
+                match t.kind {
+                    Kind::Open => depth += 1,
+                    Kind::Close if depth == 0 => break,
+                    Kind::Close => depth -= 1,
+                    _ => {}
+                }
+                out.push(t);
+            }
+            out
+        }
+        Some((t, _)) => vec![t],
+        None => Vec::new(),
+    }
+}
+
+/// An argument in brackets, if there is one.
+fn optional(rest: &mut Rest) -> Option<Vec<Token>> {
+    if !next_is(rest, "[") {
+        return None;
+    }
+    let mut depth = 0;
+    let mut out = Vec::new();
+    while let Some((t, _)) = rest.pop() {
+        match t.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth -= 1,
+            _ if depth == 0 && t.is_char("]") => break,
+            _ => {}
+        }
+        out.push(t);
+    }
+    Some(out)
+}
+
+/// The name that a definition defines: `\name` or `{\name}`.
+fn defined_name(rest: &mut Rest) -> Option<String> {
+    let found = argument(rest);
+    let name = found.iter().find(|t| t.kind != Kind::Space)?;
+    (name.kind == Kind::Command).then(|| name.text.clone())
+}
+
+/// Reads a definition, if `command` begins one.
+fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) -> bool {
+    match command {
+        "newcommand" | "renewcommand" | "providecommand" | "DeclareRobustCommand" => {
+            next_is(rest, "*");
+            let name = defined_name(rest);
+            let count: String = optional(rest).unwrap_or_default().iter().map(|t| t.text.as_str()).collect();
+            let default = optional(rest);
+            let body = argument(rest);
+            let arguments = count.trim().parse().unwrap_or(0);
+            let fresh = |name: &String| command != "providecommand" || !macros.contains_key(name);
+            if let Some(name) = name.filter(fresh) {
+                macros.insert(name, Macro { arguments, default, body });
+            }
+        }
+        "def" | "gdef" | "edef" | "xdef" => {
+            let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
+            let mut plain = true;
+            let mut arguments = 0;
+            while let Some((t, _)) = rest.last() {
+                match t.kind {
+                    Kind::Open => break,
+                    Kind::Argument => arguments += 1,
+                    Kind::Space => {}
+                    // Arguments that end with a text of their own are not understood; the call is left as it is.
+                    _ => plain = false,
+                }
+                rest.pop();
+            }
+            let body = argument(rest);
+            if plain {
+                macros.insert(name.text, Macro { arguments, default: None, body });
+            }
+        }
+        "let" => {
+            let Some(name) = rest.pop().map(|(t, _)| t).filter(|t| t.kind == Kind::Command) else { return true };
+            next_is(rest, "=");
+            let Some((meaning, _)) = rest.pop() else { return true };
+            let known = macros.get(&meaning.text).filter(|_| meaning.kind == Kind::Command).cloned();
+            let made = known.unwrap_or(Macro { arguments: 0, default: None, body: vec![meaning] });
+            macros.insert(name.text, made);
+        }
+        "DeclareMathOperator" => {
+            next_is(rest, "*");
+            let name = defined_name(rest);
+            let body = argument(rest);
+            let brace = |kind, text: &str| Token { kind, text: text.to_owned(), span: 0..0 };
+            let mut all = vec![brace(Kind::Command, "operatorname"), brace(Kind::Open, "{")];
+            all.extend(body);
+            all.push(brace(Kind::Close, "}"));
+            if let Some(name) = name {
+                macros.insert(name, Macro { arguments: 0, default: None, body: all });
+            }
+        }
+        "NewDocumentCommand" | "RenewDocumentCommand" => {
+            let name = defined_name(rest);
+            let kinds: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
+            let body = argument(rest);
+            let plain = kinds.chars().all(|c| c == 'm' || c.is_whitespace());
+            let arguments = kinds.chars().filter(|c| *c == 'm').count();
+            if let Some(name) = name.filter(|_| plain) {
+                macros.insert(name, Macro { arguments, default: None, body });
+            }
+        }
+        _ => return false,
+    }
+    true
+}
+
+/// The body of a macro with its arguments put in; every token has the place of the call.
+fn call(found: &Macro, token: &Token, rest: &mut Rest) -> Vec<Token> {
+    let mut values: Vec<Vec<Token>> = Vec::new();
+    if let Some(default) = &found.default {
+        values.push(optional(rest).unwrap_or_else(|| default.clone()));
+    }
+    while values.len() < found.arguments {
+        values.push(argument(rest));
+    }
+    let mut out = Vec::new();
+    for t in &found.body {
+        match t.kind {
+            Kind::Argument => {
+                let nth: usize = t.text.parse().unwrap_or(1);
+                out.extend(values.get(nth.wrapping_sub(1)).into_iter().flatten().cloned());
+            }
+            _ => out.push(Token { span: token.span.clone(), ..t.clone() }),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> String {
+        let all = expanded(text).unwrap_or_else(|e| panic!("{e:?}"));
+        let one = |t: &Token| if t.kind == Kind::Command { format!("\\{} ", t.text) } else { t.text.clone() };
+        all.iter().map(one).collect::<String>().trim().to_owned()
+    }
+
+    #[test]
+    fn macros_are_expanded_as_latex_does() {
+        assert_eq!(shown(r"\newcommand{\w}{\boldsymbol\Omega}\w x"), r"\boldsymbol \Omega x");
+        assert_eq!(shown(r"\newcommand\d[2][t]{\frac{d#2}{d#1}}\d x\d[s]{y}"), r"\frac {dx}{dt}\frac {dy}{ds}");
+        assert_eq!(shown(r"\def\a#1{<#1>}\def\b{\a}\b{x}"), "<x>");
+        assert_eq!(shown(r"\DeclareMathOperator{\tr}{tr}\tr A"), r"\operatorname {tr}A");
+        assert_eq!(shown(r"\let\eps=\epsilon\eps"), r"\epsilon");
+        assert_eq!(shown(r"\providecommand{\x}{1}\renewcommand*{\x}{2}\providecommand{\x}{3}\x"), "2");
+        assert_eq!(shown(r"\newcommand{\x}{1}\iffalse\newcommand{\x}{2}\ifx a\fi\fi\x"), "1");
+        assert_eq!(shown(r"a\end{document}b"), "a");
+        assert_eq!(shown(r"\NewDocumentCommand{\v}{m}{\vec{#1}}\v{x}"), r"\vec {x}");
+    }
+
+    #[test]
+    fn macros_that_do_not_end_are_noticed() {
+        for text in [r"\def\a{\a}\a", r"\def\a{\b\b}\def\b{\a\a}\a", r"\def\a{x\a\a}\a"] {
+            assert!(expanded(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn places_are_those_of_the_call() {
+        let text = r"\def\a{xy} \a z";
+        let all = expanded(text).expect("ends");
+        assert!(all.iter().filter(|t| t.text == "x" || t.text == "y").all(|t| &text[t.span.clone()] == r"\a"));
+    }
+
+    #[test]
+    fn unfinished_definitions_do_not_panic() {
+        let text = r"\newcommand{\a}[2][x]{\b#1#2}\def\c#1{\let\d=\a}\DeclareMathOperator*{\t}{t}\a[\c{y}{z\d{w}";
+        for end in 0..text.len() {
+            let _ = expanded(&text[..end]);
+        }
+    }
+}

@@ -1,0 +1,452 @@
+//! Formulas as they are printed: what differs only in spelling becomes the same.
+
+use std::ops::Range;
+
+use super::token::{Kind, Token};
+
+/// A token of a formula, in one spelling, and where it was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Mark {
+    pub text: String,
+    pub span: Range<usize>,
+}
+
+/// Commands that leave nothing but space, or choose a size.
+const NO_PRINT: &[&str] = &[
+    ",",
+    ";",
+    ":",
+    ">",
+    "!",
+    " ",
+    "/",
+    "\n",
+    "\t",
+    "@",
+    "quad",
+    "qquad",
+    "thinspace",
+    "medspace",
+    "thickspace",
+    "negthinspace",
+    "enspace",
+    "displaystyle",
+    "textstyle",
+    "scriptstyle",
+    "nonumber",
+    "notag",
+    "limits",
+    "nolimits",
+    "left",
+    "right",
+    "middle",
+    "big",
+    "Big",
+    "bigg",
+    "Bigg",
+    "bigl",
+    "bigr",
+    "bigm",
+    "Bigl",
+    "Bigr",
+    "Bigm",
+    "biggl",
+    "biggr",
+    "Biggl",
+    "Biggr",
+    "hfill",
+    "hfil",
+    "allowbreak",
+    "noalign",
+    "protect",
+    "relax",
+    "strut",
+    "displaylimits",
+    "centering",
+    "noindent",
+    "par",
+    "break",
+    "linebreak",
+    "pagebreak",
+    "allowdisplaybreaks",
+];
+/// The same with an argument in braces.
+const NO_PRINT_WITH_ARGUMENT: &[&str] =
+    &["label", "tag", "hspace", "vspace", "hskip", "vskip", "intertext", "shortintertext", "phantom", "vphantom"];
+/// Two spellings of one sign.
+const SAME: &[(&str, &str)] = &[
+    ("leq", "le"),
+    ("geq", "ge"),
+    ("neq", "ne"),
+    ("rightarrow", "to"),
+    ("dfrac", "frac"),
+    ("tfrac", "frac"),
+    ("cfrac", "frac"),
+    ("lvert", "|"),
+    ("rvert", "|"),
+    ("vert", "|"),
+    ("lbrack", "["),
+    ("rbrack", "]"),
+    ("cr", "\\"),
+    ("newline", "\\"),
+    ("tabularnewline", "\\"),
+];
+/// Environments that only say where lines may be broken.
+pub(super) const INNER: &[&str] = &["split", "aligned", "alignedat", "gathered", "subequations", "multlined"];
+
+/// The marks of a formula. Breaks of lines, `\\` and `\cr`, are marks `\\`.
+pub(super) fn marks(tokens: &[Token]) -> Vec<Mark> {
+    let mut out = Vec::new();
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        at += 1;
+        let mut push = |text: &str| out.push(Mark { text: text.to_owned(), span: token.span.clone() });
+        match token.kind {
+            Kind::Space => {}
+            Kind::Other if token.text == "~" || token.text == "&" => {}
+            Kind::Command => match token.text.as_str() {
+                "left" | "right" if tokens.get(at).is_some_and(|t| t.is_char(".")) => at += 1,
+                "begin" | "end" => {
+                    let (name, after) = group_text(tokens, at);
+                    if !INNER.contains(&name.as_str()) {
+                        push(&format!("\\{} {name}", token.text));
+                    } else if name == "alignedat" && token.text == "begin" {
+                        at = group_text(tokens, after).1;
+                        continue;
+                    }
+                    at = after;
+                }
+                name if NO_PRINT.contains(&name) => {}
+                name if NO_PRINT_WITH_ARGUMENT.contains(&name) => {
+                    if tokens.get(at).is_some_and(|t| t.is_char("*")) {
+                        at += 1;
+                    }
+                    at = group_text(tokens, at).1;
+                }
+                "\\" => {
+                    push("\\");
+                    at = after_row(tokens, at);
+                }
+                name => {
+                    let same = SAME.iter().find(|(other, _)| *other == name).map(|(_, same)| *same);
+                    match same {
+                        Some(sign @ ("|" | "[" | "]")) => push(sign),
+                        Some("\\") => push("\\"),
+                        other => push(&format!("\\{}", other.unwrap_or(name))),
+                    }
+                }
+            },
+            _ => push(&token.text),
+        }
+    }
+    ordered(&without_needless_braces(out))
+}
+
+/// The text of a group that begins at `at`, and the position after it; nothing where no group begins.
+pub(super) fn group_text(tokens: &[Token], at: usize) -> (String, usize) {
+    let mut from = at;
+    while tokens.get(from).is_some_and(|t| t.kind == Kind::Space) {
+        from += 1;
+    }
+    if tokens.get(from).is_none_or(|t| t.kind != Kind::Open) {
+        return (String::new(), at);
+    }
+    let mut depth = 0;
+    let mut text = String::new();
+    for (i, t) in tokens.iter().enumerate().skip(from) {
+        match t.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (text, i + 1);
+        }
+        match t.kind {
+            Kind::Open if depth == 1 => {}
+            Kind::Command => text.push_str(&format!("\\{}", t.text)),
+            _ => text.push_str(&t.text),
+        }
+    }
+    (text, tokens.len())
+}
+
+/// The position after what may follow `\\`: a star, and a distance in brackets.
+pub(super) fn after_row(tokens: &[Token], at: usize) -> usize {
+    let mut next = at;
+    if tokens.get(next).is_some_and(|t| t.is_char("*")) {
+        next += 1;
+    }
+    if tokens.get(next).is_some_and(|t| t.is_char("[")) {
+        let end = tokens.iter().skip(next).take(12).position(|t| t.is_char("]"));
+        let inside = |end: usize| tokens[next + 1..next + end].iter().map(|t| t.text.as_str()).collect::<String>();
+        // `\\[2pt]` is a distance; `\\ [a,b]` is a formula.
+        if let Some(end) = end
+            && ["pt", "em", "ex", "mm", "cm", "in", "baselineskip", "jot"].iter().any(|u| inside(end).ends_with(u))
+        {
+            next += end + 1;
+        }
+    }
+    next
+}
+
+/// `{x}` is `x`, again and again.
+fn without_needless_braces(mut marks: Vec<Mark>) -> Vec<Mark> {
+    loop {
+        let mut out: Vec<Mark> = Vec::with_capacity(marks.len());
+        let mut at = 0;
+        while at < marks.len() {
+            let single = marks[at].text == "{" && marks.get(at + 2).is_some_and(|m| m.text == "}");
+            if single && !matches!(marks[at + 1].text.as_str(), "{" | "}") && !takes_more(&marks[at + 1].text) {
+                out.push(marks[at + 1].clone());
+                at += 3;
+            } else {
+                out.push(marks[at].clone());
+                at += 1;
+            }
+        }
+        if out.len() == marks.len() {
+            return out;
+        }
+        marks = out;
+    }
+}
+
+/// Whether a command in braces would take what follows them, if they were not there.
+fn takes_more(mark: &str) -> bool {
+    matches!(mark, r"\bf" | r"\rm" | r"\it" | r"\cal" | r"\boldmath" | r"\frac" | r"\sqrt" | r"\over" | "\\")
+}
+
+/// The end of the unit that begins at `at`: one mark, or a group.
+fn unit(marks: &[Mark], at: usize) -> usize {
+    if marks.get(at).is_none_or(|m| m.text != "{") {
+        return (at + 1).min(marks.len());
+    }
+    let mut depth = 0;
+    for (i, m) in marks.iter().enumerate().skip(at) {
+        match m.text.as_str() {
+            "{" => depth += 1,
+            "}" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return i + 1;
+        }
+    }
+    marks.len()
+}
+
+/// Subscripts before superscripts: `m^2_3` is printed as `m_3^2` is.
+fn ordered(marks: &[Mark]) -> Vec<Mark> {
+    let mut out = Vec::with_capacity(marks.len());
+    let mut at = 0;
+    while at < marks.len() {
+        if marks[at].text == "^" {
+            let middle = unit(marks, at + 1);
+            if marks.get(middle).is_some_and(|m| m.text == "_") && middle > at + 1 {
+                let end = unit(marks, middle + 1);
+                out.extend(ordered(&marks[middle..end]));
+                out.push(marks[at].clone());
+                out.extend(ordered(&marks[at + 1..middle]));
+                at = end;
+                continue;
+            }
+        }
+        out.push(marks[at].clone());
+        at += 1;
+    }
+    out
+}
+
+/// Words that stand between formulas.
+const BETWEEN: &[&str] = &["and", "or", "with", "where", "for", "if"];
+
+/// A formula in parts: at commas, wide spaces and breaks of lines that stand outside of all brackets, and at words between
+/// formulas. Commas and stops at the end of a part are no part of it.
+pub(super) fn parts(tokens: &[Token]) -> Vec<Vec<Token>> {
+    let mut out = vec![Vec::new()];
+    let (mut braces, mut brackets, mut environments) = (0i32, 0i32, 0i32);
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        at += 1;
+        let outside = braces == 0 && brackets <= 0 && environments == 0;
+        let mut separates = false;
+        match token.kind {
+            Kind::Open => braces += 1,
+            Kind::Close => braces -= 1,
+            Kind::Other if braces == 0 => match token.text.as_str() {
+                "(" | "[" => brackets += 1,
+                ")" | "]" => brackets -= 1,
+                "," | ";" => separates = outside,
+                _ => {}
+            },
+            Kind::Command => match token.text.as_str() {
+                "begin" | "end" => {
+                    let (name, _) = group_text(tokens, at);
+                    let step = if token.text == "begin" { 1 } else { -1 };
+                    environments += if INNER.contains(&name.as_str()) { 0 } else { step };
+                }
+                "lbrack" => brackets += 1,
+                "rbrack" => brackets -= 1,
+                "quad" | "qquad" => separates = outside,
+                "\\" | "cr" | "newline" if braces == 0 && environments == 0 => {
+                    // No bracket reaches over a break that the author means as one.
+                    brackets = 0;
+                    separates = true;
+                    at = after_row(tokens, at);
+                }
+                "text" | "mbox" | "hbox" | "textrm" | "mathrm" if outside => {
+                    let (text, after) = group_text(tokens, at);
+                    let word = text.trim_matches(|c: char| !c.is_alphabetic());
+                    if BETWEEN.contains(&word) {
+                        separates = true;
+                        at = after;
+                    }
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+        if separates {
+            out.push(Vec::new());
+        } else if let Some(part) = out.last_mut() {
+            part.push(token.clone());
+        }
+    }
+    out.iter_mut().for_each(|part| trim(part));
+    out.retain(|part| !marks(part).is_empty());
+    out
+}
+
+/// Drops stops and spaces from the end of a part.
+fn trim(part: &mut Vec<Token>) {
+    let idle = |t: &Token| {
+        t.kind == Kind::Space
+            || (t.kind == Kind::Other && matches!(t.text.as_str(), "." | "," | ";" | "&" | "~"))
+            || (t.kind == Kind::Command && NO_PRINT.contains(&t.text.as_str()) && !t.is("right"))
+    };
+    while part.last().is_some_and(idle) {
+        // `\right.` ends a bracket, and not a sentence.
+        let right = part.len() > 1 && part[part.len() - 2].is("right");
+        if right && part.last().is_some_and(|t| t.is_char(".")) {
+            return;
+        }
+        part.pop();
+    }
+}
+
+/// A formula as text again, with single spaces where commands need them; labels and marks of alignment are left out.
+pub(super) fn text_of(tokens: &[Token]) -> String {
+    let mut out = String::new();
+    let mut at = 0;
+    let mut arrays = 0;
+    while let Some(token) = tokens.get(at) {
+        at += 1;
+        match token.kind {
+            Kind::Command if matches!(token.text.as_str(), "label" | "tag") => at = group_text(tokens, at).1,
+            Kind::Command if matches!(token.text.as_str(), "nonumber" | "notag") => {}
+            Kind::Command if matches!(token.text.as_str(), "begin" | "end") => {
+                let (name, after) = group_text(tokens, at);
+                let inner = INNER.contains(&name.as_str());
+                if !inner {
+                    arrays += if token.text == "begin" { 1 } else { -1 };
+                    out.push_str(&format!("\\{}{{{name}}}", token.text));
+                }
+                at = if inner && name == "alignedat" && token.text == "begin" {
+                    group_text(tokens, after).1
+                } else {
+                    after
+                };
+            }
+            Kind::Other if token.text == "&" && arrays == 0 => {}
+            Kind::Command => {
+                out.push('\\');
+                out.push_str(&token.text);
+            }
+            Kind::Space => {
+                if !out.ends_with(' ') {
+                    out.push(' ');
+                }
+                continue;
+            }
+            _ => {
+                let after_command = out.rfind('\\').is_some_and(|i| {
+                    let name = &out[i + 1..];
+                    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())
+                });
+                let letter = token.text.starts_with(|c: char| c.is_ascii_alphabetic());
+                if after_command && letter {
+                    out.push(' ');
+                }
+                out.push_str(&token.text);
+            }
+        }
+    }
+    out.trim().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    fn shown(text: &str) -> String {
+        marks(&tokens(text)).into_iter().map(|m| m.text).collect::<Vec<_>>().join(" ")
+    }
+
+    #[track_caller]
+    fn same(a: &str, b: &str) {
+        assert_eq!(shown(a), shown(b), "{a} and {b}");
+    }
+
+    #[test]
+    fn what_is_printed_alike_is_the_same() {
+        same(r"\dot R_{ij} = -x", r"\dot  R_{ij}=-x");
+        same(r"m^2_3", r"m_3^{2}");
+        same(r"\frac{1}{2}x", r"\frac12 x");
+        same(r"\dfrac{d\psi}{dt}", r"\frac{d\psi}{dt}");
+        same(r"\left(\frac{a}{b}\right)^2", r"(\frac ab)^{2}");
+        same(r"a\leq b\,,\;c\neq0", r"a\le b,c\ne 0");
+        same(r"x_{k}^{n+1}", r"x^{n+1}_k");
+        same(r"a &= b \nonumber\\ &+ c", r"a=b\\+c");
+        same(r"\begin{split}a&=b\end{split}", "a=b");
+    }
+
+    #[test]
+    fn what_is_printed_otherwise_is_not() {
+        for (a, b) in [
+            ("a+b", "a-b"),
+            (r"\Omega", r"\omega"),
+            ("x_1", "x^1"),
+            (r"\frac12x", r"\frac1{2x}"),
+            (r"{\bf m}", "m"),
+            ("ab", "ba"),
+            ("a^{b_c}", "a^b_c"),
+            (r"\sin^2x", r"\sin x^2"),
+        ] {
+            assert_ne!(shown(a), shown(b), "{a} and {b}");
+        }
+    }
+
+    #[test]
+    fn parts_are_what_stands_between_commas_and_breaks() {
+        let of = |t: &str| parts(&tokens(t)).iter().map(|p| text_of(p)).collect::<Vec<_>>();
+        assert_eq!(of(r"a=[b,c], \quad d=f(x,y). "), ["a=[b,c]", "d=f(x,y)"]);
+        assert_eq!(of(r"\dot q=p,\cr \dot p=-q.\\[2pt] z=1"), [r"\dot q=p", r"\dot p=-q", "z=1"]);
+        assert_eq!(
+            of(r"R=\left(\begin{array}{cc}1&2\\3&4\end{array}\right)."),
+            [r"R=\left(\begin{array}{cc}1&2\\3&4\end{array}\right)"]
+        );
+        assert_eq!(of(r"a=b \text{ and } c=\text{const}"), ["a=b", r"c=\text{const}"]);
+    }
+
+    #[test]
+    fn no_text_panics() {
+        let text =
+            r"\left.{x}^{2}_{\begin{split}a\\[2pt]b^{c}_}\text{and}\\*[1em]\right.\label{\}^_\begin{alignedat}{2}";
+        for end in 0..text.len() {
+            let all = tokens(&text[..end]);
+            let _ = (shown(&text[..end]), parts(&all), text_of(&all));
+        }
+    }
+}

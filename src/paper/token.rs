@@ -1,0 +1,156 @@
+//! Characters of a LaTeX document → tokens, each with its place.
+
+use std::ops::Range;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `\name` or `\,`: the text is the name, without the backslash.
+    Command,
+    /// `{`
+    Open,
+    /// `}`
+    Close,
+    /// `$`
+    Dollar,
+    /// White space; an empty line counts as one.
+    Space,
+    /// `#` and a digit, in the body of a macro: the text is the digit.
+    Argument,
+    /// Any other character.
+    Other,
+}
+
+/// A token and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Token {
+    pub kind: Kind,
+    pub text: String,
+    pub span: Range<usize>,
+}
+
+impl Token {
+    /// Whether it is this command.
+    pub fn is(&self, command: &str) -> bool {
+        self.kind == Kind::Command && self.text == command
+    }
+    /// Whether it is this character.
+    pub fn is_char(&self, c: &str) -> bool {
+        self.kind == Kind::Other && self.text == c
+    }
+}
+
+/// Environments in which nothing is LaTeX.
+const VERBATIM: &[&str] = &["verbatim", "verbatim*", "lstlisting", "comment", "filecontents", "minted"];
+
+/// Splits a text; comments and verbatim texts leave no token.
+pub(super) fn tokens(text: &str) -> Vec<Token> {
+    let mut out = Vec::new();
+    let mut at = 0;
+    while let Some(c) = text.get(at..).and_then(|t| t.chars().next()) {
+        let start = at;
+        at += c.len_utf8();
+        let (kind, shown) = match c {
+            '%' => {
+                at = text[at..].find('\n').map_or(text.len(), |i| at + i + 1);
+                // A comment takes the spaces of the next line with it.
+                at += text[at..].len() - text[at..].trim_start_matches([' ', '\t']).len();
+                continue;
+            }
+            '{' => (Kind::Open, "{"),
+            '}' => (Kind::Close, "}"),
+            '$' => (Kind::Dollar, "$"),
+            '#' => match text[at..].chars().next() {
+                Some(d @ '1'..='9') => {
+                    at += 1;
+                    out.push(Token { kind: Kind::Argument, text: d.to_string(), span: start..at });
+                    continue;
+                }
+                _ => (Kind::Other, "#"),
+            },
+            '\\' => {
+                let rest = &text[at..];
+                let letters = rest.bytes().take_while(|b| b.is_ascii_alphabetic() || *b == b'@').count();
+                let length = if letters > 0 { letters } else { rest.chars().next().map_or(0, char::len_utf8) };
+                let name = &rest[..length];
+                at += length;
+                if name == "verb" {
+                    at = after_verb(text, at);
+                    continue;
+                }
+                if name == "begin"
+                    && let Some(end) = after_verbatim(text, at)
+                {
+                    at = end;
+                    continue;
+                }
+                out.push(Token { kind: Kind::Command, text: name.to_owned(), span: start..at });
+                if letters > 0 {
+                    at += text[at..].len() - text[at..].trim_start_matches([' ', '\t']).len();
+                }
+                continue;
+            }
+            c if c.is_whitespace() => {
+                at += text[at..].len() - text[at..].trim_start().len();
+                (Kind::Space, " ")
+            }
+            _ => {
+                out.push(Token { kind: Kind::Other, text: c.to_string(), span: start..at });
+                continue;
+            }
+        };
+        out.push(Token { kind, text: shown.to_owned(), span: start..at });
+    }
+    out
+}
+
+/// The end of `\verb|…|`, whose bar is at `at`.
+fn after_verb(text: &str, at: usize) -> usize {
+    let rest = text[at..].strip_prefix('*').unwrap_or(&text[at..]);
+    let from = text.len() - rest.len();
+    let Some(bar) = rest.chars().next() else { return text.len() };
+    let body = from + bar.len_utf8();
+    text[body..].find([bar, '\n']).map_or(text.len(), |i| body + i + 1)
+}
+
+/// The end of a verbatim environment, if one begins here, after `\begin`.
+fn after_verbatim(text: &str, at: usize) -> Option<usize> {
+    let (name, _) = text[at..].strip_prefix('{')?.split_once('}')?;
+    let end = VERBATIM.iter().find(|v| **v == name).map(|name| format!("\\end{{{name}}}"))?;
+    Some(text[at..].find(&end).map_or(text.len(), |i| at + i + end.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> Vec<String> {
+        tokens(text).into_iter().map(|t| t.text).collect()
+    }
+
+    #[test]
+    fn tokens_know_their_place() {
+        let text = r"a\dot q % no \label{x}
+  =\,1";
+        let found = tokens(text);
+        assert_eq!(shown(text), ["a", "dot", "q", " ", "=", ",", "1"]);
+        for token in found.iter().filter(|t| t.kind == Kind::Other) {
+            assert_eq!(text[token.span.clone()], token.text);
+        }
+    }
+
+    #[test]
+    fn what_is_verbatim_or_a_comment_is_passed_over() {
+        assert_eq!(shown(r"\verb|$x$|y\begin{verbatim}$z$\end{verbatim}\%50%$"), ["y", "%", "5", "0"]);
+    }
+
+    #[test]
+    fn no_text_panics() {
+        for text in ["\\", "\\verb", "\\verb*", "\\begin{verbatim", "\\begin{verbatim}é", "%", "#", "é\\é", "\\verb|é"]
+        {
+            for end in (0..=text.len()).filter(|i| text.is_char_boundary(*i)) {
+                tokens(&text[..end]);
+            }
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Two reports compared: which verdicts changed, and whether for the worse.
+//!
+//! **Worse** is: not as expected any more; no longer decided, or no longer applicable; decided with weaker evidence; not
+//! tried any more. **Better** is the opposite of the first three. A verdict that changes together with what is expected of
+//! it is a **change** and neither.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::numbers::count;
+
+/// What a change amounts to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Direction {
+    /// Something is lost.
+    Worse,
+    /// Something is gained.
+    Better,
+    /// Neither.
+    Changed,
+    /// Tried for the first time.
+    New,
+}
+
+impl Direction {
+    const ALL: [Direction; 4] = [Direction::Worse, Direction::Better, Direction::Changed, Direction::New];
+
+    fn title(self) -> &'static str {
+        match self {
+            Direction::Worse => "Worse",
+            Direction::Better => "Better",
+            Direction::Changed => "Changed together with what is expected",
+            Direction::New => "New",
+        }
+    }
+}
+
+/// A verdict that is not what it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Id of the derivation.
+    pub derivation: String,
+    /// `id`, or `id/reading`.
+    pub claim: String,
+    /// Id of the trajectory; `None` for the claim as an identity.
+    pub trajectory: Option<String>,
+    /// The verdict as it was, in words; `None` if there was none.
+    pub old: Option<String>,
+    /// The verdict as it is, in words; `None` if there is none.
+    pub new: Option<String>,
+    /// What the change amounts to.
+    pub direction: Direction,
+}
+
+/// One verdict of a report.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Standing {
+    verdict: String,
+    strength: Option<String>,
+    unexpected: bool,
+}
+
+impl Standing {
+    fn words(&self) -> String {
+        let strength = self.strength.as_ref().map(|s| format!(" ({s})")).unwrap_or_default();
+        let unexpected = if self.unexpected { ", not as expected" } else { "" };
+        format!("{}{strength}{unexpected}", self.verdict)
+    }
+
+    /// How much is known: larger is more.
+    fn worth(&self) -> u8 {
+        let strength = match self.strength.as_deref() {
+            Some("proved") => 3,
+            Some("enclosed" | "certified") => 2,
+            Some(_) => 1,
+            None => 0,
+        };
+        match self.verdict.as_str() {
+            "undecided" => 0,
+            "not-applicable" => 1,
+            _ => 2 + strength,
+        }
+    }
+}
+
+/// Where a verdict belongs: derivation, claim, trajectory.
+type Key = (String, String, Option<String>);
+
+/// Compares two sets of reports, each the parsed `report.json` of a derivation. Changes are in the order of the reports.
+///
+/// # Errors
+/// What a value lacks to be a report.
+pub fn diff(old: &[Value], new: &[Value]) -> Result<Vec<Change>, String> {
+    let (before, order_before) = standings(old)?;
+    let (after, order_after) = standings(new)?;
+    let gone = order_before.into_iter().filter(|k| !after.contains_key(k));
+    let mut out = Vec::new();
+    for key in order_after.into_iter().chain(gone) {
+        let (a, b) = (before.get(&key), after.get(&key));
+        let direction = match (a, b) {
+            (Some(a), Some(b)) if a == b => continue,
+            (Some(a), Some(b)) if a.unexpected != b.unexpected => {
+                if b.unexpected {
+                    Direction::Worse
+                } else {
+                    Direction::Better
+                }
+            }
+            (Some(a), Some(b)) => match a.worth().cmp(&b.worth()) {
+                std::cmp::Ordering::Less => Direction::Better,
+                std::cmp::Ordering::Equal => Direction::Changed,
+                std::cmp::Ordering::Greater => Direction::Worse,
+            },
+            (None, Some(b)) if b.unexpected => Direction::Worse,
+            (None, _) => Direction::New,
+            (Some(_), None) => Direction::Worse,
+        };
+        let (derivation, claim, trajectory) = key;
+        let words = |s: Option<&Standing>| s.map(Standing::words);
+        out.push(Change { derivation, claim, trajectory, old: words(a), new: words(b), direction });
+    }
+    Ok(out)
+}
+
+fn standings(reports: &[Value]) -> Result<(BTreeMap<Key, Standing>, Vec<Key>), String> {
+    let mut out = BTreeMap::new();
+    let mut order = Vec::new();
+    for report in reports {
+        match report["schema"].as_u64() {
+            Some(1) => {}
+            Some(n) => return Err(format!("it has schema {n}, this version reads schema 1")),
+            None => return Err("it is not a report: it has no `schema`".to_owned()),
+        }
+        let text = |value: &Value, key: &str| match value[key].as_str() {
+            Some(text) => Ok(text.to_owned()),
+            None => Err(format!("it is not a whole report: `{key}` is missing")),
+        };
+        let derivation = text(&report["derivation"], "id")?;
+        for claim in report["claims"].as_array().ok_or("it is not a report: it has no `claims`")? {
+            let id = text(claim, "id")?;
+            let name = claim["reading"].as_str().map_or_else(|| id.clone(), |r| format!("{id}/{r}"));
+            let mut add = |trajectory: Option<String>, standing: Standing| {
+                let key = (derivation.clone(), name.clone(), trajectory);
+                if out.insert(key.clone(), standing).is_none() {
+                    order.push(key);
+                }
+            };
+            if let Ok(verdict) = text(&claim["identity"], "verdict") {
+                let strength = (verdict == "proved").then(|| "identity".to_owned());
+                add(None, Standing { verdict, strength, unexpected: false });
+            }
+            for result in claim["results"].as_array().into_iter().flatten() {
+                let standing = Standing {
+                    verdict: text(result, "verdict")?,
+                    strength: result["strength"].as_str().map(str::to_owned),
+                    unexpected: result["unexpected"].as_bool().unwrap_or(false),
+                };
+                add(Some(text(result, "trajectory")?), standing);
+            }
+        }
+    }
+    Ok((out, order))
+}
+
+/// Whether something got worse.
+pub fn is_worse(changes: &[Change]) -> bool {
+    changes.iter().any(|c| c.direction == Direction::Worse)
+}
+
+/// The changes for a terminal, or as Markdown for a pull request. Trajectories with the same change are named together.
+pub fn diff_text(changes: &[Change], markdown: bool) -> String {
+    if changes.is_empty() {
+        return "No verdict has changed.\n".to_owned();
+    }
+    let mut out = String::new();
+    for direction in Direction::ALL {
+        let of: Vec<&Change> = changes.iter().filter(|c| c.direction == direction).collect();
+        if of.is_empty() {
+            continue;
+        }
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        let title = format!("{} ({})", direction.title(), count(of.len(), "verdict"));
+        out.push_str(&if markdown { format!("### {title}\n\n") } else { format!("{title}\n") });
+        for group in groups(&of) {
+            out.push_str(&line(&group, markdown));
+        }
+    }
+    out
+}
+
+fn groups<'a>(changes: &[&'a Change]) -> Vec<Vec<&'a Change>> {
+    let mut out: Vec<Vec<&Change>> = Vec::new();
+    for change in changes {
+        let same = |group: &&mut Vec<&Change>| {
+            group.first().is_some_and(|first| {
+                (&first.derivation, &first.claim, &first.old, &first.new, first.trajectory.is_none())
+                    == (&change.derivation, &change.claim, &change.old, &change.new, change.trajectory.is_none())
+            })
+        };
+        match out.iter_mut().find(same) {
+            Some(group) => group.push(change),
+            None => out.push(vec![change]),
+        }
+    }
+    out
+}
+
+fn line(group: &[&Change], markdown: bool) -> String {
+    let Some(first) = group.first() else { return String::new() };
+    let names: Vec<&str> = group.iter().filter_map(|c| c.trajectory.as_deref()).collect();
+    let on = if names.is_empty() { "as an identity".to_owned() } else { format!("on {}", names.join(", ")) };
+    let old = first.old.as_deref().unwrap_or("not tried");
+    let new = first.new.as_deref().unwrap_or("not tried any more");
+    let (derivation, claim) = (&first.derivation, &first.claim);
+    match markdown {
+        true => format!("- **{derivation}**, `{claim}` {on}: {old} → **{new}**\n"),
+        false => format!("  {derivation}: {claim} {on}\n    {old} → {new}\n"),
+    }
+}

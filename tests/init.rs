@@ -1,0 +1,115 @@
+//! `rederive init`, and the commands that print what a shell or a reader of manuals wants.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use rederive::derivation::parse;
+use rederive::diag::{Source, render};
+use rederive::paper;
+
+fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
+    let mut command = Command::cargo_bin("rederive").expect("the program is built");
+    command.current_dir(folder).env_remove("CLICOLOR_FORCE").args(arguments).assert()
+}
+
+fn draft(tex: &str) -> paper::Draft {
+    let source = Source { path: "paper.tex".into(), text: tex.into() };
+    let paper = paper::parse(source, String::new()).unwrap_or_else(|d| panic!("{}", render(&[*d], false)));
+    paper::draft(&paper, "paper.tex")
+}
+
+/// Whatever the paper, the draft is a derivation file.
+#[track_caller]
+fn loads(tex: &str) -> paper::Draft {
+    let draft = draft(tex);
+    let source = Source { path: "draft.toml".into(), text: draft.text.clone() };
+    if let Err(found) = parse(source, "draft") {
+        panic!("{}\n{}", render(&found, false), draft.text);
+    }
+    draft
+}
+
+#[test]
+fn a_draft_has_labels_formulas_and_guesses_that_are_marked() {
+    let draft = loads(include_str!("source/paper.tex"));
+    insta::assert_snapshot!(draft.text);
+    let guesses = draft.text.lines().filter(|l| l.contains("role = \"")).collect::<Vec<_>>();
+    assert_eq!(guesses.len(), draft.symbols);
+    assert!(guesses.iter().all(|l| l.contains("# confirm: ")), "every guess is marked");
+    assert!(draft.text.matches("# confirm: not read").count() == draft.refused);
+}
+
+#[test]
+fn an_index_is_not_taken_for_a_name() {
+    let draft =
+        loads(r"\begin{equation}\label{e} \dot x_k=a_k x_k, \quad E=\frac12 a_ix_i^2, \quad b_k=0\end{equation}");
+    assert!(draft.text.contains("'x' = { role = \"state\", shape = \"3\" }"), "{}", draft.text);
+    for name in ["'a_k'", "'b_k'", "'x_k'"] {
+        assert!(!draft.text.contains(name), "{name} in {}", draft.text);
+    }
+}
+
+#[test]
+fn papers_of_every_kind_give_drafts_that_load() {
+    for tex in [
+        "",
+        r"\[ x' = y'' \] \[ f'(x) = 2 \]",
+        r"\[ ''' = ' \] \[ a = \text{it's ''' so} \]",
+        r"\begin{equation}\label{a b/ü'} \frac{a}{b}=c \end{equation}\begin{equation}\label{a b/ü'} d=e \end{equation}",
+        r"\begin{equation}\label{...} \end{equation} \[ = \] \[ \] \[ {{ \] \[ a_{b_{c}} = d^{e^{f}} \]",
+        r"\title{A ''quoted'' \emph{title} with \\ and ''' too} \[ \int_0^1 f(x) dx = 1 \] \[ x \in \mathbb{R} \]",
+        r"\[ \Psi(x,t) = \sum_n c_n \psi_n(x) e^{-iE_nt/\hbar} \]",
+        r"\[ \{q_i,p_j\}=\delta_{ij}, \quad \nabla\times\vec B = \mu_0\vec J \]",
+    ] {
+        loads(tex);
+    }
+}
+
+#[test]
+fn the_command_writes_a_file_once_and_the_file_can_be_checked() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("paper.tex"), include_str!("source/paper.tex")).expect("written");
+    rederive(folder.path(), &["init", "paper.tex"]).code(0).stdout("").stderr(predicate::str::contains("confirm"));
+    let path = folder.path().join("derivations/paper.toml");
+    let text = fs::read_to_string(&path).expect("written");
+    rederive(folder.path(), &["init", "paper.tex"]).code(2).stderr(predicate::str::contains("is there already"));
+    assert_eq!(fs::read_to_string(&path).expect("still there"), text);
+    rederive(folder.path(), &["init", "paper.tex", "--output", "-"]).code(0).stdout(text);
+    // It decides nothing, and says so; every formula is as printed.
+    let run = rederive(folder.path(), &["check", "--source", "paper.tex", "--no-reports"]).code(3);
+    run.stderr(predicate::str::contains("no claim was decided")).stdout(predicate::str::contains("0 not the same"));
+    fs::write(folder.path().join("empty.tex"), "no formula").expect("written");
+    rederive(folder.path(), &["init", "empty.tex"]).code(2).stderr(predicate::str::contains("displays no equation"));
+    rederive(folder.path(), &["init", "none.tex"]).code(2).stderr(predicate::str::contains("paper::unreadable"));
+}
+
+#[test]
+fn completions_and_manual_know_every_command() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let help = rederive(folder.path(), &["--help"]).code(0);
+    let help = String::from_utf8(help.get_output().stdout.clone()).expect("UTF-8");
+    let commands: Vec<&str> = help
+        .lines()
+        .skip_while(|l| *l != "Commands:")
+        .skip(1)
+        .take_while(|l| !l.is_empty())
+        .filter_map(|l| l.split_whitespace().next())
+        .filter(|c| *c != "help")
+        .collect();
+    assert!(commands.contains(&"check") && commands.contains(&"init"), "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let run = rederive(folder.path(), &["completions", shell]).code(0).stderr("");
+        let text = String::from_utf8(run.get_output().stdout.clone()).expect("UTF-8");
+        assert!(commands.iter().all(|c| text.contains(c)) && text.contains("no-reports"), "{shell}");
+    }
+    rederive(folder.path(), &["completions", "tcsh"]).code(2);
+    rederive(folder.path(), &["manual"]).code(0).stdout(predicate::str::contains(".SH NAME"));
+    rederive(folder.path(), &["manual", "--output", "man"]).code(0).stdout("");
+    for command in &commands {
+        let page = fs::read_to_string(folder.path().join(format!("man/rederive-{command}.1"))).expect("a page");
+        assert!(page.contains(".SH NAME") && page.contains(command), "{command}");
+    }
+    assert!(folder.path().join("man/rederive.1").exists());
+}

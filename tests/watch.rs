@@ -1,0 +1,104 @@
+//! Checking again after a change: quick, and with the verdicts of a check of the whole file.
+
+use std::path::Path;
+
+use rederive::check::{Cache, Options, check};
+use rederive::derivation::{Derivation, parse};
+use rederive::diag::{Source, render};
+use rederive::report;
+
+fn read(text: &str) -> Derivation {
+    let source = Source { path: "derivations/kepler.toml".into(), text: text.into() };
+    parse(source, "kepler").unwrap_or_else(|found| panic!("{}", render(&found, false)))
+}
+
+/// Checks through the cache, compares with a check of the whole, and returns what was checked again.
+#[track_caller]
+fn step(cache: &mut Cache, text: &str) -> Vec<String> {
+    let mut derivation = read(text);
+    let (account, checked) = cache.check(&mut derivation).unwrap_or_else(|e| panic!("{e:?}"));
+    let quick = report::json(&derivation, &account);
+    let mut derivation = read(text);
+    let whole = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let whole = report::json(&derivation, &whole);
+    assert!(quick == whole, "the cache says something else than a check of the whole file");
+    checked
+}
+
+#[test]
+fn the_cache_says_what_a_whole_check_says() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations/kepler.toml");
+    let text = std::fs::read_to_string(path).expect("it is there");
+    let mut cache = Cache::default();
+    let all = step(&mut cache, &text);
+    assert!(all.len() > 5, "{all:?}");
+    assert!(step(&mut cache, &text).is_empty(), "nothing has changed");
+    assert!(step(&mut cache, &format!("# a comment\n{text}\n\n")).is_empty(), "a comment changes nothing");
+
+    // One claim: it alone, with what follows from it and what it follows from.
+    let derivation = read(&text);
+    let from = &derivation.claims.iter().find(|c| c.follows_from.is_empty()).expect("one without premises").id;
+    let claim = format!("id = \"{from}\"\n");
+    let changed = text.replacen(&claim, &format!("{claim}precision = 1e-7\n"), 1);
+    assert_ne!(changed, text);
+    if let Ok(found) = parse(Source { path: "k".into(), text: changed.clone() }, "kepler") {
+        assert_eq!(found.claims.len(), derivation.claims.len());
+        let checked = step(&mut cache, &changed);
+        assert!(checked.contains(from) && checked.len() < all.len(), "{checked:?}");
+    }
+
+    // A motion: everything.
+    let moved = text.replacen("span = [0, ", "span = [0.0, ", 1);
+    assert_ne!(moved, text);
+    assert_eq!(step(&mut cache, &moved).len(), all.len());
+}
+
+#[test]
+fn a_premise_that_becomes_wrong_is_noticed_in_what_follows() {
+    let file = r"
+[derivation]
+title = 'Decay'
+concerns = 'A textbook'
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'state' }
+[system.decay]
+states = ['x']
+equations = ['\dot x=-x']
+[[trajectory]]
+id = 'slow'
+system = 'decay'
+initial = { 'x' = 1.5 }
+span = [0, 2]
+[[claim]]
+id = 'law'
+says = 'the rate is minus x'
+always = ['\dot x=-x']
+follows-from = ['decay']
+[[claim]]
+id = 'second'
+says = 'the second rate is x'
+always = ['\ddot x=x']
+follows-from = ['law']
+[[claim]]
+id = 'third'
+says = 'the third rate is minus x'
+always = ['\dddot x=-x']
+follows-from = ['second']
+[[claim]]
+id = 'alone'
+says = 'x is positive'
+always = ['x>0']
+";
+    let file = file.replace(r"\dddot x=-x", r"\ddot x+x=2x");
+    let mut cache = Cache::default();
+    assert_eq!(step(&mut cache, &file).len(), 4);
+    let wrong = file.replacen(r"always = ['\dot x=-x']", r"always = ['\dot x=x']", 1);
+    assert_eq!(step(&mut cache, &wrong), ["law", "second", "third"]);
+    assert_eq!(step(&mut cache, &file), ["law", "second", "third"], "and back");
+    let last = file.replace("2x", "3x");
+    assert_eq!(step(&mut cache, &last), ["law", "second", "third"], "premises are needed for the last");
+    let without = file.split("[[claim]]\nid = 'alone'").next().expect("the rest");
+    step(&mut cache, without);
+    assert_eq!(step(&mut cache, &file), ["alone"]);
+}
