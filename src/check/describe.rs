@@ -61,7 +61,7 @@ impl<'a> Describer<'a> {
     pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
         let Some(tape) = self.program.tape() else { return reason.to_string() };
         let mut slots = self.slots.borrow_mut();
-        self.program.measure(&self.points[time], 1.0, &mut slots);
+        self.program.run(&self.points[time], 1.0, &mut slots);
         let Some(slots) = slots.as_ref() else { return reason.to_string() };
         let position = self.program.position(comparison);
         let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));

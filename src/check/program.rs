@@ -4,12 +4,18 @@
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
 use super::comparison::{Comparison, Group, at_instant, traced};
-use super::weigh::Measured;
+use super::trial::Values;
+use super::weigh::{Measured, Series};
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
-use crate::number::{Bounded, NoValue, Rational};
+use crate::number::{Bounded, BoundedLanes, NoValue, Rational};
 use crate::tape::{Slots, Tape};
+
+/// Points that are evaluated at once.
+const BLOCK: usize = 8;
+/// After so many blocks in a row with points without a value, points are evaluated one by one.
+const PATIENCE: usize = 3;
 
 /// What a group is measured for.
 #[derive(Clone, Debug)]
@@ -327,28 +333,71 @@ impl Program {
         self.tape.as_ref()
     }
 
-    /// Measures every comparison at a point, for one sign of ±.
-    pub fn measure(
-        &self,
-        values: &[Result<Bounded, NoValue>],
-        sign: f64,
-        slots: &mut Option<Slots<Bounded>>,
-    ) -> Vec<Result<Measured, NoValue>> {
-        let Some(tape) = &self.tape else { return Vec::new() };
+    /// Evaluates everything at a point, for one sign of ±; what was found stays in the slots.
+    pub fn run(&self, values: &[Result<Bounded, NoValue>], sign: f64, slots: &mut Option<Slots<Bounded>>) {
+        let Some(tape) = &self.tape else { return };
         let slots = slots.get_or_insert_with(|| tape.slots(&()));
         for (i, &at) in self.inputs.iter().enumerate() {
             slots.set(i, values.get(at).copied().unwrap_or(Err(NoValue::OutOfDomain)));
         }
-        slots.set(self.inputs.len(), Ok(Bounded { value: sign, error: 0.0 }));
+        slots.set(self.inputs.len(), Ok(Bounded::exact(sign)));
         tape.run(&(), slots);
-        let comparison = |k: usize| {
-            Ok(Measured {
-                left: *tape.output(4 * k, slots)?,
-                right: *tape.output(4 * k + 1, slots)?,
-                difference: *tape.output(4 * k + 2, slots)?,
-                magnitude: tape.output(4 * k + 3, slots)?.value,
-            })
-        };
-        (0..tape.output_count() / 4).map(comparison).collect()
+    }
+
+    /// Evaluates everything at a block of points; whether every comparison has a value at each of them.
+    fn run_block(&self, tape: &Tape, block: &[Values], sign: f64, slots: &mut Slots<BoundedLanes<BLOCK>>) -> bool {
+        for (i, &at) in self.inputs.iter().enumerate() {
+            let mut lanes = BoundedLanes::splat(Bounded::exact(0.0));
+            for (lane, values) in block.iter().enumerate() {
+                // What some comparison needs has no value: the points one by one.
+                let Some(Ok(x)) = values.get(at) else { return false };
+                lanes.set_lane(lane, *x);
+            }
+            slots.set(i, Ok(lanes));
+        }
+        slots.set(self.inputs.len(), Ok(BoundedLanes::splat(Bounded::exact(sign))));
+        tape.run(&(), slots);
+        (0..tape.output_count()).all(|k| tape.output(k, slots).is_ok())
+    }
+
+    /// Measures every comparison at the points, for one sign of ±: `[comparison][point]`.
+    pub fn measure(&self, points: &[Values], sign: f64) -> Vec<Series> {
+        let Some(tape) = &self.tape else { return Vec::new() };
+        let count = tape.output_count() / 4;
+        let mut out: Vec<Series> = (0..count).map(|_| Vec::with_capacity(points.len())).collect();
+        let (mut single, mut lanes) = (None, None);
+        let mut failed = 0;
+        for block in points.chunks(BLOCK) {
+            if block.len() == BLOCK && failed < PATIENCE {
+                let slots = lanes.get_or_insert_with(|| tape.slots::<BoundedLanes<BLOCK>>(&()));
+                if self.run_block(tape, block, sign, slots) {
+                    failed = 0;
+                    for (k, series) in out.iter_mut().enumerate() {
+                        let output = |n: usize| slots.value(tape.output_slot(4 * k + n));
+                        let (left, right, difference, magnitude) = (output(0), output(1), output(2), output(3));
+                        series.extend((0..BLOCK).map(|i| {
+                            let (left, right) = (left.lane(i), right.lane(i));
+                            let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
+                            Ok(Measured { left, right, difference, magnitude })
+                        }));
+                    }
+                    continue;
+                }
+                failed += 1;
+            }
+            for values in block {
+                self.run(values, sign, &mut single);
+                let Some(slots) = &single else { continue };
+                for (k, series) in out.iter_mut().enumerate() {
+                    let output = |n: usize| tape.output(4 * k + n, slots).copied();
+                    let one = || {
+                        let (left, right, difference) = (output(0)?, output(1)?, output(2)?);
+                        Ok(Measured { left, right, difference, magnitude: output(3)?.value })
+                    };
+                    series.push(one());
+                }
+            }
+        }
+        out
     }
 }

@@ -4,6 +4,7 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -258,7 +259,7 @@ impl Stage {
                 }
             }
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: RefCell::default() })
     }
 
     /// The value of an expression in parameters on a motion.

@@ -3,6 +3,10 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
@@ -11,12 +15,11 @@ use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
 use super::verdict::{Evidence, Outcome, Verdict};
-use super::weigh::{Judged, Left, MeasuredGroup, TOLERATED_INCONCLUSIVE, weigh};
+use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
 use crate::number::{Bounded, NoValue};
-use crate::tape::Slots;
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -35,12 +38,35 @@ pub(super) struct Course<'a> {
     pub times: Vec<f64>,
     /// The values at the sample times.
     pub points: Vec<Values>,
+    /// What was looked at around a sample, by its position: claims ask for the same again and again.
+    pub near: RefCell<BTreeMap<usize, Rc<Near>>>,
+}
+
+/// Times around a sample, increasing, and the values there.
+pub(super) struct Near {
+    times: Vec<f64>,
+    points: Vec<Values>,
 }
 
 impl Course<'_> {
     /// The values of all leaves at another time.
     pub fn values(&self, t: f64) -> Values {
         self.stage.values(self.trajectory, t)
+    }
+
+    /// Times around a sample: a few between it and its neighbours.
+    fn near(&self, at: usize) -> Rc<Near> {
+        let look = || {
+            let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
+            let between =
+                |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+            let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
+            let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+            times.sort_by(f64::total_cmp);
+            let points = times.iter().map(|&t| self.values(t)).collect();
+            Rc::new(Near { times, points })
+        };
+        Rc::clone(self.near.borrow_mut().entry(at).or_insert_with(look))
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
@@ -92,15 +118,13 @@ pub(super) struct Measurements<'a> {
 /// measurements along the whole motion; without it, that of the points.
 pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option<&Measurements>) -> Measurements<'a> {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
-    let mut slots: Option<Slots<Bounded>> = None;
-    let by_sign: Vec<Vec<Vec<_>>> =
-        signs.iter().map(|&sign| points.iter().map(|p| program.measure(p, sign, &mut slots)).collect()).collect();
+    let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure(points, sign)).collect();
     let mut next = 0;
     let mut gather = |group: &'a Group, definedness: bool, along: Option<&MeasuredGroup>| {
         let first = next;
         next += group.comparisons.len();
         let used = if group.branching { by_sign.len() } else { 1 };
-        let series = |s: usize, c: usize| by_sign[s].iter().map(|point: &Vec<_>| point[first + c]).collect();
+        let mut series = |s: usize, c: usize| by_sign[s].get_mut(first + c).map(std::mem::take).unwrap_or_default();
         let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
         match along {
             Some(along) => MeasuredGroup { group, signs, definedness, floors: along.floors.clone() },
@@ -179,16 +203,9 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
     let Trial { program, course, .. } = *trial;
     let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
-    let neighbours = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| course.times.get(i));
-    let between = |&other: &f64| {
-        let worst = worst.at;
-        (1..=CLOSER).map(move |k| worst + (other - worst) * k as f64 / (CLOSER + 1) as f64)
-    };
-    let mut times: Vec<f64> = neighbours.flat_map(between).collect();
-    times.sort_by(f64::total_cmp);
-    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
-    let describer = Describer::new(trial, &times, &points);
-    let measured = measure(program, &points, Some(along));
+    let near = course.near(at);
+    let describer = Describer::new(trial, &near.times, &near.points);
+    let measured = measure(program, &near.points, Some(along));
     let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };
     let held = program.groups.iter().zip(&measured.groups);
     let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));

@@ -148,6 +148,13 @@ impl Prepared {
             // argument of √ is constant up to order n takes 2n orders to tell.
             scratch.others.resize(2 * self.degree + 1, None);
             for order in 0..=self.degree {
+                // Without a branch point, fewer orders can only help a leaf that has no value.
+                let helps = |(x, place): (&Result<Bounded, NoValue>, &(usize, usize))| {
+                    branch || (place.1 == order && order < self.degree && x.is_err())
+                };
+                if !point.iter().zip(&self.places).any(helps) {
+                    continue;
+                }
                 let degree = if branch { 2 * order } else { order };
                 let bench = scratch.others[degree].get_or_insert_with(|| self.program.bench(&self.core, degree));
                 self.program.run(&self.core, bench, t, &turns);

@@ -125,9 +125,26 @@ fn note(incomplete: &mut Vec<Incomplete>, what: Incomplete) {
     incomplete.push(what);
 }
 
+/// The value at the time that was asked for last: neighbouring pieces share an end.
+struct LastValue(Option<(f64, Option<Bounded>)>);
+
+impl LastValue {
+    fn get(&mut self, explorer: &mut Explorer, t: f64) -> Option<Bounded> {
+        match self.0 {
+            Some((last, value)) if last == t => value,
+            _ => {
+                let value = explorer.values(t).first().copied().and_then(Result::ok);
+                self.0 = Some((t, value));
+                value
+            }
+        }
+    }
+}
+
 /// Covers the motion.
 fn look(explorer: &mut Explorer) -> Seen {
     let times = explorer.core.boundaries();
+    let mut ends = LastValue(None);
     let stretches = explorer.cover(&times, |explorer, piece| {
         let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
         let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
@@ -135,13 +152,13 @@ fn look(explorer: &mut Explorer) -> Seen {
             return false;
         }
         // Behind a kink or a jump the polynomial goes on, and the expression does not follow it.
-        let mut follows = |t: f64| match explorer.values(t).first() {
-            Some(Ok(y)) => {
+        let mut follows = |t: f64| match ends.get(&mut *explorer, t) {
+            Some(y) => {
                 let gap = (y.value - horner(c, t - piece.centre)).abs();
                 gap <= 4.0 * (x.error + y.error) + 64.0 * f64::EPSILON * (size + y.value.abs())
             }
             // A piece may end where there is no value.
-            _ => true,
+            None => true,
         };
         follows(piece.start) && follows(piece.end)
     });

@@ -12,6 +12,7 @@
 //! does not compile. Results are written in place: series and lanes then need no allocation in the loop.
 
 mod bounded;
+mod bounded_lanes;
 mod dual;
 mod finite;
 mod interval;
@@ -25,6 +26,7 @@ mod series;
 mod slope;
 
 pub use bounded::Bounded;
+pub use bounded_lanes::BoundedLanes;
 pub use dashu_ratio::RBig as Rational;
 pub use finite::{Finite, FiniteField, is_prime};
 #[cfg(test)]
