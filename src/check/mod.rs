@@ -33,7 +33,7 @@ mod weigh;
 pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
 pub use identity::{Certificate, Cofactor, Origin};
 pub use proposition::{Proposition, prove, with_symbols_of};
-pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
+pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
 use crate::derivation::{Claim, Derivation, Form};
