@@ -45,7 +45,7 @@ pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
-pub use second_route::{Counterexample, IdentityEvidence, Trials, agree};
+pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{
     AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,

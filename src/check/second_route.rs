@@ -52,15 +52,22 @@ pub struct Trials {
 pub struct Counterexample {
     /// Number of the equation.
     pub equation: usize,
-    /// Its left side there: a rational number where it is one, otherwise decimals.
+    /// The point, and the sides there.
+    pub first: Place,
+    /// Another point, with another difference of the sides: what is given does not fix it.
+    pub second: Option<Place>,
+}
+
+/// A point at which everything given holds, and the sides of an equation there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The left side: a rational number where it is one, otherwise decimals.
     pub left: String,
-    /// Its right side there.
+    /// The right side.
     pub right: String,
     /// LaTeX name and value of everything that the sides depend on; `\cos x` and `\sin x` where these are rational and x is
     /// not.
     pub point: Vec<(String, String)>,
-    /// Another point, with another difference of the sides: what is given does not fix it. (point, left, right)
-    pub second: Option<(Vec<(String, String)>, String, String)>,
 }
 
 /// A formula with ±: the leaf that stands for the sign, and what is claimed of it.
@@ -245,14 +252,12 @@ fn side(side: &Side) -> String {
 }
 
 fn counterexample(graph: &Graph, refutation: &Refutation) -> Counterexample {
-    let Refutation { equation, left, right, second, .. } = refutation;
-    let second = second.as_ref().map(|(p, l, r)| (point(graph, p), side(l), side(r)));
+    let place =
+        |p: &Point, left: &Side, right: &Side| Place { left: side(left), right: side(right), point: point(graph, p) };
     Counterexample {
-        equation: *equation,
-        left: side(left),
-        right: side(right),
-        point: point(graph, &refutation.point),
-        second,
+        equation: refutation.equation,
+        first: place(&refutation.point, &refutation.left, &refutation.right),
+        second: refutation.second.as_ref().map(|(p, l, r)| place(p, l, r)),
     }
 }
 

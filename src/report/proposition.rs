@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::certificates::{certificate_text, is_certified};
 use super::json::{number, trials, write};
 use super::text::{Paint, paragraph};
-use crate::check::{Counterexample, IdentityAccount, Proposition, Trials};
+use crate::check::{Counterexample, IdentityAccount, Place, Proposition, Trials};
 
 /// The answer for a person; with `certificate`, followed by the exact proof as a program. `colour`: with escape codes.
 pub fn proposition_text(
@@ -99,7 +99,7 @@ fn routes(account: &IdentityAccount) -> String {
 }
 
 fn counterexample(found: &Counterexample, given: bool) -> String {
-    let place = |point: &[(String, String)], left: &str, right: &str| {
+    let place = |Place { left, right, point }: &Place| {
         let values: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         let at = if values.is_empty() { "as it stands".to_owned() } else { format!("at {}", values.join("; ")) };
         format!("{}    left   {left}\n    right  {right}\n", paragraph(&at, 2))
@@ -108,10 +108,10 @@ fn counterexample(found: &Counterexample, given: bool) -> String {
     if found.equation > 0 {
         out.push_str(&format!("  Equation {}:\n", found.equation + 1));
     }
-    out.push_str(&place(&found.point, &found.left, &found.right));
-    if let Some((point, left, right)) = found.second.as_ref().filter(|_| given) {
+    out.push_str(&place(&found.first));
+    if let Some(second) = found.second.as_ref().filter(|_| given) {
         out.push_str("\n  The premises leave it open: they hold there, and also\n");
-        out.push_str(&place(point, left, right));
+        out.push_str(&place(second));
     }
     out
 }
@@ -119,8 +119,10 @@ fn counterexample(found: &Counterexample, given: bool) -> String {
 /// The answer as JSON.
 pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) -> String {
     let evidence = &account.evidence;
-    let point = |point: &[(String, String)]| -> Map<String, Value> {
-        point.iter().map(|(name, value)| (name.clone(), Value::String(value.clone()))).collect()
+    let place = |place: &Place| -> Value {
+        let point: Map<String, Value> =
+            place.point.iter().map(|(name, value)| (name.clone(), Value::String(value.clone()))).collect();
+        json!({ "left": place.left, "right": place.right, "point": point })
     };
     let document = json!({
         "schema": 1,
@@ -139,12 +141,10 @@ pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) ->
         "contradiction": evidence.contradiction,
         "witness": evidence.counterexample.as_ref().map(|c| json!({
             "equation": c.equation,
-            "left": c.left,
-            "right": c.right,
-            "point": point(&c.point),
-            "second": c.second.as_ref().map(|(p, left, right)| json!({
-                "left": left, "right": right, "point": point(p),
-            })),
+            "left": c.first.left,
+            "right": c.first.right,
+            "point": place(&c.first)["point"],
+            "second": c.second.as_ref().map(place),
         })),
         "certificate": is_certified(account)
             .then(|| certificate_text(&proposition.formula, &proposition.given, &evidence.certificates)),

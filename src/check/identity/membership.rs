@@ -16,7 +16,7 @@ use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin};
 use super::lower::Generator;
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
-use super::prepare::{explicit, with_rates};
+use super::prepare::{Explicit, explicit, with_rates};
 use super::prove::{Lowered, lower};
 use super::solve::insert_definitions;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
@@ -45,46 +45,36 @@ pub(super) fn certify(
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let lowered = lower(graph, &solved.rest, &claim, [&nonzero, &positive, &[]], &[]).map_err(wrong)?;
-    let sources: Vec<(Origin, String)> = solved
-        .rest
-        .iter()
-        .map(|p| {
-            let origin = if p.derived { Origin::Rate } else { Origin::Premise };
-            (origin, format!("{} = {}", shown(graph, p.left), shown(graph, p.right)))
-        })
-        .collect();
-    let written = |graph: &Graph, &(l, r): &(Expr, Expr)| {
-        let put_in = |leaf: Leaf| {
-            let value = shown(graph, *solved.definitions.get(&leaf)?);
-            Some(format!("{} = {value}", graph.leaf_latex(leaf)))
-        };
-        Written {
-            formula: format!("{} = {}", shown(graph, l), shown(graph, r)),
-            definitions: graph.leaves([l, r]).into_iter().filter_map(put_in).collect(),
-            divided_by: solved.pivots.iter().map(|&e| shown(graph, e)).collect(),
-        }
-    };
-    let formulas: Vec<Written> = equations.iter().map(|pair| written(graph, pair)).collect();
-    let mut search = Search { graph, lowered: &lowered, effort, left: effort.work };
-    let mut system = search.system(&sources)?;
+    let origin = Given { equations, solved: &solved };
+    let mut search = Search { graph, lowered: &lowered, origin, effort, left: effort.work };
+    let mut system = search.system()?;
     let mut out = Vec::new();
-    for (equation, (&(l, r), formula)) in lowered.claim.iter().zip(formulas).enumerate() {
-        out.push(search.certificate(&mut system, equation, formula, (l, r))?);
+    for (equation, &(l, r)) in lowered.claim.iter().enumerate() {
+        out.push(search.certificate(&mut system, equation, (l, r))?);
     }
     Ok(out)
 }
 
-/// An equation as it was before its polynomial was made.
-struct Written {
-    formula: String,
-    definitions: Vec<String>,
-    divided_by: Vec<String>,
+/// The problem before it was lowered, for the text of a certificate.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    equations: &'a [(Expr, Expr)],
+    solved: &'a Explicit,
+}
+
+/// Why a relation holds.
+#[derive(Clone, Copy)]
+enum Source {
+    /// It is this one of the premises, definitions inserted.
+    Premise(usize),
+    /// The meaning of a variable, in words.
+    Meaning(&'static str),
 }
 
 /// A relation between the variables.
 struct Relation {
     polynomial: Poly,
-    meaning: (Origin, String),
+    source: Source,
 }
 
 /// A ring and the relations in it.
@@ -100,6 +90,7 @@ struct System {
 struct Search<'a> {
     graph: &'a mut Graph,
     lowered: &'a Lowered,
+    origin: Given<'a>,
     effort: Effort,
     /// Work that is left.
     left: u64,
@@ -113,7 +104,7 @@ impl Search<'_> {
         value.ok_or(NoCertificate::TooLarge)
     }
 
-    fn system(&mut self, sources: &[(Origin, String)]) -> Result<System, NoCertificate> {
+    fn system(&mut self) -> Result<System, NoCertificate> {
         let lowered = self.lowered;
         let mut roots: Vec<Expr> = lowered.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
         roots.extend(lowered.premises.iter().map(|&(e, _)| e));
@@ -150,19 +141,19 @@ impl Search<'_> {
                 Node::Unary(..) => "an absolute value is squared",
                 _ => "c² + s² = 1",
             };
-            self.relate(&mut system, relation, (Origin::Variable, words.to_owned()))?;
+            self.relate(&mut system, relation, Source::Meaning(words))?;
         }
-        for (&(e, _), source) in lowered.premises.iter().zip(sources) {
-            self.relate(&mut system, e, source.clone())?;
+        for (at, &(e, _)) in lowered.premises.iter().enumerate() {
+            self.relate(&mut system, e, Source::Premise(at))?;
         }
         Ok(system)
     }
 
-    fn relate(&mut self, system: &mut System, e: Expr, meaning: (Origin, String)) -> Result<(), NoCertificate> {
+    fn relate(&mut self, system: &mut System, e: Expr, source: Source) -> Result<(), NoCertificate> {
         let (top, _) = fraction(self.graph, e);
         let polynomial = self.expand(system, top)?;
         if !polynomial.terms.is_empty() {
-            system.relations.push(Relation { polynomial: integral(&polynomial), meaning });
+            system.relations.push(Relation { polynomial: integral(&polynomial), source });
         }
         Ok(())
     }
@@ -171,7 +162,6 @@ impl Search<'_> {
         &mut self,
         system: &mut System,
         equation: usize,
-        formula: Written,
         (l, r): (Expr, Expr),
     ) -> Result<Certificate, NoCertificate> {
         let residual = self.graph.sub(l, r);
@@ -206,7 +196,7 @@ impl Search<'_> {
             let target = self.counted(|| &multiplier * &conclusion)?;
             if let Some(cofactors) = self.lift(system, &target)? {
                 let used = if power > 0 { used } else { Vec::new() };
-                return self.written(system, equation, formula, (&multiplier, &used), &conclusion, &cofactors);
+                return self.written(system, equation, (&multiplier, &used), &conclusion, &cofactors);
             }
             if system.only_circles && power == 0 {
                 return Err(NoCertificate::Refuted { equation });
@@ -256,7 +246,6 @@ impl Search<'_> {
         &mut self,
         system: &System,
         equation: usize,
-        formula: Written,
         (multiplier, used): (&Poly, &[Expr]),
         conclusion: &Poly,
         cofactors: &[Poly],
@@ -284,7 +273,7 @@ impl Search<'_> {
         let scale = BigRational::from_integer(scale * by.denom());
         for (relation, q) in system.relations.iter().zip(cofactors).filter(|(_, q)| !q.terms.is_empty()) {
             terms.push(Cofactor {
-                meaning: relation.meaning.clone(),
+                meaning: self.meaning(relation.source),
                 relation: text(&relation.polynomial),
                 cofactor: text(&scaled(q, &(&by * &scale))),
             });
@@ -299,7 +288,16 @@ impl Search<'_> {
             .filter(|(_, occurs)| *occurs)
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
-        let Written { formula, definitions, divided_by } = formula;
+        let Given { equations, solved } = self.origin;
+        let graph = &*self.graph;
+        let (l, r) = equations.get(equation).copied().ok_or(NoCertificate::TooLarge)?;
+        let formula = format!("{} = {}", shown(graph, l), shown(graph, r));
+        let put_in = |leaf: Leaf| {
+            let value = shown(graph, *solved.definitions.get(&leaf)?);
+            Some(format!("{} = {value}", graph.leaf_latex(leaf)))
+        };
+        let definitions = graph.leaves([l, r]).into_iter().filter_map(put_in).collect();
+        let divided_by = solved.pivots.iter().map(|&e| shown(graph, e)).collect();
         Ok(Certificate {
             equation,
             formula,
@@ -310,6 +308,18 @@ impl Search<'_> {
             not_zero,
             conclusion,
             terms,
+        })
+    }
+
+    /// Why a relation holds, in words and LaTeX.
+    fn meaning(&self, source: Source) -> (Origin, String) {
+        let premise = match source {
+            Source::Meaning(words) => return (Origin::Variable, words.to_owned()),
+            Source::Premise(at) => self.origin.solved.rest.get(at),
+        };
+        premise.map_or((Origin::Premise, String::new()), |p| {
+            let origin = if p.derived { Origin::Rate } else { Origin::Premise };
+            (origin, format!("{} = {}", shown(self.graph, p.left), shown(self.graph, p.right)))
         })
     }
 

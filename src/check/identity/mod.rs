@@ -88,6 +88,7 @@ mod conditions;
 mod exact;
 mod field;
 mod growth;
+mod insertion;
 mod linear;
 mod lower;
 #[cfg(feature = "certificates")]

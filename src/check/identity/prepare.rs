@@ -1,5 +1,6 @@
 //! Premises before lowering: derivatives by time, explicit definitions.
 
+use super::insertion::put_in;
 use super::outcome::{Premises, Reason};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
@@ -117,12 +118,8 @@ pub(super) fn explicit(
         }
         let Some((at, (leaf, value))) = found else { return out };
         out.rest.remove(at);
-        for e in out.definitions.values_mut() {
-            *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
-        }
-        for e in out.rest.iter_mut().flat_map(|p| [&mut p.left, &mut p.right]) {
-            *e = graph.substitute(*e, |_, l| (l == leaf).then_some(value));
-        }
+        let rest = out.rest.iter_mut().flat_map(|p| [&mut p.left, &mut p.right]);
+        put_in(graph, out.definitions.values_mut().chain(rest), leaf, value);
         out.definitions.insert(leaf, value);
     }
 }

@@ -1,0 +1,56 @@
+//! One definition put into many expressions.
+
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node};
+
+/// Replaces a leaf in all expressions. They share most of their nodes, and few of these depend on the leaf: every node is
+/// looked at once, and those without the leaf stay what they are.
+pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut Expr>, leaf: Leaf, value: Expr) {
+    let into: Vec<&mut Expr> = into.collect();
+    let mut image: FastMap<Expr, Expr> = FastMap::default();
+    for node in graph.reachable(into.iter().map(|e| **e)) {
+        let new = match *graph.node(node) {
+            Node::Leaf(l) if l == leaf => value,
+            Node::Unary(op, a) => match image.get(&a) {
+                Some(&a) => graph.unary(op, a),
+                None => continue,
+            },
+            Node::Binary(op, a, b) => match (image.get(&a), image.get(&b)) {
+                (None, None) => continue,
+                (p, q) => {
+                    let (a, b) = (p.copied().unwrap_or(a), q.copied().unwrap_or(b));
+                    graph.binary(op, a, b)
+                }
+            },
+            _ => continue,
+        };
+        image.insert(node, new);
+    }
+    for e in into {
+        *e = image.get(e).copied().unwrap_or(*e);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Op, Shape};
+
+    #[test]
+    fn the_leaf_is_replaced_everywhere_and_nothing_else() {
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|n| {
+            let symbol = g.declare(n, Shape::scalar(), false);
+            Leaf { symbol, component: 0, rate: 0, instant: None }
+        });
+        let (a, b) = (g.leaf(x), g.leaf(y));
+        let sum = g.add(a, b);
+        let sine = g.unary(Op::Sin, sum);
+        let square = g.powi(b, 2);
+        let three = g.integer(3);
+        let mut list = [sine, square, a, g.mul(sine, square)];
+        let wanted = list.map(|e| g.substitute(e, |_, l| (l == x).then_some(three)));
+        put_in(&mut g, list.iter_mut(), x, three);
+        assert_eq!(list, wanted);
+        assert_eq!(list[1], square);
+    }
+}
