@@ -91,7 +91,9 @@ impl IdentityAccount {
                  2^{}.",
                 bound.ceil()
             ),
-            ("proved", None) => format!("True for all values, given {given}: proved by signs, for every order of the sizes."),
+            ("proved", None) => {
+                format!("True for all values, given {given}: proved by signs, for every order of the sizes.")
+            }
             ("refuted", _) => format!("Not an identity, given {given}: a point refutes it."),
             _ => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
         }

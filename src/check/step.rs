@@ -28,7 +28,9 @@ mod wording;
 
 use super::account::IdentityAccount;
 use super::comparison::at_instant;
-use super::identity::{Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order};
+use super::identity::{
+    Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order,
+};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -166,9 +168,11 @@ impl<'a> Step<'a> {
         {
             (identity, moved) = (by_rate, true);
         }
-        if matches!(identity, Identity::Refuted(_)) && self.joins_times(&gathered, &equations) {
-            identity = Identity::Undecided(Reason::NoDerivative);
-            let mut account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let weighed =
+            matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
+        if !weighed && self.joins_times(&gathered, &equations) {
+            let open = Identity::Undecided(Reason::NoDerivative);
+            let mut account = self.account(open, gathered.from.clone(), gathered.complete);
             account.reason = Some(ONLY_RATES.to_owned());
             return Some(account);
         }
@@ -205,7 +209,6 @@ impl<'a> Step<'a> {
                 }
                 return self.with_all_definitions(proof, gathered, equations, split);
             }
-            if std::env::var("STEP_DEBUG").is_ok() { let x=self.ask(&premises, equations, &options, split); eprintln!("{} {which:?} split {split}: {}", self.claim.name(), match x { Identity::Undecided(Reason::Unsolved(e)) => format!("unsolved {}", self.graph.to_latex(e)), Identity::Undecided(r) => r.to_string(), o => o.word().to_owned() }); }
             tried = Some(premises);
         }
         let premises = self.premises(gathered, equations, Definitions::All);
@@ -237,13 +240,7 @@ impl<'a> Step<'a> {
 
     /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
     /// lie among the exceptions of the proof.
-    fn with_all_definitions(
-        &mut self,
-        proof: Proof,
-        gathered: &Gathered,
-        equations: &Pairs,
-        split: bool,
-    ) -> Identity {
+    fn with_all_definitions(&mut self, proof: Proof, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let premises = self.premises(gathered, equations, Definitions::All);
         let options = Options { attempts: FEW_POINTS, ..Options::default() };
         let generic = proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)));
@@ -284,8 +281,7 @@ impl<'a> Step<'a> {
             return identity_test(&mut self.graph, equations, premises, options);
         }
         let branches = [1, -1].map(|value| self.branch(equations, value));
-        let Branches { throughout: mut each, pointwise } =
-            branches_test(&mut self.graph, &branches, premises, options);
+        let Branches { throughout: mut each, pointwise } = branches_test(&mut self.graph, &branches, premises, options);
         if !self.claim.branches_throughout {
             return pointwise;
         }

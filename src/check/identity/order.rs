@@ -333,7 +333,8 @@ impl Signs<'_> {
 
     /// A point in this order at which all assumptions hold and something claimed does not.
     fn counterexample(&self, question: &Question) -> Option<Vec<Rational>> {
-        let all = |list: &[(Requirement, Expr)], p: &[Rational]| list.iter().all(|&(r, e)| self.at(r, e, p) == Some(true));
+        let all =
+            |list: &[(Requirement, Expr)], p: &[Rational]| list.iter().all(|&(r, e)| self.at(r, e, p) == Some(true));
         let fails = |p: &[Rational]| question.claimed.iter().any(|&(r, e)| self.at(r, e, p) == Some(false));
         self.points().into_iter().find(|p| all(&question.assumed, p) && fails(p))
     }

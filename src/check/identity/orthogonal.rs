@@ -117,7 +117,8 @@ fn pairing(graph: &Graph, p: &Combination, size: usize) -> Option<Vec<(Leaf, Lea
 fn complete(first: &Row, units: &[Row], pairings: &[Vec<(Leaf, Leaf)>]) -> Option<Vec<Row>> {
     let mut matrix = vec![first.clone()];
     for pairs in pairings {
-        let partner = |l: &Leaf| pairs.iter().find_map(|&(a, b)| if a == *l { Some(b) } else { (b == *l).then_some(a) });
+        let partner =
+            |l: &Leaf| pairs.iter().find_map(|&(a, b)| if a == *l { Some(b) } else { (b == *l).then_some(a) });
         let Some(row) = first.iter().map(partner).collect::<Option<Row>>() else { continue };
         let same = |u: &Row| u.iter().all(|l| row.contains(l));
         if units.iter().any(same) && !matrix.iter().flatten().any(|l| row.contains(l)) {
@@ -130,9 +131,7 @@ fn complete(first: &Row, units: &[Row], pairings: &[Vec<(Leaf, Leaf)>]) -> Optio
     matrix.truncate(first.len());
     // The other rows must be orthogonal to each other as well, entry by entry.
     let orthogonal = |a: &Row, b: &Row| {
-        pairings.iter().any(|pairs| {
-            a.iter().zip(b).all(|(&x, &y)| pairs.contains(&(x, y)) || pairs.contains(&(y, x)))
-        })
+        pairings.iter().any(|pairs| a.iter().zip(b).all(|(&x, &y)| pairs.contains(&(x, y)) || pairs.contains(&(y, x))))
     };
     let paired = |i: usize| (i + 1..matrix.len()).all(|j| orthogonal(&matrix[i], &matrix[j]));
     (0..matrix.len()).all(paired).then_some(matrix)
@@ -217,21 +216,9 @@ fn parametrise(
             }
             graph.sub(plus, minus)
         };
-        entries.push(vec![
-            diagonal(graph, 0),
-            twice(graph, (b, c), (a, d), true),
-            twice(graph, (b, d), (a, c), false),
-        ]);
-        entries.push(vec![
-            twice(graph, (b, c), (a, d), false),
-            diagonal(graph, 1),
-            twice(graph, (c, d), (a, b), true),
-        ]);
-        entries.push(vec![
-            twice(graph, (b, d), (a, c), true),
-            twice(graph, (c, d), (a, b), false),
-            diagonal(graph, 2),
-        ]);
+        entries.push(vec![diagonal(graph, 0), twice(graph, (b, c), (a, d), true), twice(graph, (b, d), (a, c), false)]);
+        entries.push(vec![twice(graph, (b, c), (a, d), false), diagonal(graph, 1), twice(graph, (c, d), (a, b), true)]);
+        entries.push(vec![twice(graph, (b, d), (a, c), true), twice(graph, (c, d), (a, b), false), diagonal(graph, 2)]);
         for entry in entries.iter_mut().flatten() {
             *entry = graph.mul(sign, *entry);
         }

@@ -75,7 +75,8 @@ fn is_inverse(graph: &Graph, e: Expr) -> bool {
         Node::Unary(Op::Arcsin | Op::Arccos | Op::Arctan, _) | Node::Binary(Op::Arctan2, ..) => true,
         Node::Unary(Op::Neg, a) => is_inverse(graph, a),
         Node::Binary(Op::Mul, a, b) => {
-            graph.as_constant(a).is_some() && is_inverse(graph, b) || graph.as_constant(b).is_some() && is_inverse(graph, a)
+            graph.as_constant(a).is_some() && is_inverse(graph, b)
+                || graph.as_constant(b).is_some() && is_inverse(graph, a)
         }
         Node::Binary(Op::Div, a, b) => graph.as_constant(b).is_some() && is_inverse(graph, a),
         _ => false,

@@ -314,7 +314,8 @@ impl Examination<'_> {
     fn generic(&mut self, premises: &[(Expr, bool)]) -> Result<(Proof, Vec<Resolved>), Stop> {
         let mut first = None;
         let matrices = !self.lowered.orthogonal.definitions.is_empty();
-        for (seeded, strategy) in Strategy::ALL.map(|s| (true, s)).into_iter().chain(Strategy::ALL.map(|s| (false, s))) {
+        for (seeded, strategy) in Strategy::ALL.map(|s| (true, s)).into_iter().chain(Strategy::ALL.map(|s| (false, s)))
+        {
             if !seeded && !matrices {
                 break;
             }
@@ -522,7 +523,16 @@ pub(super) fn lower(
     let occurring = graph.leaves(all);
     let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
     facts.positive.extend(orthogonal.norms.iter().copied());
-    Ok(Lowered { orthogonal, generators, premises: images, claim: sides, facts, denominators, assumed: not_zero, frozen })
+    Ok(Lowered {
+        orthogonal,
+        generators,
+        premises: images,
+        claim: sides,
+        facts,
+        denominators,
+        assumed: not_zero,
+        frozen,
+    })
 }
 
 /// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.

@@ -150,7 +150,12 @@ impl Step<'_> {
             out.inherited.extend(more);
         }
         let mut seen = Vec::new();
-        out.inherited.retain(|text| !seen.contains(text) && { seen.push(text.clone()); true });
+        out.inherited.retain(|text| {
+            !seen.contains(text) && {
+                seen.push(text.clone());
+                true
+            }
+        });
         self.at_instants(&always, &constant, &mut premises);
         out.premises = premises;
         out
@@ -175,12 +180,7 @@ impl Step<'_> {
     }
 
     /// What holds at all times holds at the fixed times that occur; constants have their present value there.
-    fn at_instants(
-        &mut self,
-        always: &[(&Scope, Pairs)],
-        constant: &[(&Scope, Expr)],
-        premises: &mut Premises,
-    ) {
+    fn at_instants(&mut self, always: &[(&Scope, Pairs)], constant: &[(&Scope, Expr)], premises: &mut Premises) {
         let mut roots: Vec<Expr> = always.iter().flat_map(|(_, p)| sides(p)).collect();
         roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
         let own = self.equations(self.claim).unwrap_or_default();

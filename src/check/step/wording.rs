@@ -216,10 +216,7 @@ impl Step<'_> {
             verdict: "undecided",
             log2_error: None,
             from: Vec::new(),
-            conditions: vec![format!(
-                "for positive {} that meet the assumptions it holds {words}",
-                names.join(", ")
-            )],
+            conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
             generic: false,
             reason: None,
             witness: None,
@@ -231,7 +228,8 @@ impl Step<'_> {
             let values: Vec<String> = names.iter().zip(&values).map(|(n, v)| format!("{n} = {v}")).collect();
             out.witness = Some(format!("it does not hold for {}", values.join("; ")));
         } else {
-            out.reason = Some("the signs of the coefficients do not decide in every order of the parameters".to_owned());
+            out.reason =
+                Some("the signs of the coefficients do not decide in every order of the parameters".to_owned());
         }
         out
     }
