@@ -148,7 +148,8 @@ fn orders_of_size() {
     assert!(!orders("a b c", &between, &[(Positive, ratio)]).1, "c may equal a");
     assert_eq!(orders("a b", &[], &[(Positive, "a - b")]).0, "exactly when b < a");
     assert_eq!(orders("a b", &[], &[(Positive, "a + b")]), ("always".to_owned(), true));
-    assert_eq!(orders("a b", &[], &[(Zero, "sqrt((a - b)^2) - abs(b - a)")]).0, "not settled for any order");
+    let open = orders("a b", &[], &[(Zero, "sqrt((a - b)^2) - abs(b - a)")]).0;
+    assert!(open.starts_with("not settled for any order"), "{open}");
     // More than the order decides: nothing is claimed.
     let (words, proved) = orders("a b", &[], &[(Positive, "3*a - 2*b")]);
     assert!(!proved && words.contains("not for all values, or not settled, when a < b"), "{words}");
