@@ -182,9 +182,11 @@ impl<'a> Step<'a> {
                 None => self.settled = settled,
             }
         }
-        if matches!(identity, Identity::Refuted(_)) && self.joins_times(&gathered, &equations) {
-            identity = Identity::Undecided(Reason::NoDerivative);
-            let mut account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let weighed =
+            matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
+        if !weighed && self.joins_times(&gathered, &equations) {
+            let open = Identity::Undecided(Reason::NoDerivative);
+            let mut account = self.account(open, gathered.from.clone(), gathered.complete);
             account.reason = Some(ONLY_RATES.to_owned());
             return Some(Ok(account));
         }

@@ -221,9 +221,10 @@ fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Que
         Some(NoValue::OutOfDomain) => Sheet::NoValue,
         None if not_zero => Sheet::NotZero,
         None => match unsolved {
+            // What holds without a premise holds with it.
+            _ if !fails => Sheet::Holds,
             Some(filter) => Sheet::Partial(filter),
-            None if fails => Sheet::Fails,
-            None => Sheet::Holds,
+            None => Sheet::Fails,
         },
     }
 }

@@ -9,15 +9,19 @@
 //! 1. Premises are differentiated by time where rates ask for it; explicit definitions are inserted (`prepare`).
 //! 2. Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
 //!    combinations of monomials (`linear`).
-//! 3. The premises are solved, equation by equation, for unknowns in which they have degree 1 or 2 (`solve`): the common
-//!    solutions are parametrised by the leaves that stay free. Products are split into cases.
+//! 3. Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
+//!    is several equations, since all leaves are real. The other premises are solved, equation by equation, for unknowns in
+//!    which they have degree 1 or 2 (`solve`): the common solutions are parametrised by the leaves that stay free. Products
+//!    are split into cases.
 //! 4. Roots and |·| are brought to a normal form (`roots`): σ·√b, with one sign σ = ±1 for each distinct b.
 //! 5. Every case is evaluated at random points over GF(p²), p drawn, for **all** choices of the signs (`field`).
 //!    All residuals 0: the case is proved. Some not 0: not an identity on that choice of signs.
 //! 6. In the second case real points decide (`witness`): one that satisfies every premise as given, and at which the two
 //!    sides differ by more than their error bounds, refutes. None found: undecided.
 //! 7. What was divided by in step 3 is looked at by itself: the case that it vanishes is solved and tested in the same way.
-//!    What cannot be settled so is reported as a condition, [`Condition::Pivot`].
+//!    What cannot be settled so is reported as a condition, [`Condition::Pivot`]. Pivots of definitions on which neither the
+//!    conclusion nor a choice of cases depends do not count: those premises could have been left out. A contradiction counts
+//!    as one only if it remains where pivots vanish.
 //!
 //! # The bound
 //!
@@ -75,6 +79,10 @@
 //!
 //! `certify` (feature `certificates`) looks for an exact certificate, d·conclusion = Σ qᵢ·premiseᵢ, that any
 //! computer algebra system can expand. It shares the reading of the formulas (steps 1 and 2) with the first, nothing else.
+//!
+//! # Positive parameters
+//!
+//! [`order`] decides the signs of expressions in positive parameters by themselves, for every order of their sizes.
 //!
 //! # Sources
 //!

@@ -118,6 +118,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
     lowered.frozen.extend(given.time);
+    let limit = graph.len() + MOST_NODES;
     let mut examination = Examination {
         graph,
         probe,
@@ -132,6 +133,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
         examples: options.attempts,
         strategy: Strategy::AsGiven,
         seeded: true,
+        limit,
     };
     let own = examination.lowered.premises.clone();
     let (mut proof, resolved) = examination.generic(&own)?;
@@ -170,6 +172,8 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     Ok(proof)
 }
 
+/// Solving is given up when it has made this many nodes.
+const MOST_NODES: usize = 60_000;
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
 const MOST_SPECIAL_NODES: usize = 2000;
 
@@ -307,6 +311,8 @@ struct Examination<'a> {
     strategy: Strategy,
     /// Whether orthogonal matrices are parametrised.
     seeded: bool,
+    /// The size of the graph at which solving is given up.
+    limit: usize,
 }
 
 impl Examination<'_> {
@@ -365,6 +371,7 @@ impl Examination<'_> {
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
             strategy: self.strategy,
+            limit: self.limit,
         }
         .solve(premises, seeds)?;
         // Room for as many cases and special cases as there may be.

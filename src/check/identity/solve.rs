@@ -85,6 +85,8 @@ pub(super) struct Solver<'a> {
     pub(super) strategy: Strategy,
     /// Leaves that are solved for only when nothing else can be.
     pub(super) parameters: &'a FastSet<Leaf>,
+    /// The size of the graph at which solving is given up.
+    pub(super) limit: usize,
 }
 
 const MOST_CASES: usize = 16;
@@ -114,7 +116,7 @@ struct Case {
 
 struct Candidate {
     class: u8,
-    rank: (bool, u8, usize, u8, u8, usize, usize),
+    rank: (u8, u8, usize, u8, u8, usize, usize),
     equation: usize,
     unknown: Leaf,
     coefficients: Vec<Expr>,
@@ -208,6 +210,9 @@ impl Solver<'_> {
 
     fn advance(&mut self, case: &mut Case) -> Result<Next, Failed> {
         loop {
+            if self.graph.len() > self.limit {
+                return Err(Failed::TooManyCases);
+            }
             if let Some(next) = self.tidy(case)? {
                 return Ok(next);
             }
@@ -298,6 +303,10 @@ impl Solver<'_> {
         if let Some(known) = self.probe.squares.get(&e) {
             return known.clone();
         }
+        if let Some(terms) = self.written_squares(e) {
+            self.probe.squares.insert(e, Some(terms.clone()));
+            return Some(terms);
+        }
         let sum = Combinations::default().of(self.graph, e);
         let positive = sum.values().next().is_some_and(|q| *q > Rational::ZERO);
         let even = |(m, q): (&Monomial, &Rational)| {
@@ -310,6 +319,34 @@ impl Solver<'_> {
         });
         self.probe.squares.insert(e, found.clone());
         found
+    }
+
+    /// The same for a sum that is written as one of squares.
+    fn written_squares(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        let mut open = vec![(e, false)];
+        let mut terms: Vec<(bool, Vec<(Expr, i32)>)> = Vec::new();
+        while let Some((e, minus)) = open.pop() {
+            match *self.graph.node(e) {
+                Node::Binary(Op::Add, a, b) => open.extend([(b, minus), (a, minus)]),
+                Node::Binary(Op::Sub, a, b) => open.extend([(b, !minus), (a, minus)]),
+                Node::Unary(Op::Neg, a) => open.push((a, !minus)),
+                _ if self.graph.is_zero(e) => {}
+                _ => {
+                    let (q, parts) = factors(self.graph, e);
+                    if !parts.iter().all(|&(_, k)| k > 0 && k % 2 == 0) {
+                        return None;
+                    }
+                    terms.push(((q > Rational::ZERO) != minus, parts));
+                }
+            }
+        }
+        let sign = terms.first()?.0;
+        if terms.len() < 2 || terms.iter().any(|(s, _)| *s != sign) {
+            return None;
+        }
+        let root = |parts: &Vec<(Expr, i32)>| parts.iter().map(|&(base, k)| (base, k / 2)).collect::<Vec<_>>();
+        let roots: Vec<Vec<(Expr, i32)>> = terms.iter().map(|(_, parts)| root(parts)).collect();
+        Some(roots.iter().map(|parts| product(self.graph, &Rational::ONE, parts)).collect())
     }
 
     /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
@@ -437,7 +474,12 @@ impl Solver<'_> {
                 2
             };
             let degree = all.len() as u8;
-            let late = derived && unknown.rate == 0;
+            // What holds without rates comes first: a rate must not be divided by something that it makes 0.
+            let late = match derived {
+                false => 0,
+                true if unknown.rate > 0 => 1,
+                true => 2,
+            };
             let position = out.len();
             out.push(Candidate {
                 class,
