@@ -455,7 +455,7 @@ pub fn search(
                         return Err(CheckError::Defect("what was simplified does not fail any more".to_owned()));
                     };
                     let declared = derivation.claims.iter().find(|c| c.name() == claim);
-                    let listed = declared.is_some_and(|c| c.trajectories.len() < derivation.trajectories.len());
+                    let listed = declared.is_some_and(|c| c.names_trajectories);
                     let from = simple.from.clone();
                     out.found =
                         Some(Found { number, claim, from, table: simple.table(&id), id, verdict, listed });
