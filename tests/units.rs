@@ -253,7 +253,8 @@ fn evaluate(derivation: &Derivation, exprs: &[Expr], values: &HashMap<String, f6
     let tape = Tape::compile(&derivation.graph, &leaves, exprs).expect("all leaves are given");
     let mut slots = tape.slots::<rederive::number::Bounded>(&());
     let number = |l: &Leaf| values.get(derivation.graph.name(l.symbol)).copied().unwrap_or(f64::NAN);
-    let inputs: Vec<_> = leaves.iter().map(|l| Ok(rederive::number::Bounded { value: number(l), error: 0.0 })).collect();
+    let inputs: Vec<_> =
+        leaves.iter().map(|l| Ok(rederive::number::Bounded { value: number(l), error: 0.0 })).collect();
     tape.evaluate(&(), &inputs, &mut slots).into_iter().map(|v| v.map_or(f64::NAN, |b| b.value)).collect()
 }
 
@@ -320,7 +321,10 @@ fn a_slip_in_a_derivation_is_found() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("derivations");
     let text = std::fs::read_to_string(folder.join("deriglazov-comment.toml")).expect("the file is there");
     for (right, wrong) in [
-        (r"always = ['\dot\theta=m_3 I_{(1-2)}\sin\theta\sin\psi\cos\psi']", r"always = ['\dot\theta=m_3^2 I_{(1-2)}\sin\theta\sin\psi\cos\psi']"),
+        (
+            r"always = ['\dot\theta=m_3 I_{(1-2)}\sin\theta\sin\psi\cos\psi']",
+            r"always = ['\dot\theta=m_3^2 I_{(1-2)}\sin\theta\sin\psi\cos\psi']",
+        ),
         (r"'2E=\frac{m^2_3}{I_3}+m^2_3[I_{(1-3)}", r"'2E=\frac{m_3}{I_3}+m^2_3[I_{(1-3)}"),
         (r"'\cos\theta(t)=\frac{1-ce^{2kt}}{1+ce^{2kt}}'", r"'\cos\theta(t)=\frac{1-ce^{2k}}{1+ce^{2kt}}'"),
         (r"formula = '\frac12 I_i\Omega_i^2', says = ", r"formula = '\frac12 I_i\Omega_i', says = "),

@@ -20,10 +20,10 @@ mod measure;
 mod occurrence;
 mod program;
 mod same_motion;
-pub mod search;
-pub mod separation;
 #[cfg(test)]
 pub(crate) mod sample;
+pub mod search;
+pub mod separation;
 mod stage;
 mod step;
 mod trial;
@@ -84,6 +84,7 @@ pub fn check(
 ) -> Result<Account, CheckError> {
     let mut account = check_claims(derivation, options, progress)?;
     account.units = units::units(derivation);
+    account.units.keep(&options.claims);
     separation::separate(derivation, options, &mut account)?;
     Ok(account)
 }

@@ -56,10 +56,7 @@ pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
             Some(found) => {
                 print(&table(found, &options))?;
                 if found.listed {
-                    complain(&format!(
-                        "`{}` names its trajectories: add \"{}\" to them\n",
-                        found.claim, found.id
-                    ));
+                    complain(&format!("`{}` names its trajectories: add \"{}\" to them\n", found.claim, found.id));
                 }
                 exit = Exit::Good;
             }

@@ -1,7 +1,8 @@
 //! Every key that a derivation file may have.
 
 /// The tables of a file.
-pub const FILE: &[&str] = &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition"];
+pub const FILE: &[&str] =
+    &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition"];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
 /// Keys of a symbol.

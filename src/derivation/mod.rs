@@ -26,7 +26,7 @@ mod values;
 pub use claims::DEFAULT_PRECISION;
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, SymbolEntry, System, Trajectory,
-    Written,
+    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, SymbolEntry, System,
+    Trajectory, Written,
 };
 pub use unit::Unit;

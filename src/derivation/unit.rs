@@ -329,14 +329,17 @@ impl<'t> Reader<'t> {
         let mut whole = || {
             let digits = self.take(|c| c.is_ascii_digit());
             let n = digits.parse::<i64>().ok().filter(|n| *n <= LARGEST_POWER);
-            n.ok_or_else(|| format!("an exponent is a number up to {LARGEST_POWER}, or a fraction of two in parentheses"))
+            n.ok_or_else(|| {
+                format!("an exponent is a number up to {LARGEST_POWER}, or a fraction of two in parentheses")
+            })
         };
         let above = whole()?;
         let mut power = Rational::from(if negative { -above } else { above });
         if let Some(close) = close {
             if self.skip("/") {
                 let below = self.take(|c| c.is_ascii_digit()).parse::<i64>().ok();
-                let below = below.filter(|n| (1..=LARGEST_POWER).contains(n)).ok_or("the fraction has no denominator")?;
+                let below =
+                    below.filter(|n| (1..=LARGEST_POWER).contains(n)).ok_or("the fraction has no denominator")?;
                 power /= Rational::from(below);
             }
             if !self.skip(close) {
@@ -443,9 +446,10 @@ mod tests {
 
     #[test]
     fn what_is_not_understood_is_refused() {
-        for text in
-            ["", "apples", "J/mol K", "m/s/s", "m^", "m^x", "(m", "m)", "kkg", "m^1000", "m^(1/0)", "0 m", "-m", "m^2^2", "5."]
-        {
+        for text in [
+            "", "apples", "J/mol K", "m/s/s", "m^", "m^x", "(m", "m)", "kkg", "m^1000", "m^(1/0)", "0 m", "-m",
+            "m^2^2", "5.",
+        ] {
             let found = Unit::parse(text);
             assert!(found.is_err() || text == "5.", "{text}: {found:?}");
         }
@@ -453,9 +457,15 @@ mod tests {
 
     #[test]
     fn units_are_written_as_they_are_read() {
-        for (text, shown) in
-            [("N m", "kg m^2/s^2"), ("1", "1"), ("1/s", "1/s"), ("m^(1/2)", "m^(1/2)"), ("km", "1000 m"), ("deg", "1/180 π"), ("V", "kg m^2/(s^3 A)")]
-        {
+        for (text, shown) in [
+            ("N m", "kg m^2/s^2"),
+            ("1", "1"),
+            ("1/s", "1/s"),
+            ("m^(1/2)", "m^(1/2)"),
+            ("km", "1000 m"),
+            ("deg", "1/180 π"),
+            ("V", "kg m^2/(s^3 A)"),
+        ] {
             assert_eq!(unit(text).to_string(), shown);
         }
         for text in ["kg m^2/s^2", "1/(kg m^2)", "m^(1/2)/s", "1000 m"] {

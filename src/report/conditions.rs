@@ -95,10 +95,7 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
                 out.push(format!("Met only where it holds, and on how many of those: {}.", of(&s.sufficient)));
             }
             if !s.necessary.is_empty() {
-                out.push(format!(
-                    "Met wherever it holds, and on how many where it fails: {}.",
-                    of(&s.necessary)
-                ));
+                out.push(format!("Met wherever it holds, and on how many where it fails: {}.", of(&s.necessary)));
             }
         }
     }
@@ -111,8 +108,12 @@ fn worth(a: &AssumptionAccount, style: &Style) -> String {
     let on = listed(&a.on, style);
     match a.need {
         Need::Needed => format!("{formula} is needed: without it the claim fails on {on}"),
-        Need::NotNeeded => format!("{formula} is not needed as far as these motions show: the claim holds on {on} all the same"),
-        Need::Undecided => format!("whether {formula} is needed is undecided: without it the claim is undecided on {on}"),
+        Need::NotNeeded => {
+            format!("{formula} is not needed as far as these motions show: the claim holds on {on} all the same")
+        }
+        Need::Undecided => {
+            format!("whether {formula} is needed is undecided: without it the claim is undecided on {on}")
+        }
         Need::Untested => format!("whether {formula} is needed cannot be told: no motion meets the others without it"),
     }
 }

@@ -60,7 +60,13 @@ pub(super) fn section(units: &UnitsAccount) -> String {
         out.push('\n');
     }
     let rows = units.formulas.iter().map(|f| {
-        vec![f.kind.to_owned(), format!("`{}`", f.of.replace('|', r"\|")), math(&f.formula), f.verdict.word().to_owned(), words(f)]
+        vec![
+            f.kind.to_owned(),
+            format!("`{}`", f.of.replace('|', r"\|")),
+            math(&f.formula),
+            f.verdict.word().to_owned(),
+            words(f),
+        ]
     });
     let head = ["where", "of", "formula", "units", "notes"];
     out.push_str(&format!(

@@ -48,9 +48,14 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
     for text in texts.into_iter().take(MOST) {
         let written = 0..0;
         let says = match text.strip_suffix(CONSTANT) {
-            Some(quantity) => latex::read_expression(quantity, &derivation.scope, &mut derivation.graph).ok().map(|value| {
-                (quantity.to_owned(), Says::Constant(Written { text: quantity.to_owned(), span: written.clone(), value }))
-            }),
+            Some(quantity) => {
+                latex::read_expression(quantity, &derivation.scope, &mut derivation.graph).ok().map(|value| {
+                    (
+                        quantity.to_owned(),
+                        Says::Constant(Written { text: quantity.to_owned(), span: written.clone(), value }),
+                    )
+                })
+            }
             None => latex::read(&text, &derivation.scope, &mut derivation.graph).ok().map(|statements| {
                 let each = |value| Written { text: text.clone(), span: written.clone(), value };
                 (text.clone(), Says::Statements(statements.into_iter().map(each).collect()))
@@ -164,7 +169,8 @@ fn parameters(derivation: &Derivation) -> Vec<String> {
         }
     }
     for (i, (a, name)) in scalars.iter().enumerate() {
-        for (b, other) in scalars[..i].iter().filter(|(b, _)| b.measured_in.is_some() && b.measured_in == a.measured_in) {
+        for (b, other) in scalars[..i].iter().filter(|(b, _)| b.measured_in.is_some() && b.measured_in == a.measured_in)
+        {
             let _ = b;
             out.extend([format!("{other}={name}"), format!("{other}<{name}"), format!("{other}>{name}")]);
         }

@@ -14,9 +14,7 @@ mod assumptions;
 mod candidates;
 mod explain;
 
-pub use account::{
-    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
-};
+pub use account::{AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation};
 
 use super::account::Account;
 use super::verdict::Outcome;
@@ -39,7 +37,7 @@ pub(super) fn separate(
     options: &Options,
     account: &mut Account,
 ) -> Result<(), CheckError> {
-    let split = account.claims.iter().any(|c| explain::is_split(c));
+    let split = account.claims.iter().any(explain::is_split);
     let candidates = if split { candidates::candidates(derivation) } else { Vec::new() };
     let dropped = assumptions::without_one(derivation, account);
     if candidates.is_empty() && dropped.is_empty() {
@@ -70,7 +68,8 @@ pub(super) fn separate(
     let judged: Vec<(&Candidate, Truth)> = candidates.iter().enumerate().map(|(k, c)| (c, truth(k))).collect();
     for claim in account.claims.iter_mut().filter(|c| explain::is_split(c)) {
         // A claim explains nothing about itself.
-        let said = derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading).map(candidates::said);
+        let said =
+            derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading).map(candidates::said);
         let others: Vec<(&Candidate, &Truth)> =
             judged.iter().filter(|(c, _)| Some(candidates::said(&c.claim)) != said).map(|(c, t)| (*c, t)).collect();
         claim.conditions.separation = Some(explain::separation(claim, &ids, &others));

@@ -87,6 +87,21 @@ impl UnitsAccount {
         self.formulas.iter().filter(|f| f.verdict.word() == word).count()
     }
 
+    /// Keeps, of the claims, only those with these ids; all if there are none. Where only some are asked for, what is measured
+    /// and what is offered as a condition is left out, too.
+    pub(super) fn keep(&mut self, claims: &[String]) {
+        if claims.is_empty() {
+            return;
+        }
+        let chosen = |name: &str| claims.iter().any(|c| name.split('/').next() == Some(c.as_str()));
+        self.formulas.retain(|f| match f.kind {
+            "claim" => chosen(&f.of),
+            "measure" | "condition" => false,
+            _ => true,
+        });
+        self.missed.retain(|name| chosen(name));
+    }
+
     /// How much is not as the file expects: inconsistent formulas that are not expected, and expected ones that are not there.
     pub fn unexpected(&self) -> usize {
         let inconsistent = |f: &&UnitAccount| f.verdict.word() == "inconsistent" && !f.expected;
@@ -144,7 +159,15 @@ impl<'d> Checker<'d> {
     }
 
     /// Notes the verdict of a formula; `exprs` are everything that it consists of.
-    fn note(&mut self, kind: &'static str, of: &str, formula: &str, exprs: &[Expr], fault: Option<Fault>, expected: bool) {
+    fn note(
+        &mut self,
+        kind: &'static str,
+        of: &str,
+        formula: &str,
+        exprs: &[Expr],
+        fault: Option<Fault>,
+        expected: bool,
+    ) {
         let verdict = match fault.or_else(|| self.inference.fault(exprs)) {
             Some(Fault::Different { relation, terms }) => UnitVerdict::Inconsistent { relation, terms },
             Some(Fault::Scale { relation, terms }) => UnitVerdict::NotChecked {
@@ -195,7 +218,11 @@ impl<'d> Checker<'d> {
                 let odd = components.iter().zip(&states).find_map(|(&e, state)| match state {
                     State::Known(found) if found != unit => {
                         let term = self.inference.term(e);
-                        Some(Fault::between("is declared, and its formula is", (entry.name.clone(), unit), (term, found)))
+                        Some(Fault::between(
+                            "is declared, and its formula is",
+                            (entry.name.clone(), unit),
+                            (term, found),
+                        ))
                     }
                     _ => None,
                 });
@@ -306,7 +333,9 @@ impl<'d> Checker<'d> {
             }
             for form in &claim.forms {
                 match form {
-                    Form::Always(w) | Form::Never(w) | Form::Eventually(w) => self.statement("claim", &name, w, expected),
+                    Form::Always(w) | Form::Never(w) | Form::Eventually(w) => {
+                        self.statement("claim", &name, w, expected)
+                    }
                     Form::FirstIntegral(w) | Form::Defined(w) => self.expression("claim", &name, w, expected),
                     Form::Independent { functions, subject_to } => {
                         functions.iter().for_each(|w| self.expression("claim", &name, w, expected));
@@ -339,7 +368,15 @@ impl<'d> Checker<'d> {
                 fault = Some(Fault::between("is the declared unit of", (measure.id.clone(), unit), (term, &found)));
             }
             let exprs = measure.formula.value.components.clone();
-            self.formula("measure", &measure.id, measure.formula.span.start, &measure.formula.text, exprs, fault, false);
+            self.formula(
+                "measure",
+                &measure.id,
+                measure.formula.span.start,
+                &measure.formula.text,
+                exprs,
+                fault,
+                false,
+            );
         }
     }
 
