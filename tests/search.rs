@@ -56,7 +56,7 @@ always = ['\dot q=p']
 [[claim.reading]]
 id = 'wrong'
 says = 'wrong'
-always = ['\left|p\right|<1']
+always = ['\left|p\right|<w']
 ";
 
 fn read(text: &str) -> Derivation {
@@ -151,13 +151,11 @@ fn comment() -> PathBuf {
 #[test]
 fn a_motion_against_the_comment() {
     let text = std::fs::read_to_string(comment()).expect("the file is there");
-    for claim in ["relation-in-t10/for-every-body", "t11/one-sign", "psi0-formula/real"] {
-        fails_when_pasted(&text, &run(&text, claim, 1, 240));
-    }
+    fails_when_pasted(&text, &run(&text, "psi0-formula/real", 1, 48));
     // What is right is not refuted, with its assumptions met on many of the tries.
-    let account = run(&text, "t10", 1, 96);
+    let account = run(&text, "t10", 1, 24);
     assert!(account.found.is_none(), "{:?}", account.found);
-    assert!(account.tally.holds > 20, "{:?}", account.tally);
+    assert!(account.tally.holds > 5, "{:?}", account.tally);
 }
 
 #[test]

@@ -258,6 +258,12 @@ fn evaluate(derivation: &Derivation, exprs: &[Expr], values: &HashMap<String, f6
     tape.evaluate(&(), &inputs, &mut slots).into_iter().map(|v| v.map_or(f64::NAN, |b| b.value)).collect()
 }
 
+/// xⁿ.
+fn power(x: f64, n: i64) -> f64 {
+    let base = if n < 0 { 1.0 / x } else { x };
+    (0..n.abs()).map(|_| base).product()
+}
+
 /// A relation whose units agree keeps its truth when the base units are changed: both sides change by the same factor. This
 /// knows nothing of how units are inferred.
 #[test]
@@ -283,7 +289,7 @@ fn the_verdict_is_that_of_a_change_of_units() {
         let mut uniform = || 0.5 + draws.below(1 << 20) as f64 / (1 << 20) as f64;
         let lambda = [uniform(), uniform(), uniform()];
         let values: HashMap<String, f64> = random.symbols.iter().map(|(n, _)| (n.clone(), uniform())).collect();
-        let factor = |unit: &[i64; 3]| -> f64 { (0..3).map(|i| lambda[i].powi(unit[i] as i32)).product() };
+        let factor = |unit: &[i64; 3]| -> f64 { (0..3).map(|i| power(lambda[i], unit[i])).product() };
         let scaled = random.symbols.iter().map(|(n, u)| (n.clone(), values[n] * factor(u))).collect();
         let Form::Always(w) = &derivation.claims[0].forms[0] else { panic!("an equation") };
         let sides = [w.value.relations[0].left.components[0], w.value.relations[0].right.components[0]];

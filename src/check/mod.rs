@@ -108,6 +108,7 @@ pub fn check(
 ) -> Result<Account, CheckError> {
     let mut account = check_claims(derivation, options, progress)?;
     account.units = units::units(derivation);
+    account.units.keep(&options.claims);
     separation::separate(derivation, options, &mut account)?;
     Ok(account)
 }

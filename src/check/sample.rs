@@ -1,5 +1,8 @@
 //! A handmade account with verdicts of every kind, for the tests of the reports. Not part of the program.
 
+use super::separation::{
+    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
+};
 use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
@@ -130,7 +133,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         assumptions: if id == "motion" { vec!["k>0".into()] } else { Vec::new() },
         remark: (id == "rest").then(|| "The wrong claim.".into()),
         identity: None,
-        conditions: Default::default(),
+        conditions: if id == "motion" { conditions() } else { ConditionsAccount::default() },
         results,
         variants: None,
     }
@@ -227,6 +230,41 @@ pub(crate) fn account() -> Account {
             missed: Vec::new(),
         },
     }
+}
+
+fn condition(id: Option<&str>, formula: &str, negated: bool) -> ConditionName {
+    let says = id.map(|_| "it | is so".to_owned());
+    ConditionName { id: id.map(Into::into), formula: formula.into(), says, negated }
+}
+
+fn conditions() -> ConditionsAccount {
+    let one = |c: ConditionName| Explanation { conditions: vec![c], join: Join::And };
+    let two = vec![condition(None, "x>0", false), condition(Some("slow"), "v<1", true)];
+    let separation = Separation {
+        holds: vec!["pulled".into()],
+        fails: vec!["pushed".into()],
+        explanation: Some(one(condition(Some("slow"), "v<1", false))),
+        rivals: vec![
+            Rival { explanation: one(condition(None, "x=0", false)), differ_on: vec!["pushed".into()] },
+            Rival { explanation: Explanation { conditions: two, join: Join::Or }, differ_on: Vec::new() },
+        ],
+        more_rivals: 3,
+        sufficient: Vec::new(),
+        necessary: Vec::new(),
+        tried: 12,
+        undecided: 1,
+    };
+    let assumption = |text: &str, need, on: &[&str]| AssumptionAccount {
+        text: text.into(),
+        need,
+        on: on.iter().map(|t| (*t).to_owned()).collect(),
+    };
+    let assumptions = vec![
+        assumption("k>0", Need::Needed, &["pulled"]),
+        assumption("k>1", Need::NotNeeded, &["pulled", "pushed"]),
+        assumption("k>2", Need::Untested, &[]),
+    ];
+    ConditionsAccount { separation: Some(separation), assumptions }
 }
 
 fn term(latex: &str, unit: &str) -> Term {

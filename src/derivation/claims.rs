@@ -82,6 +82,7 @@ impl Loader<'_> {
             precision: DEFAULT_PRECISION,
             branches_throughout: false,
             trajectories: (0..self.out.trajectories.len()).collect(),
+            names_trajectories: false,
             expect: Vec::new(),
             expect_inconsistent_units: false,
             scope: self.out.scope.clone(),
@@ -187,6 +188,7 @@ impl Loader<'_> {
         }
         if table.get("trajectories").is_some() {
             claim.trajectories = self.some_trajectories(table);
+            claim.names_trajectories = true;
         }
         claim.expect = vec![None; claim.trajectories.len()];
         if let Some(inconsistent) = self.expect_units(table) {

@@ -318,6 +318,8 @@ pub struct Claim {
     pub branches_throughout: bool,
     /// The motions on which it is tried: positions in [`Derivation::trajectories`], increasing.
     pub trajectories: Vec<usize>,
+    /// Whether the file names them: a motion that is added is then not among them by itself.
+    pub names_trajectories: bool,
     /// The expected verdict on each of `trajectories`, as a word of the report.
     pub expect: Vec<Option<&'static str>>,
     /// Whether the file expects that a formula of it is not consistent in its units.

@@ -122,6 +122,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         precision: DEFAULT_PRECISION,
         branches_throughout: false,
         trajectories: (0..derivation.trajectories.len()).collect(),
+        names_trajectories: false,
         expect: vec![None; derivation.trajectories.len()],
         expect_inconsistent_units: false,
         printed: false,

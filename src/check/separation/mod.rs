@@ -4,7 +4,7 @@
 //! on some trajectories and fails on others, the weakest condition that is met exactly where it holds; for each assumption,
 //! whether the claim fails without it.
 //!
-//! **How:** a condition is a claim of its own, and is judged on every trajectory as claims are ([`candidates`]); an assumption
+//! **How:** a condition is a claim of its own, and is judged on every trajectory as claims are; an assumption
 //! is left out, and the claim is tried where it did not apply before. A condition that is undecided on a trajectory counts
 //! there neither as met nor as unmet, and so can never separate anything. **Weakest** means: met on most of the trajectories at
 //! hand, by inclusion. Trajectories are all the evidence that there is: what they cannot tell apart is said to be so.
@@ -37,7 +37,7 @@ pub(super) fn separate(
     options: &Options,
     account: &mut Account,
 ) -> Result<(), CheckError> {
-    let split = account.claims.iter().any(|c| explain::is_split(c));
+    let split = account.claims.iter().any(explain::is_split);
     let candidates = if split { candidates::candidates(derivation) } else { Vec::new() };
     let dropped = assumptions::without_one(derivation, account);
     if candidates.is_empty() && dropped.is_empty() {

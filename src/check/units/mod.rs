@@ -87,6 +87,21 @@ impl UnitsAccount {
         self.formulas.iter().filter(|f| f.verdict.word() == word).count()
     }
 
+    /// Keeps, of the claims, only those with these ids; all if there are none. Where only some are asked for, what is measured
+    /// and what is offered as a condition is left out, too.
+    pub(super) fn keep(&mut self, claims: &[String]) {
+        if claims.is_empty() {
+            return;
+        }
+        let chosen = |name: &str| claims.iter().any(|c| name.split('/').next() == Some(c.as_str()));
+        self.formulas.retain(|f| match f.kind {
+            "claim" => chosen(&f.of),
+            "measure" | "condition" => false,
+            _ => true,
+        });
+        self.missed.retain(|name| chosen(name));
+    }
+
     /// How much is not as the file expects: inconsistent formulas that are not expected, and expected ones that are not there.
     pub fn unexpected(&self) -> usize {
         let inconsistent = |f: &&UnitAccount| f.verdict.word() == "inconsistent" && !f.expected;
