@@ -37,7 +37,8 @@ fn first_correction(claim: &str, printed: &str, wrong: &str, trajectories: &[&st
 
 #[test]
 fn a_wrong_sign_in_t9_is_corrected() {
-    let printed = r"\dot\psi=-(\frac{m_3}{I_1}\sin^2\psi+\frac{m_3}{I_2}\cos^2\psi)\cos\theta+\frac{m_3}{I_3}\cos\theta";
+    let printed =
+        r"\dot\psi=-(\frac{m_3}{I_1}\sin^2\psi+\frac{m_3}{I_2}\cos^2\psi)\cos\theta+\frac{m_3}{I_3}\cos\theta";
     let wrong = r"\dot\psi=-(\frac{m_3}{I_1}\sin^2\psi-\frac{m_3}{I_2}\cos^2\psi)\cos\theta+\frac{m_3}{I_3}\cos\theta";
     let found = first_correction("t9-psi", printed, wrong, &["racket-out", "psi-rotating", "i3-largest", "t8-stable"]);
     let found = found.expect("a correction");

@@ -361,7 +361,12 @@ fn assemble(
         let pair = |(column, &t): (&Column, &usize)| {
             let verdict = column.0[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
-            Some(PairAccount { trajectory: derivation.trajectories[t].id.clone(), verdict, expected, discrimination: None })
+            Some(PairAccount {
+                trajectory: derivation.trajectories[t].id.clone(),
+                verdict,
+                expected,
+                discrimination: None,
+            })
         };
         claims.push(ClaimAccount {
             id: claim.id.clone(),

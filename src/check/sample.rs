@@ -77,7 +77,12 @@ unit = 'm'
 ";
 
 fn pair(trajectory: &str, outcome: Outcome, evidence: Evidence, expected: Option<&'static str>) -> PairAccount {
-    PairAccount { trajectory: trajectory.into(), verdict: Verdict::new(outcome, evidence), expected, discrimination: None }
+    PairAccount {
+        trajectory: trajectory.into(),
+        verdict: Verdict::new(outcome, evidence),
+        expected,
+        discrimination: None,
+    }
 }
 
 fn holds(max: f64) -> Evidence {

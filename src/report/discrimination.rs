@@ -11,9 +11,10 @@ use crate::check::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcom
 
 /// The discrimination of a pair; survivors by their numbers in the list of the claim, in ranges.
 pub(super) fn pair_json(pair: &PairAccount) -> Value {
-    pair.discrimination.as_ref().map_or(Value::Null, |d| {
-        json!({ "rejected": d.rejected, "of": d.of, "weak": d.is_weak(), "survivors": ranges(&d.survivors) })
-    })
+    pair.discrimination.as_ref().map_or(
+        Value::Null,
+        |d| json!({ "rejected": d.rejected, "of": d.of, "weak": d.is_weak(), "survivors": ranges(&d.survivors) }),
+    )
 }
 
 /// The variants of a claim.
@@ -26,9 +27,10 @@ pub(super) fn claim_json(claim: &ClaimAccount) -> Value {
         })
     });
     let skipped = variants.skipped.iter().map(|(f, why)| json!({ "formula": f, "reason": why }));
-    let survivors = variants.survivors.iter().map(|s| {
-        json!({ "class": s.class.word(), "formula": s.formula, "everywhere": s.everywhere })
-    });
+    let survivors = variants
+        .survivors
+        .iter()
+        .map(|s| json!({ "class": s.class.word(), "formula": s.formula, "everywhere": s.everywhere }));
     json!({
         "seed": SEED,
         "together": variants.together().map(|(rejected, of)| json!({ "rejected": rejected, "of": of })),

@@ -114,7 +114,9 @@ fn findings(derivation: &Derivation, account: &Account) -> String {
 
 fn matrix(account: &Account) -> String {
     let mut out = String::from("## Claims and trajectories\n\n");
-    out.push_str("H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ");
+    out.push_str(
+        "H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ",
+    );
     out.push_str("The numbers are those of the [trajectories](#trajectories).\n\n");
     let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
     let head: Vec<&str> = std::iter::once("claim").chain(numbers.iter().map(String::as_str)).collect();

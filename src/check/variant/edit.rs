@@ -385,7 +385,8 @@ impl Convention {
                 if !angle.is_alone(argument) {
                     return out;
                 }
-                let function = |f: &str, p| Node::new(NodeKind::Function(f.into(), p, arguments.clone()), out.span.clone());
+                let function =
+                    |f: &str, p| Node::new(NodeKind::Function(f.into(), p, arguments.clone()), out.span.clone());
                 match f.as_str() {
                     "sin" => function("cos", *power),
                     "cos" if power.is_some_and(|n| n % 2 == 0) => function("sin", *power),
@@ -801,7 +802,11 @@ impl Filler<'_> {
             return out;
         }
         for (at, child) in node.children().into_iter().enumerate() {
-            for child in self.within(child, place_of(node, at, child, self.vocabulary)) {
+            let place = match &node.kind {
+                NodeKind::Quotient { .. } => Place::Whole,
+                _ => place_of(node, at, child, self.vocabulary),
+            };
+            for child in self.within(child, place) {
                 out.push(with_part(node, at, child));
             }
         }
@@ -898,12 +903,52 @@ fn power(atom: &Node, n: i32) -> Node {
             Node::new(NodeKind::Function(f.clone(), Some(n), arguments.clone()), atom.span.clone())
         }
         NodeKind::Group(..) => scripted(atom.clone(), i64::from(n)),
-        _ => scripted(Node::new(NodeKind::Group(Box::new(atom.clone()), Bracket::Round), atom.span.clone()), i64::from(n)),
+        _ => scripted(
+            Node::new(NodeKind::Group(Box::new(atom.clone()), Bracket::Round), atom.span.clone()),
+            i64::from(n),
+        ),
     }
 }
 
+/// A formula with one quantity more, as a factor or as a term, at every place: nested ones, and matrices and vectors, too.
+pub(super) fn insertions(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Chain> {
+    let mut out = Vec::new();
+    let small = atoms(chain, vocabulary);
+    for atom in &small {
+        for n in [1, 2] {
+            out.extend(filled(chain, Gap::Factor, &power(atom, n), false, vocabulary));
+            let term = power(atom, n);
+            out.extend(filled(chain, Gap::Term, &term, false, vocabulary));
+            out.extend(filled(chain, Gap::Term, &negated(&term), false, vocabulary));
+        }
+    }
+    let span = 0..0;
+    for word in vocabulary.tensors() {
+        let plain = SymbolNode {
+            name: word.name.clone(),
+            dots: 0,
+            sub: (!word.sub.is_empty()).then(|| word.sub.clone()),
+            sup: None,
+            sup_first: false,
+            arguments: None,
+            arguments_text: String::new(),
+        };
+        let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
+        let mut all = vec![symbol(plain.clone())];
+        if word.rank == 2 {
+            let t = symbol(SymbolNode { name: "T".into(), ..plain.clone() });
+            all.push(symbol(SymbolNode { sup: Some(Box::new(t)), ..plain.clone() }));
+            all.push(symbol(SymbolNode { sup: raised(-1, &span), ..plain.clone() }));
+        }
+        for factor in &all {
+            out.extend(filled(chain, Gap::Factor, factor, false, vocabulary));
+        }
+    }
+    out
+}
+
 /// Most atoms that monomials are made of.
-const MOST_ATOMS: usize = 14;
+const MOST_ATOMS: usize = 20;
 
 /// What a missing factor or term may be made of: the factors that the formula has, without their powers; like components and
 /// functions; the scalars that are declared.
@@ -949,6 +994,38 @@ pub(super) fn atoms(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Node> {
                 let mut sub = s.sub.clone().unwrap_or_default();
                 sub[own] = SubItem::Digit(d);
                 put(symbol(SymbolNode { sub: Some(sub), sup: None, sup_first: false, ..s.clone() }));
+            }
+        }
+    }
+    // Sines and cosines of what stands in their arguments, and values at the start where such a value occurs.
+    for node in &nodes {
+        if let NodeKind::Function(f, _, arguments) = &node.kind
+            && matches!(f.as_str(), "sin" | "cos")
+        {
+            let mut inner = Vec::new();
+            arguments.iter().for_each(|a| walk(a, &mut inner));
+            for part in inner {
+                let NodeKind::Symbol(s) = &part.kind else { continue };
+                if vocabulary.word(s).is_some_and(|(w, _)| w.moves && w.rank == 0) && s.dots == 0 {
+                    for f in ["sin", "cos"] {
+                        put(Node::new(NodeKind::Function(f.into(), None, vec![part.clone()]), span.clone()));
+                    }
+                }
+            }
+        }
+    }
+    let at_start = nodes.iter().find_map(|n| match &n.kind {
+        NodeKind::Symbol(s) if s.arguments.as_ref().is_some_and(|a| a.len() == 1 && a[0].is_zero()) => Some(s),
+        _ => None,
+    });
+    if let Some(start) = at_start {
+        for node in &nodes {
+            if let NodeKind::Symbol(s) = &node.kind
+                && s.arguments.is_none()
+                && vocabulary.word(s).is_some_and(|(w, _)| w.moves)
+            {
+                let (arguments, arguments_text) = (start.arguments.clone(), start.arguments_text.clone());
+                put(symbol(SymbolNode { arguments, arguments_text, sup: None, sup_first: false, ..(*s).clone() }));
             }
         }
     }

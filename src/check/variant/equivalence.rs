@@ -79,7 +79,12 @@ impl ClaimVariants {
                     continue;
                 }
                 Sight::Same => count.equivalent += 1,
-                Sight::Empty => count.empty += 1,
+                Sight::Empty => {
+                    count.empty += 1;
+                    count.kept -= 1;
+                    self.empty.push(variant);
+                    continue;
+                }
                 Sight::Repeated => count.repeated += 1,
             }
             count.kept -= 1;

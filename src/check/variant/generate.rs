@@ -84,6 +84,8 @@ pub(super) struct ClaimVariants {
     pub formulas: Vec<Formula>,
     /// The variants.
     pub variants: Vec<Variant>,
+    /// Edited formulas that are true by the definitions alone: no variants, but they may be what was meant.
+    pub empty: Vec<Variant>,
     /// What became of all edits.
     pub counts: BTreeMap<EditClass, ClassCount>,
     /// Formulas without variants, and why.
@@ -329,7 +331,11 @@ impl ClaimVariants {
 
     /// Everything that is evaluated for one initial time.
     pub fn roots(&self, start: usize) -> Vec<Expr> {
-        let own = self.formulas.iter().flat_map(|f| &f.parts).chain(self.variants.iter().flat_map(|v| v.altered.iter().map(|(_, p)| p)));
+        let own = self
+            .formulas
+            .iter()
+            .flat_map(|f| &f.parts)
+            .chain(self.variants.iter().flat_map(|v| v.altered.iter().map(|(_, p)| p)));
         let sizes = self.formulas.iter().flat_map(|f| &f.magnitudes).flatten().copied();
         own.map(|p| p.difference[start]).chain(sizes).collect()
     }

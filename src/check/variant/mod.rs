@@ -218,6 +218,7 @@ impl Altered {
         let graph = &self.graphs[k / TOGETHER];
         let evidence = Evidence {
             points: &points,
+            first_counts: matches!(outcome, Outcome::Fails(_)),
             precision: claim.precision,
             one_sign_throughout: claim.branches_throughout,
         };
@@ -262,8 +263,7 @@ impl Altered {
             .filter(|p| matches!(p.verdict.outcome(), Outcome::Holds(_)))
             .filter_map(|p| Some((p.trajectory.clone(), on(&p.trajectory)?)))
             .collect();
-        let survives: Vec<usize> =
-            (0..variants.variants.len()).filter(|&v| holds.iter().any(|(_, r)| !r[v])).collect();
+        let survives: Vec<usize> = (0..variants.variants.len()).filter(|&v| holds.iter().any(|(_, r)| !r[v])).collect();
         for pair in &mut account.results {
             let Some((_, rejected)) = holds.iter().find(|(id, _)| *id == pair.trajectory) else { continue };
             let survivors: Vec<usize> =
