@@ -856,7 +856,9 @@ fn multiplied(factor: &Node, node: &Node) -> Node {
     }
     // Numbers first.
     let front: Vec<Node> = parts.iter().filter(|p| as_number(p).is_some()).cloned().collect();
-    let rest: Vec<Node> = parts.into_iter().filter(|p| as_number(p).is_none()).collect();
+    let mut rest: Vec<Node> = parts.into_iter().filter(|p| as_number(p).is_none()).collect();
+    // Functions last: nothing may stand behind an argument without parentheses.
+    rest.sort_by_key(|p| matches!(p.kind, NodeKind::Function(..)));
     product(front.into_iter().chain(rest).collect(), span).unwrap_or_else(|| node.clone())
 }
 

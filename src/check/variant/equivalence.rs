@@ -69,7 +69,7 @@ fn fingerprint(v: &[Bounded]) -> Vec<u32> {
 impl ClaimVariants {
     /// Removes the variants that are no variants, and counts them.
     pub fn reduce(&mut self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) {
-        let sights = self.sights(derivation, claim, graph);
+        let sights = self.sights(derivation, claim, graph, true);
         let mut kept = Vec::new();
         for (variant, sight) in std::mem::take(&mut self.variants).into_iter().zip(sights) {
             let count = self.count(variant.class);
@@ -92,17 +92,18 @@ impl ClaimVariants {
         self.variants = kept;
     }
 
-    /// What random points say of each variant.
-    pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
+    /// What random points say of each variant. `defined`: observables are what they are defined to be; otherwise they are
+    /// independent, too, and only what algebra makes true is true.
+    pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph, defined: bool) -> Vec<Sight> {
         let sign = claim.scope.branch_sign();
         let all = (0..self.variants.len()).collect();
         let Some(battery) = Battery::new(graph, self, 0, all, sign) else {
             return vec![Sight::New; self.variants.len()];
         };
-        let free = draw(derivation, claim, graph, &battery, false);
+        let free = draw(derivation, claim, graph, &battery, false, defined);
         // A constant may be any function of the parameters, so these stay what they are.
         let fixed = match self.formulas.iter().any(|f| f.manner == Manner::Constant) {
-            true => draw(derivation, claim, graph, &battery, true),
+            true => draw(derivation, claim, graph, &battery, true, defined),
             false => Vec::new(),
         };
         let mut seen: FastSet<(usize, Vec<(usize, Vec<u32>)>)> = FastSet::default();
@@ -174,13 +175,14 @@ fn draw<'a>(
     graph: &mut Graph,
     battery: &'a Battery,
     steady: bool,
+    defined: bool,
 ) -> Vec<Point<'a>> {
     let scope = &claim.scope;
     let leaves: Vec<Leaf> = battery.leaves().to_vec();
     let mut meanings = Vec::new();
     for &leaf in &leaves {
         let e = graph.leaf(leaf);
-        meanings.push(traced(graph, scope, e));
+        meanings.push(if defined { traced(graph, scope, e) } else { e });
     }
     let basic = graph.leaves(meanings.iter().copied());
     let Ok(tape) = Tape::compile(graph, &basic, &meanings) else { return Vec::new() };

@@ -29,9 +29,9 @@ use crate::latex;
 use crate::latex::syntax::{Chain, to_latex};
 
 /// Most candidates of one formula that are handed to the checker.
-const MOST_CANDIDATES: usize = 12;
+const MOST_CANDIDATES: usize = 8;
 /// Most pairs of edits of one formula that are tried.
-const MOST_PAIRS: usize = 9_000;
+const MOST_PAIRS: usize = 4_000;
 /// Pairs of edits that are evaluated together.
 const PAIRS_TOGETHER: usize = 300;
 /// Most points at which completions are fitted.
@@ -268,17 +268,30 @@ impl Search<'_> {
             group.variants.push(Variant { class, formula: 0, tree, altered });
             kept.push((changed, difference, classes));
         }
-        let sights = group.sights(self.derivation, setting.claim, graph);
+        let sights = group.sights(self.derivation, setting.claim, graph, true);
+        let by_algebra = group.sights(self.derivation, setting.claim, graph, false);
+        let sights = sights.into_iter().zip(by_algebra);
         let mut out: Vec<Candidate> = Vec::new();
-        for ((variant, sight), (changed, difference, classes)) in group.variants.into_iter().zip(sights).zip(kept) {
+        for ((variant, (sight, alone)), (changed, difference, classes)) in
+            group.variants.into_iter().zip(sights).zip(kept)
+        {
             if matches!(sight, Sight::Same | Sight::Repeated) {
+                continue;
+            }
+            // What does not move anyway says nothing by being constant, and what was added only to make both sides one
+            // expression says nothing either.
+            let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
+            let made_up = alone == Sight::Empty && rank(&classes) > rank(&[EditClass::Sign]);
+            if trivial || made_up {
                 continue;
             }
             let text = to_latex(&variant.tree);
             let empty = sight == Sight::Empty;
             out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, empty, difference, changed });
         }
-        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, c.text.len()));
+        // What defines something usually stands on the right: there the slip is looked for first.
+        let left = |c: &Candidate| formula.tree.sides.len() > 1 && c.tree.sides.first() != formula.tree.sides.first();
+        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, left(c), c.text.len()));
         out.truncate(MOST_CANDIDATES);
         out
     }

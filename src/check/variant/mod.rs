@@ -97,7 +97,7 @@ pub fn says_the_same(derivation: &Derivation, claim: usize, printed: &str, other
     }
     let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
     let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
-    group.sights(derivation, of, &mut graph) == [equivalence::Sight::Same]
+    group.sights(derivation, of, &mut graph, true) == [equivalence::Sight::Same]
 }
 
 /// Claims that share a copy of the graph.
