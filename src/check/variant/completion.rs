@@ -9,7 +9,8 @@
 //! three different ones, powers up to 3, c a simple fraction. No tree is made before the numbers agree.
 
 use super::battery::{Battery, Value};
-use super::edit::{EditClass, Gap, atoms, filled, monomial};
+use super::edit::EditClass;
+use super::gap::{Gap, atoms, filled, monomial};
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
 use super::vocabulary::Vocabulary;
 use crate::expr::{Expr, Graph, Leaf, Rational};
@@ -92,11 +93,17 @@ impl Line {
     }
 }
 
+/// xⁿ for a small n, multiplied from the left.
+fn power(x: f64, n: i32) -> f64 {
+    let size: f64 = (0..n.abs()).map(|_| x).product();
+    if n < 0 { 1.0 / size } else { size }
+}
+
 /// The monomials c·∏ aⁿ that make the residual vanish, the simplest first.
 fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     let mut out = Vec::new();
     let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
-        let m = |p: usize| -> f64 { powers.iter().map(|&(a, n)| values[a][p].powi(n)).product() };
+        let m = |p: usize| -> f64 { powers.iter().map(|&(a, n)| power(values[a][p], n)).product() };
         let mut c = None;
         let mut count = 0;
         for p in 0..line.at.len() {

@@ -24,6 +24,9 @@ const DRAWN: usize = 40;
 /// The start of the generator of points.
 pub const SEED: u64 = 0x0DD5;
 
+/// What proportional residuals have in common: for each altered part its position and ratios of its values.
+type Fingerprint = Vec<(usize, Vec<u32>)>;
+
 /// What random points say of a variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sight {
@@ -106,7 +109,7 @@ impl ClaimVariants {
             true => draw(derivation, claim, graph, &battery, true, defined),
             false => Vec::new(),
         };
-        let mut seen: FastSet<(usize, Vec<(usize, Vec<u32>)>)> = FastSet::default();
+        let mut seen: FastSet<(usize, Fingerprint)> = FastSet::default();
         (0..self.variants.len())
             .map(|v| {
                 let manner = self.formulas[self.variants[v].formula].manner;
@@ -116,7 +119,7 @@ impl ClaimVariants {
             .collect()
     }
 
-    fn sight(&self, v: usize, points: &[Point], seen: &mut FastSet<(usize, Vec<(usize, Vec<u32>)>)>) -> Sight {
+    fn sight(&self, v: usize, points: &[Point], seen: &mut FastSet<(usize, Fingerprint)>) -> Sight {
         let variant = &self.variants[v];
         let formula = &self.formulas[variant.formula];
         // The points at which everything has a value.
@@ -158,7 +161,7 @@ impl ClaimVariants {
         }
         // For an inequality the direction matters, and there are few: all are kept.
         let equations = variant.altered.iter().all(|(_, p)| p.kind == RelationKind::Equal);
-        let key: Vec<(usize, Vec<u32>)> = variant
+        let key: Fingerprint = variant
             .altered
             .iter()
             .zip(&rows)

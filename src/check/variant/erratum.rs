@@ -13,8 +13,9 @@
 use super::account::{Correction, Erratum};
 use super::completion::{Points, completions};
 use super::difference::difference;
-use super::edit::{EditClass, edits, insertions};
+use super::edit::{EditClass, edits};
 use super::equivalence::Sight;
+use super::gap::insertions;
 use super::generate::{ClaimVariants, Formula, Manner, Setting, Variant};
 use super::rejection::{self, Evidence, Placed};
 use super::vocabulary::Vocabulary;

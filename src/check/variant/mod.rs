@@ -19,6 +19,7 @@ mod difference;
 mod edit;
 mod equivalence;
 mod erratum;
+mod gap;
 mod generate;
 mod rejection;
 mod vocabulary;
