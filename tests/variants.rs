@@ -187,3 +187,14 @@ fn a_claim_that_holds_needs_no_correction() {
     let account = thrown(r"w=w(0)-gt", "['up', 'moon']");
     assert!(account.claims[0].variants.as_ref().is_some_and(|v| v.erratum.is_none()));
 }
+
+#[test]
+fn what_was_made_to_be_constant_is_no_correction() {
+    // z − z does not change, and says nothing.
+    let text =
+        THROWN.replace("always = ['FORMULA']", "first-integral = ['z']").replace("TRAJECTORIES", "['up', 'moon']");
+    let account = checked(&text, &[], &[]);
+    for correction in corrections(&account.claims[0]) {
+        assert!(correction.formula.contains('w'), "{correction:?}");
+    }
+}

@@ -9,8 +9,9 @@
 //! three different ones, powers up to 3, c a simple fraction. No tree is made before the numbers agree.
 
 use super::battery::{Battery, Value};
-use super::edit::{EditClass, Gap, atoms, filled, monomial};
-use super::generate::{ClaimVariants, Formula, Setting, Variant};
+use super::edit::EditClass;
+use super::gap::{Gap, atoms, filled, monomial};
+use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
 use super::vocabulary::Vocabulary;
 use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::latex;
@@ -31,6 +32,8 @@ pub(super) struct Points<'a> {
     pub start: usize,
     /// The points, few and different.
     pub points: Vec<&'a Vec<Value>>,
+    /// To which motion each belongs; points of one motion stand together.
+    pub motions: Vec<usize>,
     /// The leaves that they have values of, sorted.
     pub known: &'a [Leaf],
 }
@@ -69,14 +72,42 @@ impl Found {
     }
 }
 
-/// The monomials with the wanted values, the simplest first.
-fn monomials(values: &[Vec<f64>], wanted: &[f64]) -> Vec<Found> {
+/// What a missing factor or term X does to a residual at each point: at + slope·X.
+#[derive(Default)]
+struct Line {
+    at: Vec<f64>,
+    slope: Vec<f64>,
+    /// For a constant, of which only differences are known: the point before on the same motion.
+    before: Vec<Option<usize>>,
+    constant: bool,
+}
+
+impl Line {
+    /// The coefficient c for which X = c·m makes the residual vanish at a point (or the same as at the point before).
+    fn coefficient(&self, p: usize, m: impl Fn(usize) -> f64) -> Option<f64> {
+        if !self.constant {
+            return Some(-self.at[p] / (self.slope[p] * m(p)));
+        }
+        let q = self.before[p]?;
+        Some(-(self.at[p] - self.at[q]) / (self.slope[p] * m(p) - self.slope[q] * m(q)))
+    }
+}
+
+/// xⁿ for a small n, multiplied from the left.
+fn power(x: f64, n: i32) -> f64 {
+    let size: f64 = (0..n.abs()).map(|_| x).product();
+    if n < 0 { 1.0 / size } else { size }
+}
+
+/// The monomials c·∏ aⁿ that make the residual vanish, the simplest first.
+fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     let mut out = Vec::new();
     let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
+        let m = |p: usize| -> f64 { powers.iter().map(|&(a, n)| power(values[a][p], n)).product() };
         let mut c = None;
-        for (p, &w) in wanted.iter().enumerate() {
-            let m: f64 = powers.iter().map(|&(a, n)| values[a][p].powi(n)).product();
-            let ratio = w / m;
+        let mut count = 0;
+        for p in 0..line.at.len() {
+            let Some(ratio) = line.coefficient(p, m) else { continue };
             if !ratio.is_finite() || ratio == 0.0 {
                 return None;
             }
@@ -84,8 +115,9 @@ fn monomials(values: &[Vec<f64>], wanted: &[f64]) -> Vec<Found> {
             if (ratio - first).abs() > AGREEMENT * first.abs() {
                 return None;
             }
+            count += 1;
         }
-        simple(c?)
+        if count >= 3 { simple(c?) } else { None }
     };
     let mut try_one = |powers: &[(usize, i32)]| {
         if let Some(coefficient) = agrees(powers) {
@@ -161,8 +193,8 @@ pub(super) fn completions(
         // The residuals with the probe, and with it doubled, to see whether they depend on it in this simple way.
         let doubled = filled(&formula.tree, gap, &constant(2), false, vocabulary);
         for (site, (tree, doubled)) in trees.iter().zip(&doubled).enumerate() {
-            let Some(wanted) = wanted(graph, setting, formula, points, (tree, doubled), gap) else { continue };
-            for found in monomials(&values, &wanted) {
+            let Some(line) = line(graph, setting, formula, points, (tree, doubled), gap) else { continue };
+            for found in monomials(&values, &line) {
                 let factors: Vec<(&Node, i32)> = found.powers.iter().map(|&(a, n)| (&nodes[a], n)).collect();
                 let filling = monomial(&found.coefficient, &factors);
                 let made = filled(&formula.tree, gap, &filling, false, vocabulary);
@@ -175,34 +207,44 @@ pub(super) fn completions(
     out.into_iter().map(|(_, tree)| tree).collect()
 }
 
-/// The values that the missing factor or term must have.
-fn wanted(
+/// How the residuals depend on what is missing; `None` where they do so in another way, or not at all.
+fn line(
     graph: &mut Graph,
     setting: &Setting,
     formula: &Formula,
     points: &Points,
     (probe, doubled): (&Chain, &Chain),
     gap: Gap,
-) -> Option<Vec<f64>> {
+) -> Option<Line> {
+    let constant = formula.manner == Manner::Constant;
+    // Of a constant the expression itself, not its difference from the start: a term may be any constant more.
+    let plain = |mut part: Part| {
+        if constant {
+            let e = part.sides.0;
+            part.difference.iter_mut().for_each(|d| *d = e);
+        }
+        part
+    };
     let variant = |graph: &mut Graph, tree: &Chain| {
         let parts = setting.parts(graph, tree, formula.manner, formula.parts.len())?;
-        let altered = parts.into_iter().enumerate().collect();
+        let altered = parts.into_iter().map(plain).enumerate().collect();
         Some(Variant { class: EditClass::Missing, formula: 0, tree: tree.clone(), altered })
     };
     let variants = vec![variant(graph, probe)?, variant(graph, doubled)?];
-    let claim = ClaimVariants { formulas: vec![formula.clone()], variants, ..ClaimVariants::default() };
+    let print = Formula { parts: formula.parts.iter().cloned().map(plain).collect(), ..formula.clone() };
+    let claim = ClaimVariants { formulas: vec![print], variants, ..ClaimVariants::default() };
     let sign = setting.claim.scope.branch_sign();
     let battery = Battery::new(graph, &claim, points.start, vec![0, 1], sign)?;
     let mut slots = battery.slots();
-    let mut out = Vec::new();
-    for point in &points.points {
+    // One component speaks for all: that which depends most on what is missing. The others are seen to when it is tried.
+    let mut lines: Vec<(f64, Line)> = (0..formula.parts.len()).map(|_| (0.0, Line::default())).collect();
+    for (p, point) in points.points.iter().enumerate() {
         let values = points.lookup(point, battery.leaves())?;
         let outputs = battery.at(values.into_iter(), 1.0, &mut slots);
-        let mut here = None;
-        for part in 0..formula.parts.len() {
+        let before = p.checked_sub(1).filter(|&q| points.motions[q] == points.motions[p]);
+        for (part, (weight, line)) in lines.iter_mut().enumerate() {
             let own = outputs.own(0, part).ok()?;
             let (first, second) = (outputs.altered(0, part).ok()?, outputs.altered(1, part).ok()?);
-            let close = |a: f64, b: f64, size: f64| (a - b).abs() <= AGREEMENT * size;
             let size = own.value.abs().max(first.value.abs()).max(second.value.abs()) + 1e3 * own.error;
             let (slope, at) = match gap {
                 // F = 0 gives `first`, F = 1 the print, F = 2 `second`.
@@ -210,25 +252,18 @@ fn wanted(
                 // A term 0 is the print, 1 gives `first`, 2 `second`.
                 Gap::Term => (first.value - own.value, own.value),
             };
-            if !close(second.value, at + 2.0 * slope, size) {
+            if (second.value - at - 2.0 * slope).abs() > AGREEMENT * size {
                 return None;
             }
-            if slope.abs() <= 1e-9 * size {
-                // This part does not see what is missing: it must be true already.
-                if own.value.abs() > 1e3 * own.error + 1e-9 * size {
-                    return None;
-                }
-                continue;
-            }
-            let value = -at / slope;
-            let known = *here.get_or_insert(value);
-            if !close(known, value, known.abs().max(value.abs())) {
-                return None;
-            }
+            *weight += slope.abs() / size.max(f64::MIN_POSITIVE);
+            line.at.push(at);
+            line.slope.push(slope);
+            line.before.push(before);
+            line.constant = constant;
         }
-        out.push(here?);
     }
-    Some(out)
+    let (weight, line) = lines.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (weight > 1e-6).then_some(line)
 }
 
 #[cfg(test)]
@@ -240,11 +275,20 @@ mod tests {
         let x = vec![1.3, -0.7, 2.2, 0.4];
         let y = vec![0.2, 1.9, -1.1, 3.0];
         let wanted: Vec<f64> = x.iter().zip(&y).map(|(x, y)| -1.5 * x * x / y).collect();
-        let found = monomials(&[x.clone(), y.clone()], &wanted);
+        let line = |wanted: Vec<f64>| {
+            let n = wanted.len();
+            let before = (0..n).map(|p: usize| p.checked_sub(1)).collect();
+            Line { at: wanted.iter().map(|w| -w).collect(), slope: vec![1.0; n], before, constant: false }
+        };
+        let found = monomials(&[x.clone(), y.clone()], &line(wanted.clone()));
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].powers, [(0, 2), (1, -1)]);
         assert_eq!(found[0].coefficient, Rational::from(-3) / Rational::from(2));
         let other: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x + y).collect();
-        assert!(monomials(&[x, y], &other).is_empty());
+        assert!(monomials(&[x.clone(), y.clone()], &line(other)).is_empty());
+        // Of a constant only differences are known.
+        let shifted = Line { constant: true, ..line(wanted.iter().map(|w| w + 7.0).collect()) };
+        let found = monomials(&[x, y], &shifted);
+        assert_eq!(found[0].powers, [(0, 2), (1, -1)]);
     }
 }

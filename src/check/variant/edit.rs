@@ -92,7 +92,7 @@ impl EditClass {
 
 /// What a node stands for in the formula around it.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+pub(super) enum Place {
     /// A side, an argument, an entry, a radicand: it can have a sign and a factor of its own.
     Whole,
     /// A term, whose sign and factor belong to the sum around it.
@@ -124,7 +124,7 @@ pub(super) fn edits(chain: &Chain, vocabulary: &Vocabulary) -> Edited<Chain> {
 }
 
 /// A number as a formula writes it.
-fn number(r: Rational, span: &Range<usize>) -> Node {
+pub(super) fn number(r: Rational, span: &Range<usize>) -> Node {
     let node = |kind| Node::new(kind, span.clone());
     if r.denominator().is_one() {
         return node(NodeKind::Number(r));
@@ -135,7 +135,7 @@ fn number(r: Rational, span: &Range<usize>) -> Node {
 }
 
 /// The value of a node that is written as a number or a fraction of numbers.
-fn as_number(node: &Node) -> Option<Rational> {
+pub(super) fn as_number(node: &Node) -> Option<Rational> {
     match &node.kind {
         NodeKind::Number(r) => Some(r.clone()),
         NodeKind::Quotient { top, bottom, .. } => match (&top.kind, &bottom.kind) {
@@ -153,7 +153,7 @@ fn without(parts: &[Node], at: usize, span: &Range<usize>) -> Option<Node> {
 }
 
 /// A product of factors; `None` of none.
-fn product(mut parts: Vec<Node>, span: &Range<usize>) -> Option<Node> {
+pub(super) fn product(mut parts: Vec<Node>, span: &Range<usize>) -> Option<Node> {
     match parts.len() {
         0 => None,
         1 => parts.pop(),
@@ -249,7 +249,7 @@ pub(super) fn sum(mut terms: Vec<(Sign, Node)>, span: &Range<usize>) -> Node {
 }
 
 /// An exponent that is written as a whole number.
-fn exponent(node: &Node) -> Option<i64> {
+pub(super) fn exponent(node: &Node) -> Option<i64> {
     match &node.kind {
         NodeKind::Number(r) if r.denominator().is_one() => i64::try_from(r.numerator().clone()).ok(),
         NodeKind::Sum(terms) => match terms.as_slice() {
@@ -261,7 +261,7 @@ fn exponent(node: &Node) -> Option<i64> {
 }
 
 /// A whole exponent; none for 1.
-fn raised(n: i64, span: &Range<usize>) -> Option<Box<Node>> {
+pub(super) fn raised(n: i64, span: &Range<usize>) -> Option<Box<Node>> {
     let positive = Node::new(NodeKind::Number(Rational::from(n.abs())), span.clone());
     match n {
         1 => None,
@@ -276,7 +276,7 @@ fn neighbours(n: i64) -> impl Iterator<Item = i64> {
 }
 
 /// The function that is put for another by mistake.
-fn confused(function: &str) -> Option<&'static str> {
+pub(super) fn confused(function: &str) -> Option<&'static str> {
     Some(match function {
         "sin" => "cos",
         "cos" => "sin",
@@ -290,12 +290,12 @@ fn confused(function: &str) -> Option<&'static str> {
     })
 }
 
-fn is_transpose(node: &Node) -> bool {
+pub(super) fn is_transpose(node: &Node) -> bool {
     matches!(&node.kind, NodeKind::Symbol(s) if matches!(s.name.as_str(), "T" | "\\top" | "rm:T") && s.sub.is_none())
 }
 
 /// The parts of a node, to be replaced, in the order of [`Node::children`].
-fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
+pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     match &mut node.kind {
         NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
         NodeKind::Symbol(s) => s.sup.as_deref_mut().into_iter().chain(s.arguments.iter_mut().flatten()).collect(),
@@ -316,7 +316,7 @@ fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     }
 }
 
-fn with_part(node: &Node, at: usize, part: Node) -> Node {
+pub(super) fn with_part(node: &Node, at: usize, part: Node) -> Node {
     let mut out = node.clone();
     if let Some(place) = parts_mut(&mut out).into_iter().nth(at) {
         *place = part;
@@ -325,7 +325,7 @@ fn with_part(node: &Node, at: usize, part: Node) -> Node {
 }
 
 /// Every node of a tree, parents first.
-fn walk<'n>(node: &'n Node, out: &mut Vec<&'n Node>) {
+pub(super) fn walk<'n>(node: &'n Node, out: &mut Vec<&'n Node>) {
     out.push(node);
     for child in node.children() {
         walk(child, out);
@@ -411,7 +411,7 @@ impl Convention {
 }
 
 /// Something to a whole power.
-fn scripted(base: Node, n: i64) -> Node {
+pub(super) fn scripted(base: Node, n: i64) -> Node {
     let span = base.span.clone();
     let sup = raised(n, &span);
     Node::new(NodeKind::Scripted { base: Box::new(base), sub: None, sup, sup_first: false }, span)
@@ -710,7 +710,7 @@ impl<'a> Editor<'a> {
     }
 }
 
-fn place_of(parent: &Node, at: usize, child: &Node, vocabulary: &Vocabulary) -> Place {
+pub(super) fn place_of(parent: &Node, at: usize, child: &Node, vocabulary: &Vocabulary) -> Place {
     match &parent.kind {
         NodeKind::Sum(_) => Place::Term,
         NodeKind::Function(..)
@@ -738,245 +738,4 @@ fn place_of(parent: &Node, at: usize, child: &Node, vocabulary: &Vocabulary) -> 
         },
         _ => Place::Part,
     }
-}
-
-/// Where something may be missing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Gap {
-    /// A factor of a term.
-    Factor,
-    /// A term of a sum.
-    Term,
-}
-
-/// Every tree that comes from putting `filling` into one gap of a chain; in an order that does not depend on the filling. A
-/// factor is put before what is there, unless `instead`, when it takes its place.
-pub(super) fn filled(chain: &Chain, gap: Gap, filling: &Node, instead: bool, vocabulary: &Vocabulary) -> Vec<Chain> {
-    let filler = Filler { gap, filling, instead, vocabulary };
-    let mut out = Vec::new();
-    for (k, side) in chain.sides.iter().enumerate() {
-        for side in filler.within(side, Place::Whole) {
-            let mut edited = chain.clone();
-            edited.sides[k] = side;
-            out.push(edited);
-        }
-    }
-    out
-}
-
-struct Filler<'a> {
-    gap: Gap,
-    filling: &'a Node,
-    instead: bool,
-    vocabulary: &'a Vocabulary,
-}
-
-impl Filler<'_> {
-    fn times(&self, node: &Node) -> Node {
-        if self.instead { self.filling.clone() } else { multiplied(self.filling, node) }
-    }
-
-    fn within(&self, node: &Node, place: Place) -> Vec<Node> {
-        let mut out = Vec::new();
-        if place == Place::Fixed {
-            return out;
-        }
-        let fillable = !matches!(node.kind, NodeKind::Tuple(_) | NodeKind::Matrix(_) | NodeKind::Identity);
-        match (&node.kind, self.gap) {
-            (NodeKind::Sum(terms), Gap::Factor) => {
-                for (i, (_, term)) in terms.iter().enumerate() {
-                    let mut terms = terms.clone();
-                    terms[i].1 = self.times(term);
-                    out.push(sum(terms, &node.span));
-                }
-            }
-            (NodeKind::Sum(terms), Gap::Term) => out.push(added(terms.clone(), self.filling, &node.span)),
-            (_, Gap::Factor) if place == Place::Whole && fillable && !node.is_zero() => out.push(self.times(node)),
-            (_, Gap::Term) if place == Place::Whole && fillable => {
-                let terms = if node.is_zero() { Vec::new() } else { vec![(Sign::Plus, node.clone())] };
-                out.push(added(terms, self.filling, &node.span));
-            }
-            _ => {}
-        }
-        if as_number(node).is_some() {
-            return out;
-        }
-        for (at, child) in node.children().into_iter().enumerate() {
-            for child in self.within(child, place_of(node, at, child, self.vocabulary)) {
-                out.push(with_part(node, at, child));
-            }
-        }
-        out
-    }
-}
-
-/// A sum with one more term; a term with a sign of its own keeps it.
-fn added(mut terms: Vec<(Sign, Node)>, term: &Node, span: &Range<usize>) -> Node {
-    match &term.kind {
-        NodeKind::Sum(inner) => terms.extend(inner.clone()),
-        _ => terms.push((Sign::Plus, term.clone())),
-    }
-    sum(terms, span)
-}
-
-/// A factor before what it multiplies, signs in front and numbers merged.
-fn multiplied(factor: &Node, node: &Node) -> Node {
-    let span = &node.span;
-    if let NodeKind::Sum(terms) = &factor.kind
-        && let [(Sign::Minus, inner)] = terms.as_slice()
-    {
-        return negated(&multiplied(inner, node));
-    }
-    if let Some(r) = as_number(factor) {
-        return scaled(node, &r);
-    }
-    if let NodeKind::Quotient { top, bottom, slash } = &factor.kind {
-        let over = if as_number(top) == Some(Rational::ONE) { node.clone() } else { multiplied(top, node) };
-        let kind = NodeKind::Quotient { top: Box::new(over), bottom: bottom.clone(), slash: *slash };
-        return Node::new(kind, span.clone());
-    }
-    let mut parts = match &factor.kind {
-        NodeKind::Product(parts) => parts.clone(),
-        _ => vec![factor.clone()],
-    };
-    match &node.kind {
-        NodeKind::Product(more) => parts.extend(more.clone()),
-        NodeKind::Quotient { top, bottom, slash } => {
-            let one = as_number(top) == Some(Rational::ONE);
-            let top = if one { factor.clone() } else { multiplied(factor, top) };
-            let kind = NodeKind::Quotient { top: Box::new(top), bottom: bottom.clone(), slash: *slash };
-            return Node::new(kind, span.clone());
-        }
-        _ if as_number(node) == Some(Rational::ONE) => {}
-        _ => parts.push(node.clone()),
-    }
-    // Numbers first.
-    let front: Vec<Node> = parts.iter().filter(|p| as_number(p).is_some()).cloned().collect();
-    let rest: Vec<Node> = parts.into_iter().filter(|p| as_number(p).is_none()).collect();
-    product(front.into_iter().chain(rest).collect(), span).unwrap_or_else(|| node.clone())
-}
-
-/// c·∏ atomⁿ as a formula writes it.
-pub(super) fn monomial(coefficient: &Rational, factors: &[(&Node, i32)]) -> Node {
-    let span = 0..0;
-    let negative = *coefficient < Rational::ZERO;
-    let size = if negative { -coefficient.clone() } else { coefficient.clone() };
-    let (mut over, mut under) = (Vec::new(), Vec::new());
-    let (p, q) = (Rational::from(size.numerator().clone()), Rational::from(size.denominator().clone()));
-    if p != Rational::ONE {
-        over.push(number(p, &span));
-    }
-    if q != Rational::ONE {
-        under.push(number(q, &span));
-    }
-    for (atom, n) in factors {
-        let place = if *n > 0 { &mut over } else { &mut under };
-        place.push(power(atom, n.abs()));
-    }
-    let one = || Node::new(NodeKind::Number(Rational::ONE), span.clone());
-    let top = product(over, &span).unwrap_or_else(one);
-    let whole = match product(under, &span) {
-        None => top,
-        Some(bottom) => {
-            let kind = NodeKind::Quotient { top: Box::new(top), bottom: Box::new(bottom), slash: false };
-            Node::new(kind, span.clone())
-        }
-    };
-    if negative { negated(&whole) } else { whole }
-}
-
-/// An atom to a positive power.
-fn power(atom: &Node, n: i32) -> Node {
-    if n == 1 {
-        return atom.clone();
-    }
-    let sup = raised(i64::from(n), &atom.span);
-    match &atom.kind {
-        NodeKind::Symbol(s) if s.arguments.is_none() => {
-            Node::new(NodeKind::Symbol(SymbolNode { sup, ..s.clone() }), atom.span.clone())
-        }
-        NodeKind::Function(f, None, arguments) => {
-            Node::new(NodeKind::Function(f.clone(), Some(n), arguments.clone()), atom.span.clone())
-        }
-        NodeKind::Group(..) => scripted(atom.clone(), i64::from(n)),
-        _ => scripted(
-            Node::new(NodeKind::Group(Box::new(atom.clone()), Bracket::Round), atom.span.clone()),
-            i64::from(n),
-        ),
-    }
-}
-
-/// Most atoms that monomials are made of.
-const MOST_ATOMS: usize = 14;
-
-/// What a missing factor or term may be made of: the factors that the formula has, without their powers; like components and
-/// functions; the scalars that are declared.
-pub(super) fn atoms(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Node> {
-    let mut nodes = Vec::new();
-    for side in &chain.sides {
-        walk(side, &mut nodes);
-    }
-    let span = 0..0;
-    let mut out: Vec<Node> = Vec::new();
-    let mut put = |node: Node| {
-        let plain = without_places(&node);
-        if !out.contains(&plain) {
-            out.push(plain);
-        }
-    };
-    let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
-    for node in &nodes {
-        match &node.kind {
-            NodeKind::Symbol(s) if !is_transpose(node) => {
-                if vocabulary.word(s).is_some_and(|(w, _)| !w.is_function) || s.arguments.is_some() {
-                    put(symbol(SymbolNode { sup: None, sup_first: false, ..s.clone() }));
-                }
-            }
-            NodeKind::Function(f, _, arguments) => {
-                let function = |f: &str| Node::new(NodeKind::Function(f.into(), None, arguments.clone()), span.clone());
-                put(function(f));
-                if let Some(other) = confused(f).filter(|_| matches!(f.as_str(), "sin" | "cos")) {
-                    put(function(other));
-                }
-            }
-            NodeKind::Exponential { .. } | NodeKind::Root(..) | NodeKind::Pi => put((*node).clone()),
-            _ => {}
-        }
-    }
-    // Like components: I_2 where I_1 occurs.
-    for node in &nodes {
-        if let NodeKind::Symbol(s) = &node.kind
-            && let Some((word, own)) = vocabulary.word(s)
-            && let Some([SubItem::Digit(_)]) = s.sub.as_deref().and_then(|sub| sub.get(own..))
-        {
-            for d in 1..=word.extents.iter().max().copied().unwrap_or(3).min(3) {
-                let mut sub = s.sub.clone().unwrap_or_default();
-                sub[own] = SubItem::Digit(d);
-                put(symbol(SymbolNode { sub: Some(sub), sup: None, sup_first: false, ..s.clone() }));
-            }
-        }
-    }
-    for word in vocabulary.scalars() {
-        put(symbol(SymbolNode {
-            name: word.name.clone(),
-            dots: 0,
-            sub: (!word.sub.is_empty()).then(|| word.sub.clone()),
-            sup: None,
-            sup_first: false,
-            arguments: None,
-            arguments_text: String::new(),
-        }));
-    }
-    out.truncate(MOST_ATOMS);
-    out
-}
-
-/// The same tree with all places removed, so that trees can be compared.
-fn without_places(node: &Node) -> Node {
-    let mut out = node.clone();
-    out.span = 0..0;
-    for part in parts_mut(&mut out) {
-        *part = without_places(part);
-    }
-    out
 }

@@ -24,6 +24,9 @@ const DRAWN: usize = 40;
 /// The start of the generator of points.
 pub const SEED: u64 = 0x0DD5;
 
+/// What proportional residuals have in common: for each altered part its position and ratios of its values.
+type Fingerprint = Vec<(usize, Vec<u32>)>;
+
 /// What random points say of a variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sight {
@@ -69,7 +72,7 @@ fn fingerprint(v: &[Bounded]) -> Vec<u32> {
 impl ClaimVariants {
     /// Removes the variants that are no variants, and counts them.
     pub fn reduce(&mut self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) {
-        let sights = self.sights(derivation, claim, graph);
+        let sights = self.sights(derivation, claim, graph, true);
         let mut kept = Vec::new();
         for (variant, sight) in std::mem::take(&mut self.variants).into_iter().zip(sights) {
             let count = self.count(variant.class);
@@ -79,7 +82,12 @@ impl ClaimVariants {
                     continue;
                 }
                 Sight::Same => count.equivalent += 1,
-                Sight::Empty => count.empty += 1,
+                Sight::Empty => {
+                    count.empty += 1;
+                    count.kept -= 1;
+                    self.empty.push(variant);
+                    continue;
+                }
                 Sight::Repeated => count.repeated += 1,
             }
             count.kept -= 1;
@@ -87,20 +95,21 @@ impl ClaimVariants {
         self.variants = kept;
     }
 
-    /// What random points say of each variant.
-    pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
+    /// What random points say of each variant. `defined`: observables are what they are defined to be; otherwise they are
+    /// independent, too, and only what algebra makes true is true.
+    pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph, defined: bool) -> Vec<Sight> {
         let sign = claim.scope.branch_sign();
         let all = (0..self.variants.len()).collect();
         let Some(battery) = Battery::new(graph, self, 0, all, sign) else {
             return vec![Sight::New; self.variants.len()];
         };
-        let free = draw(derivation, claim, graph, &battery, false);
+        let free = draw(derivation, claim, graph, &battery, false, defined);
         // A constant may be any function of the parameters, so these stay what they are.
         let fixed = match self.formulas.iter().any(|f| f.manner == Manner::Constant) {
-            true => draw(derivation, claim, graph, &battery, true),
+            true => draw(derivation, claim, graph, &battery, true, defined),
             false => Vec::new(),
         };
-        let mut seen: FastSet<(usize, Vec<(usize, Vec<u32>)>)> = FastSet::default();
+        let mut seen: FastSet<(usize, Fingerprint)> = FastSet::default();
         (0..self.variants.len())
             .map(|v| {
                 let manner = self.formulas[self.variants[v].formula].manner;
@@ -110,7 +119,7 @@ impl ClaimVariants {
             .collect()
     }
 
-    fn sight(&self, v: usize, points: &[Point], seen: &mut FastSet<(usize, Vec<(usize, Vec<u32>)>)>) -> Sight {
+    fn sight(&self, v: usize, points: &[Point], seen: &mut FastSet<(usize, Fingerprint)>) -> Sight {
         let variant = &self.variants[v];
         let formula = &self.formulas[variant.formula];
         // The points at which everything has a value.
@@ -152,7 +161,7 @@ impl ClaimVariants {
         }
         // For an inequality the direction matters, and there are few: all are kept.
         let equations = variant.altered.iter().all(|(_, p)| p.kind == RelationKind::Equal);
-        let key: Vec<(usize, Vec<u32>)> = variant
+        let key: Fingerprint = variant
             .altered
             .iter()
             .zip(&rows)
@@ -169,13 +178,14 @@ fn draw<'a>(
     graph: &mut Graph,
     battery: &'a Battery,
     steady: bool,
+    defined: bool,
 ) -> Vec<Point<'a>> {
     let scope = &claim.scope;
     let leaves: Vec<Leaf> = battery.leaves().to_vec();
     let mut meanings = Vec::new();
     for &leaf in &leaves {
         let e = graph.leaf(leaf);
-        meanings.push(traced(graph, scope, e));
+        meanings.push(if defined { traced(graph, scope, e) } else { e });
     }
     let basic = graph.leaves(meanings.iter().copied());
     let Ok(tape) = Tape::compile(graph, &basic, &meanings) else { return Vec::new() };

@@ -15,8 +15,9 @@ use super::completion::{Points, completions};
 use super::difference::difference;
 use super::edit::{EditClass, edits};
 use super::equivalence::Sight;
+use super::gap::insertions;
 use super::generate::{ClaimVariants, Formula, Manner, Setting, Variant};
-use super::rejection::{self, Evidence, Placed, spread};
+use super::rejection::{self, Evidence, Placed};
 use super::vocabulary::Vocabulary;
 use super::{Altered, Battery, TOGETHER, Weighed};
 use crate::check::account::{ClaimAccount, PairAccount};
@@ -29,13 +30,13 @@ use crate::latex;
 use crate::latex::syntax::{Chain, to_latex};
 
 /// Most candidates of one formula that are handed to the checker.
-const MOST_CANDIDATES: usize = 12;
+const MOST_CANDIDATES: usize = 8;
 /// Most pairs of edits of one formula that are tried.
-const MOST_PAIRS: usize = 9_000;
+const MOST_PAIRS: usize = 4_000;
 /// Pairs of edits that are evaluated together.
 const PAIRS_TOGETHER: usize = 300;
 /// Most points at which completions are fitted.
-const FITTED: usize = 10;
+const FITTED: usize = 12;
 /// Most corrections that are offered for a claim.
 const MOST_OFFERED: usize = 5;
 
@@ -126,6 +127,8 @@ impl Search<'_> {
                     made.push((vec![variant.class], variant.tree.clone()));
                 }
             }
+            let empty = variants.empty.iter().filter(|v| v.formula == f);
+            made.extend(empty.map(|v| (vec![v.class], v.tree.clone())));
             let complete = self.complete(k, on, &mut graph, &setting, &vocabulary, formula);
             erratum.tried.1 += complete.len();
             let complete = complete.into_iter().map(|tree| (vec![EditClass::Missing], tree)).collect();
@@ -163,18 +166,25 @@ impl Search<'_> {
         vocabulary: &Vocabulary,
         formula: &Formula,
     ) -> Vec<Chain> {
-        let each = FITTED.div_ceil(on.len()).max(3);
-        let Some((start, all)) = self.points(k, on, each).into_iter().max_by_key(|(_, p)| p.len()) else {
-            return Vec::new();
-        };
-        let order = spread(all.len());
-        let points: Vec<&Values> = order.iter().take(FITTED).map(|&i| all[i]).collect();
-        if points.len() < 3 {
-            // Two points agree with almost anything.
-            return Vec::new();
+        let each = FITTED.div_ceil(on.len()).max(4);
+        // A few motions, three points or more of each: with all of them for one initial time.
+        let Some(start) = on.first().map(|&t| self.start_of[self.tried[t]]) else { return Vec::new() };
+        let on: Vec<usize> = on.iter().copied().filter(|&t| self.start_of[self.tried[t]] == start).collect();
+        let step = on.len().div_ceil(FITTED / 3).max(1);
+        let (mut points, mut motions) = (Vec::new(), Vec::new());
+        for &t in on.iter().step_by(step) {
+            for point in self.weighed[t].points(k, each) {
+                points.push(point);
+                motions.push(t);
+            }
         }
-        let points = Points { start, points, known: &self.altered.known };
-        completions(graph, setting, vocabulary, formula, &points)
+        let mut trees = insertions(&formula.tree, vocabulary);
+        // Two points agree with almost anything.
+        if points.len() >= 3 {
+            let points = Points { start, points, motions, known: &self.altered.known };
+            trees.extend(completions(graph, setting, vocabulary, formula, &points));
+        }
+        trees
     }
 
     /// Those of the trees that no point refutes.
@@ -216,7 +226,8 @@ impl Search<'_> {
             for (start, points) in &points {
                 let Some(battery) = Battery::new(graph, &group, *start, left.clone(), sign) else { continue };
                 let placed = Placed::new(battery, known);
-                let evidence = Evidence { points, precision: claim.precision, one_sign_throughout: false };
+                let precision = claim.precision;
+                let evidence = Evidence { points, first_counts: false, precision, one_sign_throughout: false };
                 let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
                 left.retain(|&v| !found.variants[v]);
             }
@@ -242,7 +253,7 @@ impl Search<'_> {
                 (changed, difference, classes, tree)
             })
             .collect();
-        with_distance.sort_by_key(|(changed, _, classes, _)| (classes.len(), *changed));
+        with_distance.sort_by_key(|(changed, _, classes, _)| (rank(classes), *changed));
         let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
         let mut kept = Vec::new();
         for (changed, difference, classes, tree) in with_distance {
@@ -258,17 +269,30 @@ impl Search<'_> {
             group.variants.push(Variant { class, formula: 0, tree, altered });
             kept.push((changed, difference, classes));
         }
-        let sights = group.sights(self.derivation, setting.claim, graph);
+        let sights = group.sights(self.derivation, setting.claim, graph, true);
+        let by_algebra = group.sights(self.derivation, setting.claim, graph, false);
+        let sights = sights.into_iter().zip(by_algebra);
         let mut out: Vec<Candidate> = Vec::new();
-        for ((variant, sight), (changed, difference, classes)) in group.variants.into_iter().zip(sights).zip(kept) {
+        for ((variant, (sight, alone)), (changed, difference, classes)) in
+            group.variants.into_iter().zip(sights).zip(kept)
+        {
             if matches!(sight, Sight::Same | Sight::Repeated) {
+                continue;
+            }
+            // What does not move anyway says nothing by being constant, and what was added only to make both sides one
+            // expression says nothing either.
+            let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
+            let made_up = alone == Sight::Empty && rank(&classes) > rank(&[EditClass::Sign]);
+            if trivial || made_up {
                 continue;
             }
             let text = to_latex(&variant.tree);
             let empty = sight == Sight::Empty;
             out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, empty, difference, changed });
         }
-        out.sort_by_key(|c| (c.classes.len(), c.empty, c.changed));
+        // What defines something usually stands on the right: there the slip is looked for first.
+        let left = |c: &Candidate| formula.tree.sides.len() > 1 && c.tree.sides.first() != formula.tree.sides.first();
+        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, left(c), c.text.len()));
         out.truncate(MOST_CANDIDATES);
         out
     }
@@ -341,6 +365,11 @@ impl Search<'_> {
         }
         Ok(())
     }
+}
+
+/// Single edits first, then what completes a formula, then pairs.
+fn rank(classes: &[EditClass]) -> usize {
+    2 * classes.len() + usize::from(classes == [EditClass::Missing])
 }
 
 /// The candidate as a claim of its own; `None` where it cannot be read as it is printed.

@@ -84,6 +84,8 @@ pub(super) struct ClaimVariants {
     pub formulas: Vec<Formula>,
     /// The variants.
     pub variants: Vec<Variant>,
+    /// Edited formulas that are true by the definitions alone: no variants, but they may be what was meant.
+    pub empty: Vec<Variant>,
     /// What became of all edits.
     pub counts: BTreeMap<EditClass, ClassCount>,
     /// Formulas without variants, and why.
@@ -196,12 +198,15 @@ fn defined_as<'a>(derivation: &'a Derivation, claim: &'a Claim, text: &str) -> O
     if hidden || !named.arguments.is_empty() { None } else { named.formula.as_deref() }
 }
 
+/// A formula before its tree is looked at: what it is for, its text and place, its parts, whether a ± occurs.
+type Taken<'a> = (Manner, &'a str, Option<&'a Range<usize>>, Vec<Part>, bool);
+
 /// The formulas of a claim that can be altered; the others, with the reason.
 fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (Vec<Formula>, Vec<(String, String)>) {
     let claim = setting.claim;
     let mut out = Vec::new();
     let mut skipped = Vec::new();
-    let mut written: Vec<(Manner, &str, Option<&Range<usize>>, Vec<Part>, bool)> = Vec::new();
+    let mut written: Vec<Taken> = Vec::new();
     for form in &claim.forms {
         let mut relation = |text: &'_ str, value: &Statement| {
             if value.relations.iter().any(|r| r.limit.is_some()) {

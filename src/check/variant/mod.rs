@@ -19,6 +19,7 @@ mod difference;
 mod edit;
 mod equivalence;
 mod erratum;
+mod gap;
 mod generate;
 mod rejection;
 mod vocabulary;
@@ -97,7 +98,7 @@ pub fn says_the_same(derivation: &Derivation, claim: usize, printed: &str, other
     }
     let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
     let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
-    group.sights(derivation, of, &mut graph) == [equivalence::Sight::Same]
+    group.sights(derivation, of, &mut graph, true) == [equivalence::Sight::Same]
 }
 
 /// Claims that share a copy of the graph.
@@ -220,8 +221,12 @@ impl Altered {
             return None;
         }
         let graph = &self.graphs[k / TOGETHER];
-        let evidence =
-            Evidence { points: &points, precision: claim.precision, one_sign_throughout: claim.branches_throughout };
+        let evidence = Evidence {
+            points: &points,
+            first_counts: matches!(outcome, Outcome::Fails(_)),
+            precision: claim.precision,
+            one_sign_throughout: claim.branches_throughout,
+        };
         let sign = claim.scope.branch_sign();
         let rejections = rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence);
         own.truncate(KEPT);

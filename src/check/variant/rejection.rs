@@ -57,6 +57,8 @@ struct Record {
 pub(super) struct Evidence<'a> {
     /// The points: those at which the claim was compared.
     pub points: &'a [&'a Values],
+    /// Whether the first of the points must be used: it is the witness.
+    pub first_counts: bool,
     /// The precision that the claim asks for.
     pub precision: f64,
     /// Whether one sign of ± must serve the whole motion.
@@ -67,7 +69,8 @@ pub(super) struct Evidence<'a> {
 pub(super) fn spread(n: usize) -> Vec<usize> {
     let mut seen = vec![false; n];
     let mut out = Vec::with_capacity(n);
-    let mut at = 0.381_966_011_250_105_1;
+    // Not from the start: many things vanish there.
+    let mut at = 0.5;
     // The golden section fills the interval evenly; what it leaves out comes last, in order.
     for _ in 0..2 * n {
         let i = ((at * n as f64) as usize).min(n.saturating_sub(1));
@@ -103,7 +106,9 @@ pub(super) fn rejected(
     let mut records = vec![Record::default(); claim.variants.len()];
     let mut order = spread(evidence.points.len());
     // Where the print fails most clearly comes first.
-    if let Some(at) = order.iter().position(|&i| i == 0) {
+    if evidence.first_counts
+        && let Some(at) = order.iter().position(|&i| i == 0)
+    {
         order[..=at].rotate_right(1);
     }
     let mut next = order.iter().take(MOST_TIMES);

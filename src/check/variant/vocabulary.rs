@@ -4,7 +4,7 @@
 //! a slip of the pen may put one for the other: the same shape, the same role, both angles or neither.
 
 use crate::derivation::{Claim, Derivation, SymbolEntry};
-use crate::expr::{Graph, Shape};
+use crate::expr::{Graph, Shape, Symbol};
 use crate::latex::syntax::{Name, NodeKind, SubItem, SymbolNode};
 use crate::latex::{self, Role, Scope};
 
@@ -19,6 +19,8 @@ pub(super) struct Word {
     pub rank: usize,
     /// To where each index runs.
     pub extents: Vec<u16>,
+    /// Whether it changes along a motion.
+    pub moves: bool,
     /// Whether it is a function of arguments in parentheses.
     pub is_function: bool,
     /// Whether an index of a formula stands inside its name, as in `I_{(1-2)}`.
@@ -45,6 +47,7 @@ impl Word {
             sub,
             rank: shape.rank(),
             extents: shape.extents().to_vec(),
+            moves: matches!(entry.role, Role::State | Role::Observable),
             is_function: !entry.arguments.is_empty(),
             has_places,
             role: entry.role,
@@ -64,6 +67,33 @@ impl Word {
     }
 }
 
+/// Whether a symbol has a value on some motion on which the claim is tried. What has none would be noticed by anybody.
+fn is_known(derivation: &Derivation, claim: &Claim, symbol: Symbol) -> bool {
+    let of_motions = |symbol: Symbol| {
+        claim.trajectories.iter().any(|&t| {
+            let trajectory = &derivation.trajectories[t];
+            trajectory.states.contains(&symbol) || trajectory.parameter(symbol).is_some()
+        })
+    };
+    let mut open = vec![symbol];
+    let mut seen: Vec<Symbol> = Vec::new();
+    while let Some(symbol) = open.pop() {
+        if seen.contains(&symbol) {
+            continue;
+        }
+        seen.push(symbol);
+        match claim.scope.role(symbol) {
+            Some(Role::State | Role::Parameter) if !of_motions(symbol) => return false,
+            Some(Role::Observable | Role::Abbreviation) => {
+                let components = claim.scope.definition(symbol).map_or(&[][..], |d| d.components.as_slice());
+                open.extend(derivation.graph.leaves(components.iter().copied()).into_iter().map(|l| l.symbol));
+            }
+            _ => {}
+        }
+    }
+    true
+}
+
 /// All symbols that a formula of a claim may use.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Vocabulary {
@@ -75,6 +105,9 @@ impl Vocabulary {
     pub fn new(derivation: &Derivation, claim: &Claim) -> Vocabulary {
         let mut words: Vec<Word> = Vec::new();
         for entry in derivation.symbols.iter().chain(&claim.symbols) {
+            if !is_known(derivation, claim, entry.symbol) {
+                continue;
+            }
             let Some(word) = Word::new(&derivation.graph, &claim.scope, entry) else { continue };
             match words.iter_mut().find(|w| w.name == word.name && w.sub == word.sub) {
                 Some(hidden) => *hidden = word,
@@ -94,6 +127,11 @@ impl Vocabulary {
     /// The words that may have been meant in place of one, in the order of their declaration.
     pub fn like<'v>(&'v self, word: &'v Word) -> impl Iterator<Item = &'v Word> {
         self.words.iter().filter(move |w| *w != word && w.is_like(word))
+    }
+
+    /// Vectors and matrices.
+    pub fn tensors(&self) -> impl Iterator<Item = &Word> {
+        self.words.iter().filter(|w| w.rank > 0 && !w.is_function && !w.has_places)
     }
 
     /// The scalars of a formula's language: everything without indices that is not a function, the time apart.
