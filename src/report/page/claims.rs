@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::text::{condition, display, formula, identifier, label, prose, reason};
+use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -135,7 +135,7 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
                 }
             }
             @if let Some(witness) = &identity.witness {
-                details { summary { "Refuting point" } p { code.point { (witness) } } }
+                details { summary { "Refuting point" } pre tabindex="0" { (assignments(witness)) } }
             }
         }
     }
@@ -302,6 +302,15 @@ fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
             }
         }
     }
+}
+
+/// `NAME = VALUE; …` as lines that can be pasted.
+fn assignments(point: &str) -> String {
+    let line = |part: &str| match part.split_once(" = ") {
+        Some((name, value)) => format!("{} = {}\n", identifier(name), plain(value)),
+        None => format!("{}\n", plain(part)),
+    };
+    point.split("; ").map(line).collect()
 }
 
 /// The values of a witness as assignments, which most languages read.

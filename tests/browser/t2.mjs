@@ -1,0 +1,181 @@
+// The page of every report in a real browser. Usage: node test.mjs FOLDER (with one folder for each report).
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { createRequire } from "node:module";
+import { chromium } from "playwright-core";
+
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const reports = path.resolve(process.argv[2] ?? "../../reports");
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync"];
+const LARGEST = 9_000_000;
+
+let checks = 0;
+const check = (good, what) => { checks++; assert.ok(good, what); };
+const profile = fs.mkdtempSync(path.join(os.tmpdir(), "rederive-browser-"));
+
+/** Opens a page; every console error and every request beside the file itself is kept. */
+async function visit(options, url, work) {
+  const folder = fs.mkdtempSync(path.join(profile, "user-"));
+  const context = await chromium.launchPersistentContext(folder, { executablePath, args, headless: true, offline: true, ...options });
+  const page = await context.newPage();
+  const seen = { errors: [], requests: [] };
+  page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
+  page.on("pageerror", e => seen.errors.push(String(e)));
+  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0])) seen.requests.push(r.url()); });
+  try {
+    await page.goto(url);
+    await work(page);
+  } finally {
+    await context.close();
+  }
+  check(seen.errors.length === 0, `the console stays silent: ${seen.errors.join("; ")}`);
+  check(seen.requests.length === 0, `nothing is fetched: ${seen.requests.join(", ")}`);
+}
+
+const visibleText = page => page.evaluate(() => document.body.innerText);
+
+/** Every formula is laid out by the browser as MathML: an index is lower and smaller than its base, a fraction is stacked. */
+async function formulasAreLaidOut(page) {
+  const found = await page.evaluate(() => {
+    const box = e => e.getBoundingClientRect(), wrong = [];
+    let formulas = 0, scripts = 0, fractions = 0;
+    for (const math of document.querySelectorAll("math")) {
+      if (!math.checkVisibility()) continue;
+      formulas++;
+      const b = box(math);
+      if (!(b.width > 0 && b.height > 0)) wrong.push("no size: " + math.textContent);
+      for (const s of math.querySelectorAll("msub")) {
+        scripts++;
+        const [base, low] = s.children;
+        if (!(box(low).bottom > box(base).bottom - 1 && box(low).left >= box(base).right - 2)) wrong.push("index: " + s.textContent);
+      }
+      for (const f of math.querySelectorAll("mfrac")) {
+        fractions++;
+        const [top, bottom] = f.children;
+        if (!(box(top).bottom <= box(bottom).top + 1)) wrong.push("fraction: " + f.textContent);
+      }
+      for (const a of math.querySelectorAll("annotation"))
+        if (getComputedStyle(a).display !== "none") wrong.push("LaTeX is shown: " + a.textContent);
+    }
+    return { formulas, scripts, fractions, wrong: wrong.slice(0, 5) };
+  });
+  check(found.formulas > 0, "there are formulas");
+  check(found.wrong.length === 0, `formulas are laid out: ${found.wrong.join("; ")}`);
+  return found;
+}
+
+async function accessible(page, where) {
+  await page.evaluate(axe);
+  const result = await page.evaluate(() => axe.run(
+    // One row of the matrix is like the next; to look at all of them takes minutes.
+    { exclude: [[".matrix tbody tr:nth-child(n+4)"]] }, { resultTypes: ["violations"] }));
+  const bad = result.violations.map(v => `${v.id} (${v.nodes.length}): ${v.help}, ${v.nodes[0].html.slice(0, 160)}`);
+  check(bad.length === 0, `${where}: ${bad.join("\n")}`);
+  return result.passes.length;
+}
+
+for (const id of fs.readdirSync(reports).sort()) {
+  const file = path.join(reports, id, "index.html");
+  if (!fs.existsSync(file)) continue;
+  const url = pathToFileURL(file).href;
+  const json = JSON.parse(fs.readFileSync(path.join(reports, id, "report.json"), "utf8"));
+  const size = fs.statSync(file).size;
+  check(size < LARGEST, `${id}: the page has ${size} bytes`);
+
+  // Without the script everything essential is there.
+  await visit({ javaScriptEnabled: false, viewport: { width: 1280, height: 900 } }, url, async page => {
+    const text = await page.locator("body").innerText();
+    for (const part of ["What was found", "Claims and trajectories", json.derivation.sha256])
+      check(text.includes(part), `${id}: without a script, "${part}" is shown`);
+    const cells = await page.locator(".matrix tbody td a").count();
+    const pairs = json.claims.flatMap(c => c.results).length;
+    check(cells === pairs, `${id}: ${cells} cells for ${pairs} pairs`);
+    check(await page.locator("#filters").isHidden(), `${id}: filters that cannot work are not shown`);
+  });
+
+  // With it: every link leads somewhere, formulas are laid out, filters work, the address keeps the state.
+  let formulas;
+  await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
+    const dead = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')]
+      .map(a => decodeURIComponent(a.getAttribute("href").slice(1))).filter(h => !document.getElementById(h)));
+    check(dead.length === 0, `${id}: links without a place: ${[...new Set(dead)].slice(0, 5)}`);
+    const twice = await page.evaluate(() => { const s = new Set(); return [...document.querySelectorAll("[id]")].map(e => e.id).filter(i => s.has(i) || !s.add(i)); });
+    check(twice.length === 0, `${id}: places with one name: ${twice}`);
+    await accessible(page, `${id}, as it opens`);
+
+    // Formulas, with everything unfolded that is not a table of verdicts.
+    await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
+    await page.waitForTimeout(50);
+    formulas = await formulasAreLaidOut(page);
+    const raw = (await visibleText(page)).match(/.{0,30}\\[a-zA-Z]{2,}.{0,30}/);
+    check(!raw, `${id}: LaTeX is shown: ${raw}`);
+    await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = false; }));
+
+    // A cell leads to its pair, by click and by Enter, and back.
+    const cell = page.locator(".matrix td.h a").first();
+    const href = await cell.getAttribute("href");
+    await cell.click();
+    check(/^#.+@.+/.test(decodeURIComponent(new URL(page.url()).hash)), `${id}: a click changes the address`);
+    const row = page.locator(`[id="${href.slice(1)}"]`);
+    check(await row.isVisible(), `${id}: the pair is shown`);
+    const wanted = json.claims.flatMap(c => c.results.map(r => ({ ...r, name: c.reading ? `${c.id}/${c.reading}` : c.id })));
+    const failing = wanted.find(r => r.verdict === "fails" && r.witness && r.residual);
+    if (failing) {
+      const address = `#${failing.name}@${failing.trajectory}`;
+      await page.goto(url + address);
+      await page.waitForTimeout(50);
+      const detail = page.locator("tr.here + tr.pair");
+      check(await detail.isVisible(), `${id}: an address opens its pair: ${address}`);
+      check(await detail.locator("svg").count() === 2, `${id}: a pair has two drawings`);
+      check(await detail.locator("svg title").count() === 2, `${id}: drawings have titles`);
+      const lines = await detail.locator("polyline").evaluateAll(l => l.map(p => p.getAttribute("points")));
+      check(lines.every(l => l.length > 0 && !/NaN|Infinity/.test(l)), `${id}: curves have finite points`);
+      const pasted = await detail.locator("pre").innerText();
+      check(pasted.includes(`left = ${failing.witness.left}`), `${id}: the witness is there in full`);
+      await accessible(page, `${id}, with a pair`);
+    }
+    // Keys in the matrix.
+    await page.goto(url + "#matrix");
+    await page.locator('.matrix td a[tabindex="0"]').focus();
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Enter");
+    check(decodeURIComponent(page.url()).includes("@"), `${id}: arrows and Enter lead to a pair`);
+
+    // Filters.
+    for (const verdict of ["h", "f", "n", "u"]) {
+      const word = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" }[verdict];
+      await page.goto(`${url}#matrix?verdict=${verdict}`);
+      await page.waitForTimeout(30);
+      const shown = await page.locator(".matrix tbody td a").evaluateAll(l => l.filter(a => a.checkVisibility({ visibilityProperty: true })).length);
+      check(shown === wanted.filter(r => r.verdict === word).length, `${id}: the filter ${word} shows ${shown}`);
+    }
+    const { name, trajectory } = wanted[0];
+    await page.goto(`${url}#matrix`);
+    await page.fill("[name=claim]", name);
+    await page.fill("[name=trajectory]", trajectory);
+    const state = decodeURIComponent(page.url());
+    check(state.includes(`claim=${name}`) && state.includes(`trajectory=${trajectory}`), `${id}: the address keeps the filters: ${state}`);
+    await page.reload();
+    check(await page.inputValue("[name=claim]") === name, `${id}: filters are read from the address`);
+    const left = await page.locator(".matrix tbody tr:not([hidden])").count();
+    check(left >= 1 && left < 1 + wanted.filter(r => r.name.includes(name)).length, `${id}: rows are left by the filters`);
+    await page.click("#filters button");
+    await page.waitForTimeout(30);
+    check(await page.locator(".matrix tbody tr[hidden]").count() === 0, `${id}: everything is shown again`);
+  });
+
+  // Narrow and dark: nothing is wider than the screen.
+  await visit({ viewport: { width: 360, height: 740 }, colorScheme: "dark" }, url, async page => {
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(width <= 360, `${id}: on a phone the page is ${width} wide`);
+    await accessible(page, `${id}, narrow and dark`);
+  });
+  console.log(`${id}: ${size} bytes, ${formulas.formulas} formulas, ${formulas.scripts} indices, ${formulas.fractions} fractions`);
+}
+fs.rmSync(profile, { recursive: true, force: true });
+console.log(`${checks} checks passed`);
