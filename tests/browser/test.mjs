@@ -72,7 +72,7 @@ async function formulasAreLaidOut(page) {
 async function accessible(page, where) {
   // One row is like the next, and one claim like the next: to look at all of them takes minutes.
   await page.evaluate(() => {
-    const many = ".matrix tbody tr:nth-child(n+4), .verdicts tbody tr:nth-child(n+4), #claims > :nth-child(n+12), .trajectory:nth-of-type(n+4)";
+    const many = ".matrix tbody tr:nth-child(n+4), .verdicts tbody tr:nth-child(n+4), .claims > :nth-child(n+12), .trajectory:nth-of-type(n+4)";
     for (const e of document.querySelectorAll(many)) if (!e.matches(".here, .pair") && !e.querySelector(".here, .pair")) e.remove();
   });
   await page.evaluate(axe);
@@ -98,7 +98,7 @@ for (const id of fs.readdirSync(reports).sort()) {
     const cells = await page.locator(".matrix tbody td a").count();
     const pairs = json.claims.flatMap(c => c.results).length;
     check(cells === pairs, `${id}: ${cells} cells for ${pairs} pairs`);
-    check(await page.locator("#filters").isHidden(), `${id}: filters that cannot work are not shown`);
+    check(await page.locator(".filters").isHidden(), `${id}: filters that cannot work are not shown`);
   });
 
   // With it: every link leads somewhere, formulas are laid out, filters work, the address keeps the state.
@@ -141,7 +141,7 @@ for (const id of fs.readdirSync(reports).sort()) {
       opened = address;
     }
     // Keys in the matrix.
-    await page.goto(url + "#matrix");
+    await page.goto(url + "#/matrix");
     await page.locator('.matrix td a[tabindex="0"]').focus();
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Enter");
@@ -150,13 +150,13 @@ for (const id of fs.readdirSync(reports).sort()) {
     // Filters.
     for (const verdict of ["h", "f", "n", "u"]) {
       const word = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" }[verdict];
-      await page.goto(`${url}#matrix?verdict=${verdict}`);
+      await page.goto(`${url}#/matrix?verdict=${verdict}`);
       await page.waitForTimeout(30);
       const shown = await page.locator(".matrix tbody td a").evaluateAll(l => l.filter(a => a.checkVisibility({ visibilityProperty: true })).length);
       check(shown === wanted.filter(r => r.verdict === word).length, `${id}: the filter ${word} shows ${shown}`);
     }
     const { name, trajectory } = wanted[0];
-    await page.goto(`${url}#matrix`);
+    await page.goto(`${url}#/matrix`);
     await page.fill("[name=claim]", name);
     await page.fill("[name=trajectory]", trajectory);
     const state = decodeURIComponent(page.url());
@@ -165,7 +165,7 @@ for (const id of fs.readdirSync(reports).sort()) {
     check(await page.inputValue("[name=claim]") === name, `${id}: filters are read from the address`);
     const left = await page.locator(".matrix tbody tr:not([hidden])").count();
     check(left >= 1 && left < 1 + wanted.filter(r => r.name.includes(name)).length, `${id}: rows are left by the filters`);
-    await page.click("#filters button");
+    await page.click(".filters button");
     await page.waitForTimeout(30);
     check(await page.locator(".matrix tbody tr[hidden]").count() === 0, `${id}: everything is shown again`);
   });

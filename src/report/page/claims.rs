@@ -20,7 +20,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
         }
     }
     html! {
-        section #claims {
+        section.claims id="/claims" {
             h2 { "Claims" }
             @for family in &families {
                 @match family.as_slice() {
@@ -172,9 +172,9 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
                 _ => "",
             };
             @if kind == "solves" {
-                p { "The motion solves the system " a href={ "#system-" (text) } { (text) } "." }
+                p { "The motion solves the system " a href={ "#/system/" (text) } { (text) } "." }
             } @else if words.is_empty() {
-                p { "The motion is that of the trajectory " a href={ "#trajectory-" (text) } { (text) } "." }
+                p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
             } @else {
                 @if std::mem::replace(&mut last, kind) != kind { p.kind { (words) } }
                 @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
