@@ -54,7 +54,7 @@ initial = { 'x' = 1 }
 span = [0, 3]
 
 [[claim]]
-id = "wrong"
+id = "data"
 says = '</script><script>alert(9)</script> <!-- '
 place = '<a href="javascript:alert(10)">here</a>'
 label = '<script>alert(11)</script>'
@@ -127,13 +127,13 @@ fn everything_essential_is_there_without_the_program() {
         assert!(html.contains(&format!("id=\"{name}\"")), "{name}");
     }
     let (pairs, cells) =
-        (account.claims.iter().map(|c| c.results.len()).sum::<usize>(), html.matches("<tr id=\"p").count());
+        (account.claims.iter().map(|c| c.results.len()).sum::<usize>(), html.matches("<tr id=\"/p").count());
     assert_eq!(pairs, cells, "a row for each pair");
     for t in &account.trajectories {
-        assert!(html.contains(&format!("id=\"trajectory-{}\"", t.id)), "{}", t.id);
+        assert!(html.contains(&format!("id=\"/trajectory/{}\"", t.id)), "{}", t.id);
     }
     assert!(html.contains(&derivation.sha256) && html.contains("<math") && html.contains("<svg"));
-    assert!(html.contains("id=\"filters\" hidden"), "filters that cannot work are not shown");
+    assert!(html.contains("id=\"/filters\" hidden"), "filters that cannot work are not shown");
 }
 
 #[test]

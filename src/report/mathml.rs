@@ -314,7 +314,14 @@ impl Markup {
                     NodeKind::Group(..) | NodeKind::Absolute(_) => true,
                     _ => tightness(one) >= Least::Product,
                 };
-                if bare { self.row(one, Least::Product) } else { self.enclosed("(", one, ")") }
+                if bare {
+                    if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_)) {
+                        self.put("<mspace width=\"0.17em\"/>");
+                    }
+                    self.row(one, Least::Product);
+                } else {
+                    self.enclosed("(", one, ")");
+                }
             }
             _ => self.list(arguments),
         }

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::text::{condition, display, formula, identifier, label, prose, reason};
+use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -20,7 +20,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
         }
     }
     html! {
-        section #claims {
+        section.claims id="/claims" {
             h2 { "Claims" }
             @for family in &families {
                 @match family.as_slice() {
@@ -135,7 +135,7 @@ fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
                 }
             }
             @if let Some(witness) = &identity.witness {
-                details { summary { "Refuting point" } p { code.point { (witness) } } }
+                details { summary { "Refuting point" } pre tabindex="0" { (assignments(witness)) } }
             }
         }
     }
@@ -172,9 +172,9 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
                 _ => "",
             };
             @if kind == "solves" {
-                p { "The motion solves the system " a href={ "#system-" (text) } { (text) } "." }
+                p { "The motion solves the system " a href={ "#/system/" (text) } { (text) } "." }
             } @else if words.is_empty() {
-                p { "The motion is that of the trajectory " a href={ "#trajectory-" (text) } { (text) } "." }
+                p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
             } @else {
                 @if std::mem::replace(&mut last, kind) != kind { p.kind { (words) } }
                 @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
@@ -302,6 +302,15 @@ fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
             }
         }
     }
+}
+
+/// `NAME = VALUE; …` as lines that can be pasted.
+fn assignments(point: &str) -> String {
+    let line = |part: &str| match part.split_once(" = ") {
+        Some((name, value)) => format!("{} = {}\n", identifier(name), plain(value)),
+        None => format!("{}\n", plain(part)),
+    };
+    point.split("; ").map(line).collect()
 }
 
 /// The values of a witness as assignments, which most languages read.

@@ -25,12 +25,12 @@ pub(super) fn class(pair: &PairAccount) -> &'static str {
     }
 }
 
-/// Where a pair stands on the page: `p`, row and column of the matrix. Short, since there are thousands; the script writes
+/// Where a pair stands on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script writes
 /// the address of a pair as `claim@trajectory`, which stays when claims are added.
 pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> String {
     let row = account.claims.iter().position(|c| c.id == claim.id && c.reading == claim.reading);
     let column = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-    format!("p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
+    format!("/p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
 }
 
 /// The words of a pair, for those who do not see its shape.
@@ -46,7 +46,7 @@ fn words(pair: &PairAccount) -> &'static str {
 /// The matrix with its legend and filters.
 pub(super) fn section(account: &Account) -> Markup {
     html! {
-        section #matrix {
+        section id="/matrix" {
             h2 { "Claims and trajectories" }
             p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence." }
             (legend())
@@ -58,7 +58,7 @@ pub(super) fn section(account: &Account) -> Markup {
                         tr {
                             th scope="col" { "claim" }
                             @for t in &account.trajectories {
-                                th scope="col" { a href={ "#trajectory-" (t.id) } { (t.id) } }
+                                th scope="col" { a href={ "#/trajectory/" (t.id) } { (t.id) } }
                             }
                         }
                     }
@@ -67,7 +67,7 @@ pub(super) fn section(account: &Account) -> Markup {
                     }
                 }
             }
-            p #none hidden { "No verdict is left by these filters." }
+            p id="/none" hidden { "No verdict is left by these filters." }
         }
     }
 }
@@ -114,7 +114,7 @@ fn filters(account: &Account) -> Markup {
     let verdicts =
         [("h", "holds"), ("f", "fails"), ("n", "does not apply"), ("u", "undecided"), ("x", "not as expected")];
     html! {
-        form #filters hidden aria-label="Filters" {
+        form.filters id="/filters" hidden aria-label="Filters" {
             fieldset {
                 legend { "Verdict" }
                 @for (value, text) in verdicts {
@@ -123,16 +123,16 @@ fn filters(account: &Account) -> Markup {
             }
             label {
                 "Claim "
-                input type="search" name="claim" list="claim-names" autocomplete="off" placeholder="part of a name";
+                input type="search" name="claim" list="/claim-names" autocomplete="off" placeholder="part of a name";
             }
-            datalist #claim-names { @for c in &account.claims { option value=(name(c)) {} } }
+            datalist id="/claim-names" { @for c in &account.claims { option value=(name(c)) {} } }
             label {
                 "Trajectory "
-                input type="search" name="trajectory" list="trajectory-names" autocomplete="off" placeholder="part of a name";
+                input type="search" name="trajectory" list="/trajectory-names" autocomplete="off" placeholder="part of a name";
             }
-            datalist #trajectory-names { @for t in &account.trajectories { option value=(t.id) {} } }
+            datalist id="/trajectory-names" { @for t in &account.trajectories { option value=(t.id) {} } }
             button type="reset" { "Show all" }
-            output #shown role="status" {}
+            output id="/shown" role="status" {}
         }
     }
 }

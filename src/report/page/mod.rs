@@ -6,6 +6,8 @@
 //! matrix, every verdict with its numbers and reason, formulas (MathML), pictures (SVG). The script adds filters, keys in
 //! the matrix, and the curves of a pair on demand: five thousand drawings would not fit. Every text of the file is escaped.
 //!
+//! Places of the page itself begin with a slash (`#/matrix`), which no claim can: the others are names of claims.
+//!
 //! **Why a template in code:** `maud` escapes what it is given, and is checked by the compiler; there is no template
 //! language to learn, and no file to find at run time.
 
@@ -30,7 +32,7 @@ const SCRIPT: &str = include_str!("script.js");
 pub fn page(derivation: &Derivation, account: &Account) -> String {
     let scope = &derivation.scope;
     let body = html! {
-        a.skip href="#main" { "Skip to the report" }
+        a.skip href="#/main" { "Skip to the report" }
         header {
             p.kind { "A check of a derivation" }
             h1 { (prose(&derivation.title, scope)) }
@@ -38,7 +40,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             @if let Some(source) = &derivation.source { p.quiet { "Source: " (prose(source, scope)) } }
             (contents(derivation, account))
         }
-        main #main {
+        main id="/main" {
             (findings(derivation, account))
             (matrix::section(account))
             (claims::section(derivation, account))
@@ -49,7 +51,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             (measures(derivation, account))
             (making(derivation))
         }
-        script type="application/json" id="data" { (PreEscaped(data::json(derivation, account))) }
+        script type="application/json" id="/data" { (PreEscaped(data::json(derivation, account))) }
         script { (PreEscaped(SCRIPT)) }
     };
     let page = html! {
@@ -81,15 +83,15 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         nav aria-label="Contents" {
             ul {
-                li { a href="#findings" { "What was found" } }
-                li { a href="#matrix" { "Claims and trajectories" } }
-                li { a href="#claims" { "Claims" } }
-                li { a href="#trajectories" { "Trajectories" } }
-                @if !derivation.conventions.is_empty() { li { a href="#conventions" { "Conventions" } } }
-                li { a href="#symbols" { "Symbols" } }
-                @if !derivation.systems.is_empty() { li { a href="#systems" { "Systems" } } }
-                @if !account.measurements.is_empty() { li { a href="#measures" { "Measured" } } }
-                li { a href="#making" { "How it was made" } }
+                li { a href="#/findings" { "What was found" } }
+                li { a href="#/matrix" { "Claims and trajectories" } }
+                li { a href="#/claims" { "Claims" } }
+                li { a href="#/trajectories" { "Trajectories" } }
+                @if !derivation.conventions.is_empty() { li { a href="#/conventions" { "Conventions" } } }
+                li { a href="#/symbols" { "Symbols" } }
+                @if !derivation.systems.is_empty() { li { a href="#/systems" { "Systems" } } }
+                @if !account.measurements.is_empty() { li { a href="#/measures" { "Measured" } } }
+                li { a href="#/making" { "How it was made" } }
             }
         }
     }
@@ -101,7 +103,7 @@ fn findings(derivation: &Derivation, account: &Account) -> Markup {
     let claims = count(account.claims.len(), "claim");
     let trajectories = count(account.trajectories.len(), "trajectory");
     html! {
-        section #findings {
+        section id="/findings" {
             h2 { "What was found" }
             @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
             p {
@@ -160,7 +162,7 @@ fn conventions(derivation: &Derivation) -> Markup {
         return html! {};
     }
     html! {
-        section #conventions {
+        section id="/conventions" {
             h2 { "Conventions" }
             dl {
                 @for (key, text) in &derivation.conventions {
@@ -175,7 +177,7 @@ fn conventions(derivation: &Derivation) -> Markup {
 fn symbols(derivation: &Derivation) -> Markup {
     let scope = &derivation.scope;
     html! {
-        section #symbols {
+        section id="/symbols" {
             h2 { "Symbols" }
             div.scroll tabindex="0" role="group" aria-label="Table of symbols" {
                 table {
@@ -210,10 +212,10 @@ fn systems(derivation: &Derivation) -> Markup {
         return html! {};
     }
     html! {
-        section #systems {
+        section id="/systems" {
             h2 { "Systems" }
             @for system in &derivation.systems {
-                h3 id={ "system-" (system.id) } { (system.id) }
+                h3 id={ "/system/" (system.id) } { (system.id) }
                 @if let Some(says) = &system.says { p { (prose(says, &derivation.scope)) } }
                 @for equation in &system.equations { (text::display(&equation.text, &derivation.scope)) }
             }
@@ -229,7 +231,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
         return html! {};
     }
     html! {
-        section #measures {
+        section id="/measures" {
             h2 { "Measured" }
             @for measure in &derivation.measures {
                 h3 { (measure.id) }
@@ -245,7 +247,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
                             tbody {
                                 @for m in account.measurements.iter().filter(|m| m.measure == measure.id) {
                                     tr {
-                                        th scope="row" { a href={ "#trajectory-" (m.trajectory) } { (m.trajectory) } }
+                                        th scope="row" { a href={ "#/trajectory/" (m.trajectory) } { (m.trajectory) } }
                                         td {
                                             @for (i, (t, v, b)) in m.values.iter().take(VALUES_SHOWN).enumerate() {
                                                 @if i > 0 { "; " }
@@ -269,7 +271,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
 
 fn making(derivation: &Derivation) -> Markup {
     html! {
-        section #making {
+        section id="/making" {
             h2 { "How it was made" }
             dl {
                 dt { "program" }

@@ -13,7 +13,7 @@ use crate::expr::Expr;
 /// All trajectories.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
-        section #trajectories {
+        section id="/trajectories" {
             h2 { "Trajectories" }
             (what_is_drawn(derivation))
             @for t in &account.trajectories { (article(derivation, account, t)) }
@@ -63,19 +63,19 @@ fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) ->
     let scope = &derivation.scope;
     let declared = derivation.trajectories.iter().find(|d| d.id == t.id);
     html! {
-        article.trajectory id={ "trajectory-" (t.id) } {
+        article.trajectory id={ "/trajectory/" (t.id) } {
             h3 { (t.id) @if t.title != t.id { ": " (prose(&t.title, scope)) } }
             @if let Some(says) = declared.and_then(|d| d.says.as_ref()) { p { (prose(says, scope)) } }
             p.quiet {
                 @match declared.map(|d| &d.motion) {
                     Some(Motion::Integrated { system, .. }) => {
                         @if let Some(s) = derivation.systems.get(*system) {
-                            "Integrated from the system " a href={ "#system-" (s.id) } { (s.id) } ", "
+                            "Integrated from the system " a href={ "#/system/" (s.id) } { (s.id) } ", "
                         }
                     },
                     Some(Motion::Derived { from, .. }) => {
                         @if let Some(s) = derivation.trajectories.get(*from) {
-                            "Computed from " a href={ "#trajectory-" (s.id) } { (s.id) } ", "
+                            "Computed from " a href={ "#/trajectory/" (s.id) } { (s.id) } ", "
                         }
                     },
                     Some(Motion::Formula { .. }) => { "Given by formulas, " },

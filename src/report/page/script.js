@@ -1,8 +1,8 @@
 "use strict";
 (() => {
 const byId = id => document.getElementById(id);
-const data = JSON.parse(byId("data").textContent);
-const form = byId("filters"), table = document.querySelector(".matrix");
+const data = JSON.parse(byId("/data").textContent);
+const form = byId("/filters"), table = document.querySelector(".matrix");
 const rows = [...table.tBodies[0].rows], heads = [...table.tHead.rows[0].cells].slice(1);
 const names = rows.map(r => r.cells[0].textContent), motions = heads.map(h => h.textContent);
 
@@ -20,12 +20,12 @@ const write = s => {
   return "#" + s.anchor + (q.length ? "?" + q.join("&") : "");
 };
 
-// A pair is `claim@trajectory` in the address, and p, row and column on the page.
+// A pair is `claim@trajectory` in the address, and /p, row and column on the page.
 const placeOf = anchor => {
   const at = anchor.lastIndexOf("@");
-  return at < 0 ? anchor : `p${names.indexOf(anchor.slice(0, at))}-${motions.indexOf(anchor.slice(at + 1))}`;
+  return at < 0 ? anchor : `/p${names.indexOf(anchor.slice(0, at))}-${motions.indexOf(anchor.slice(at + 1))}`;
 };
-const numbers = place => { const m = /^p(\d+)-(\d+)$/.exec(place); return m && names[m[1]] && motions[m[2]] ? [+m[1], +m[2]] : null; };
+const numbers = place => { const m = /^\/p(\d+)-(\d+)$/.exec(place); return m && names[m[1]] && motions[m[2]] ? [+m[1], +m[2]] : null; };
 const addressOf = place => { const n = numbers(place); return n ? `${names[n[0]]}@${motions[n[1]]}` : place; };
 
 // ---- filters ----
@@ -49,8 +49,8 @@ function filter(s) {
   const all = !s.verdict.length && !s.claim && !s.trajectory;
   heads.forEach((h, j) => { h.hidden = !all && !used[j]; });
   rows.forEach(r => columns.forEach((_, j) => { r.cells[j + 1].hidden = !all && !used[j]; }));
-  byId("none").hidden = shown > 0;
-  byId("shown").textContent = all ? "" : shown + (shown === 1 ? " verdict" : " verdicts") + " shown";
+  byId("/none").hidden = shown > 0;
+  byId("/shown").textContent = all ? "" : shown + (shown === 1 ? " verdict" : " verdicts") + " shown";
   const words = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" };
   for (const article of document.querySelectorAll("article.claim")) article.hidden = !all && !kept.has(article.id);
   for (const family of document.querySelectorAll(".family"))
@@ -68,7 +68,7 @@ function fill(s) {
   form.elements.trajectory.value = s.trajectory;
 }
 let state = read();
-const asked = () => ({ anchor: "matrix", verdict: [...form.elements.verdict].filter(b => b.checked).map(b => b.value),
+const asked = () => ({ anchor: "/matrix", verdict: [...form.elements.verdict].filter(b => b.checked).map(b => b.value),
   claim: form.elements.claim.value.trim(), trajectory: form.elements.trajectory.value.trim() });
 form.addEventListener("input", () => { state = asked(); history.replaceState(null, "", write(state)); filter(state); });
 form.addEventListener("reset", () => setTimeout(() => { state = asked(); history.replaceState(null, "", write(state)); filter(state); }));
@@ -194,7 +194,7 @@ function open(row) {
   detail.className = "pair";
   const box = element(detail, "td", { colspan: row.cells.length });
   row.after(detail);
-  const link = element(element(box, "p"), "a", { href: "#trajectory-" + motions[numbers(row.id)[1]] });
+  const link = element(element(box, "p"), "a", { href: "#/trajectory/" + motions[numbers(row.id)[1]] });
   link.textContent = "The trajectory";
   if (pair[0]) curves(box, pair, addressOf(row.id));
   if (pair[2]) witness(box, pair[2]);

@@ -5,6 +5,9 @@ use maud::{Markup, PreEscaped, html};
 use super::super::mathml;
 use crate::latex::Scope;
 
+/// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
+const LONG: usize = 40;
+
 /// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
 pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -35,7 +38,11 @@ pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
 /// A formula inside a line; code, where the text is no formula of the language.
 pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
     if let Some(math) = mathml::inline(text, scope) {
-        return PreEscaped(math);
+        // A formula is not broken into lines: on a narrow screen a long one is moved sideways.
+        return match text.len() > LONG {
+            true => html! { span.long tabindex="0" role="group" aria-label="formula" { (PreEscaped(math)) } },
+            false => PreEscaped(math),
+        };
     }
     // The name of a function by itself, `\arccos`.
     let bare = text.strip_prefix('\\').filter(|name| name.chars().all(|c| c.is_ascii_alphabetic()));
@@ -69,9 +76,10 @@ pub(super) fn plain(text: &str) -> String {
 
 /// A condition of a proof: an expression, its relation to zero, and perhaps words.
 pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
-    let split = [" ≠ 0", " ≥ 0", " > 0"].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
     match split {
-        Some((relation, (expression, words))) => html! { (formula(expression, scope)) (relation) (words) },
+        Some((relation, (expression, rest))) => html! { (formula(expression, scope)) (relation) (rest) },
+        None if text.contains('\\') => html! { code { (plain(text)) } },
         None => prose(text, scope),
     }
 }
