@@ -10,11 +10,7 @@ use rederive::number::Interval;
 
 /// Euler's equations alone.
 fn euler(w: &mut World) -> VectorField {
-    let equations = [
-        ("I1*O1'", "(I2-I3)*O2*O3"),
-        ("I2*O2'", "(I3-I1)*O3*O1"),
-        ("I3*O3'", "(I1-I2)*O1*O2"),
-    ];
+    let equations = [("I1*O1'", "(I2-I3)*O2*O3"), ("I2*O2'", "(I3-I1)*O3*O1"), ("I3*O3'", "(I1-I2)*O1*O2")];
     let equations: Vec<_> = equations.iter().map(|&(l, r)| (w.e(l), w.e(r))).collect();
     let states: Vec<_> = ["O1", "O2", "O3"].map(|n| w.symbol(n)).to_vec();
     let time = w.leaf("t");

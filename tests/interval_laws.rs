@@ -206,7 +206,8 @@ fn nothing_is_lost_at_many_points() {
 /// Where `f64` has a value, so has the interval of one number, and contains it; where it has none, the reason is the same.
 #[test]
 fn points_are_those_of_f64() {
-    let edges = [0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 3.0, 1e-8, 1e-160, 1e160, 5e-324, -5e-324, f64::MAX, 710.0, -746.0, 1e22];
+    let edges =
+        [0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 3.0, 1e-8, 1e-160, 1e160, 5e-324, -5e-324, f64::MAX, 710.0, -746.0, 1e22];
     for &op in Op::ALL {
         for (a, b) in edges.iter().flat_map(|&a| edges.iter().map(move |&b| (a, b))) {
             let plain = apply(op, &(), &a, &b);
@@ -341,8 +342,12 @@ fn series_contain_the_series_of_points() {
                 }
             }
             let dual = |j: &Jet<Interval>| Dual::new(j.coefficient(0), j.coefficient(1));
-            if let (Ok(wide), Ok(point)) = (apply(op, &(), &dual(&a), &dual(&b)), apply(op, &(), &dual(&p), &dual(&q))) {
-                assert!(wide.re.intersection(point.re).is_some() && wide.eps.intersection(point.eps).is_some(), "{op:?}");
+            if let (Ok(wide), Ok(point)) = (apply(op, &(), &dual(&a), &dual(&b)), apply(op, &(), &dual(&p), &dual(&q)))
+            {
+                assert!(
+                    wide.re.intersection(point.re).is_some() && wide.eps.intersection(point.eps).is_some(),
+                    "{op:?}"
+                );
             }
         }
         assert!(compared > 100 || op == Op::Agm, "{op:?}: {compared}");

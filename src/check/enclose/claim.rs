@@ -123,10 +123,8 @@ impl<'a> Ready<'a> {
         let mut times = along.pieces();
         let every = times.len().div_ceil(100).max(1);
         times = times.into_iter().step_by(every).collect();
-        let points: Vec<_> = times
-            .iter()
-            .map(|t| along.enclosure.value(&self.sides, Interval::point(t.mid())))
-            .collect();
+        let points: Vec<_> =
+            times.iter().map(|t| along.enclosure.value(&self.sides, Interval::point(t.mid()))).collect();
         // A lower bound: what may be 0 has no size.
         let size = |at: usize| {
             median(points.iter().filter_map(|p| p.get(3 * at + 2)?.as_ref().ok().map(Interval::lo)).collect())
@@ -176,7 +174,12 @@ impl<'a> Ready<'a> {
                 match &ranges[i] {
                     _ if !throughout => {}
                     Ok(r) if r.range().magnitude() <= most => {}
-                    Ok(r) => return Judgement::Open(format!("an assumption is only known within {:.1e}", r.range().magnitude())),
+                    Ok(r) => {
+                        return Judgement::Open(format!(
+                            "an assumption is only known within {:.1e}",
+                            r.range().magnitude()
+                        ));
+                    }
                     Err(reason) => return Judgement::Open(format!("an assumption has no value: {reason}")),
                 }
             }
@@ -448,12 +451,10 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
         Judgement::Settled
     });
     match (found, apart) {
-        (Err(_), Some((t, 1))) => {
-            Ok(match ready.witness(along, t, Vec::new()) {
-                Some(witness) => Shown::Fails(witness, format!("certified at t = {t}")),
-                None => Shown::Nothing(format!("near t = {t:.6} the sides differ")),
-            })
-        }
+        (Err(_), Some((t, 1))) => Ok(match ready.witness(along, t, Vec::new()) {
+            Some(witness) => Shown::Fails(witness, format!("certified at t = {t}")),
+            None => Shown::Nothing(format!("near t = {t:.6} the sides differ")),
+        }),
         (Err(reason), _) => Ok(Shown::Nothing(reason)),
         (Ok(_), _) if counted == 0 => Ok(Shown::Nothing("no stretch of time is left by the assumptions".to_owned())),
         (Ok(_), _) if claim.branches_throughout && !serves.contains(&true) => {

@@ -25,11 +25,11 @@
 mod claim;
 mod cover;
 
-use super::stage::{Fields, Stage, setup};
+use super::Prepared;
 use super::account::ClaimAccount;
 use super::comparison::Comparison;
+use super::stage::{Fields, Stage, setup};
 use super::verdict::{Outcome, Strength, Verdict};
-use super::Prepared;
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::Graph;
 use crate::flow::Enclosure;

@@ -90,7 +90,8 @@ impl Enclosure {
 
     /// Whether an angle is continuous on a stretch, and for which σ.
     fn sort(&self, compiled: &super::Compiled, stretch: Interval, two_sided: bool) -> Option<(bool, Vec<Reach>)> {
-        let reach: Vec<Reach> = self.over(compiled, &self.stretch(stretch, DEGREE)).into_iter().collect::<Result<_, _>>().ok()?;
+        let reach: Vec<Reach> =
+            self.over(compiled, &self.stretch(stretch, DEGREE)).into_iter().collect::<Result<_, _>>().ok()?;
         if !two_sided {
             return Some((false, reach));
         }
@@ -102,8 +103,10 @@ impl Enclosure {
     fn cells(&self, compiled: &super::Compiled, two_sided: bool) -> Vec<Cell> {
         let (from, to) = self.reach();
         let boundaries = self.boundaries();
-        let mut ahead = self.chain(compiled, two_sided, boundaries.iter().copied().filter(|&t| t >= self.initial_time), to);
-        let back = self.chain(compiled, two_sided, boundaries.iter().rev().copied().filter(|&t| t <= self.initial_time), from);
+        let mut ahead =
+            self.chain(compiled, two_sided, boundaries.iter().copied().filter(|&t| t >= self.initial_time), to);
+        let back =
+            self.chain(compiled, two_sided, boundaries.iter().rev().copied().filter(|&t| t <= self.initial_time), from);
         let mut all: Vec<Cell> = back.into_iter().rev().collect();
         all.append(&mut ahead);
         all

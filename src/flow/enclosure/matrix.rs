@@ -186,7 +186,9 @@ mod tests {
 
     #[test]
     fn columns_are_orthonormal_also_of_singular_matrices() {
-        for m in [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]] {
+        for m in
+            [[1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 1.0, 1.0, 1.0], [0.0; 9], [1.0, 1e-9, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]]
+        {
             let q = orthogonal(&m, &[1.0, 2.0, 0.5], 3);
             assert!(inverse(&q, &transpose(&q, 3), 3).is_some(), "{q:?}");
         }

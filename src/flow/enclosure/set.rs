@@ -78,16 +78,14 @@ impl Set {
     pub(super) fn image(&self, shift: &[Interval], jacobian: &[Interval]) -> Option<Set> {
         let n = self.centre.len();
         let centre: Vec<f64> = self.centre.iter().zip(shift).map(|(&c, s)| c + s.mid()).collect();
-        let mut error: Vec<Interval> = (0..n)
-            .map(|i| (Interval::point(self.centre[i]) - Interval::point(centre[i])) + shift[i])
-            .collect();
+        let mut error: Vec<Interval> =
+            (0..n).map(|i| (Interval::point(self.centre[i]) - Interval::point(centre[i])) + shift[i]).collect();
         let mut from_start = Vec::new();
         if !self.from_start.is_empty() {
             let moved = times_point(jacobian, &self.from_start, n);
             from_start = middle(&moved);
             // What rounding the new matrix to numbers leaves out.
-            let rest: Vec<Interval> =
-                moved.iter().zip(&from_start).map(|(&m, &c)| m - Interval::point(c)).collect();
+            let rest: Vec<Interval> = moved.iter().zip(&from_start).map(|(&m, &c)| m - Interval::point(c)).collect();
             error.iter_mut().zip(apply(&rest, &self.start)).for_each(|(e, x)| *e = *e + x);
         }
         let moved = times_point(jacobian, &self.directions, n);
@@ -122,14 +120,11 @@ impl Set {
         }
         let back = inverse(&directions, &rough, n)?;
         let rest: Vec<Interval> = moved.iter().zip(&directions).map(|(&m, &d)| m - Interval::point(d)).collect();
-        let fresh: Vec<Interval> =
-            apply(&rest, &self.errors).iter().zip(error).map(|(&r, &e)| r + e).collect();
+        let fresh: Vec<Interval> = apply(&rest, &self.errors).iter().zip(error).map(|(&r, &e)| r + e).collect();
         let added = apply(&back, &fresh);
         if condition > GOOD_CONDITION {
             // Directions are renewed when what a step adds is no longer small against what is there.
-            let size = |v: &[Interval]| {
-                apply_point(&directions, v).iter().map(Interval::width).fold(0.0, f64::max)
-            };
+            let size = |v: &[Interval]| apply_point(&directions, v).iter().map(Interval::width).fold(0.0, f64::max);
             if size(&added) > RENEWAL * size(&self.errors) {
                 return None;
             }

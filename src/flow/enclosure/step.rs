@@ -69,7 +69,9 @@ pub enum Stop {
         reason: String,
     },
     /// More steps than the limit.
-    #[error("t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide")]
+    #[error(
+        "t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide"
+    )]
     TooManySteps {
         /// The time that was reached.
         time: f64,
@@ -165,7 +167,9 @@ impl Field {
             let mut row = Vec::new();
             for &state in states {
                 let d = if present.contains(&state) { Some(graph.partial_derivative(rate, state)) } else { None };
-                let d = d.transpose().map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, state), reason })?;
+                let d = d
+                    .transpose()
+                    .map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, state), reason })?;
                 row.push(d.filter(|&d| !graph.is_zero(d)));
             }
             partial.push(row);
@@ -348,8 +352,7 @@ impl Field {
         let s = Interval::point(to) - Interval::point(time);
         let s = s.hull(Interval::ZERO);
         let over = Interval::point(time).hull(Interval::point(to));
-        let polynomials: Vec<Interval> =
-            (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
+        let polynomials: Vec<Interval> = (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
         let guess = |i: usize| {
             let last = bench.of_set[i * row + ORDER].magnitude() * power(s.magnitude(), ORDER as u32);
             last + 1e-16 * size + f64::MIN_POSITIVE
@@ -382,7 +385,8 @@ impl Field {
         let n = self.dimension();
         let row = ORDER + 1;
         // Where states hardly move, there is nothing to be gained.
-        let moves = |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
+        let moves =
+            |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
         if !(0..n).any(moves) {
             return Ok(());
         }
@@ -394,9 +398,8 @@ impl Field {
             let s = over - Interval::point(time);
             let mut power = s;
             (1..row).for_each(|_| power = power * s);
-            let states: Vec<Interval> = (0..n)
-                .map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power)
-                .collect();
+            let states: Vec<Interval> =
+                (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power).collect();
             let grown = self.flow.expand(&mut bench.whole, row, over, &states, &mut bench.of_hull);
             if grown.is_err() {
                 return Err(None);

@@ -212,7 +212,11 @@ pub(super) fn agm(a: f64, b: f64) -> Interval {
         let half = |z: f64| 0.5 * z;
         let mean = Interval {
             lo: if x.lo.max(y.lo) < 1e-300 { x.lo.min(y.lo) } else { half(add_down(x.lo, y.lo)) },
-            hi: if x.hi.max(y.hi) < 1e-300 || x.hi.max(y.hi) > 1e300 { x.hi.max(y.hi) } else { half(add_up(x.hi, y.hi)) },
+            hi: if x.hi.max(y.hi) < 1e-300 || x.hi.max(y.hi) > 1e300 {
+                x.hi.max(y.hi)
+            } else {
+                half(add_up(x.hi, y.hi))
+            },
         };
         let geometric = Interval {
             lo: mul_down(sqrt_down(x.lo), sqrt_down(y.lo)).max(0.0),
