@@ -34,6 +34,8 @@ fn no_verdict_of_the_corpus_is_wrong() {
                     }
                     _ => continue,
                 }
+                // What no digit is known of is never enclosed.
+                assert_ne!(claim.id, "cancellation-of-all-digits", "{}", at());
                 if pair.expected == Some("undecided") {
                     // What samples cannot decide; each of them was looked at.
                     decided.push(format!("{file}: {} on {}: {}", claim.id, pair.trajectory, outcome.word()));
@@ -83,7 +85,7 @@ fn angles_are_followed() {
     let mut e = enclose(&mut w, &field, &[("x", "1"), ("y", "0")], &[], &observables, (-20.0, 30.0));
     let roots = [w.e("a"), w.e("a'"), w.e("a - t")];
     let compiled = e.compile(&mut w.graph, &roots).expect("known");
-    for t in [-19.5, -3.0, -0.5, 0.0, 0.5, 3.0, 3.14, 3.15, 9.0, 29.9] {
+    for t in [-19.5, -3.0, -0.5, 0.0, 0.5, 3.0, 3.12, 3.17, 9.0, 29.9] {
         let values = e.value(&compiled, Interval::point(t));
         let [Ok(angle), Ok(rate), Ok(gap)] = values[..] else { panic!("t = {t}: {values:?}") };
         assert!(angle.contains(t) && angle.width() < 1e-12 && rate.contains(1.0) && gap.contains(0.0), "{t}: {angle}");

@@ -328,7 +328,7 @@ impl Scalar for Interval {
         // (1 + u)ⁿ − 1 < (n + 1)u for the n ≤ 2³⁰ that fit; `size` itself may have been rounded down by as much.
         let room = (slips + 2.0) * U * size * (1.0 + 4.0 * slips * U) + slips * f64::MIN_POSITIVE;
         let room = if faults::nearest() { 0.0 * room } else { room };
-        if !(room < f64::MAX) {
+        if room.is_nan() || room >= f64::MAX {
             return Interval::INVALID;
         }
         Interval { lo: add_down(lo, -room), hi: add_up(hi, room) }
