@@ -49,6 +49,7 @@ fn whole_comment(bencher: Bencher) {
 /// One claim on one motion: what an author waits for who works on one equation.
 #[divan::bench(max_time = 3)]
 fn one_claim_on_one_motion(bencher: Bencher) {
-    let options = Options { claims: vec!["t9-psi".into()], trajectories: vec!["racket-out".into()] };
+    let options =
+        Options { claims: vec!["t9-psi".into()], trajectories: vec!["racket-out".into()], ..Options::default() };
     bencher.bench(|| account(&mut read(black_box("deriglazov-comment")), &options));
 }
