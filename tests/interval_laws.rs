@@ -300,7 +300,7 @@ fn the_cut_of_the_angle() {
     let angle = Interval::principal_angle;
     let back = interval(-2.0, -1.0);
     let (across, kind) = angle(interval(-0.1, 0.1), back).expect("a value");
-    assert!(kind == Continuity::Broken && across.lo() <= -3.14159 && across.hi() >= 3.14159);
+    assert!(kind == Continuity::Broken && across.lo() <= -std::f64::consts::PI && across.hi() >= std::f64::consts::PI);
     assert_eq!(apply(Op::Arctan2, &(), &interval(-0.1, 0.1), &back), Err(NoValue::Indeterminate));
     let (above, kind) = angle(interval(0.0, 0.1), back).expect("a value");
     assert!(kind == Continuity::Everywhere && above.lo() > 3.0 && above.hi() >= std::f64::consts::PI);

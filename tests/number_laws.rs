@@ -8,7 +8,7 @@
 use dashu_float::{FBig, round::mode::HalfEven};
 use num_dual::{Dual, Dual2, Dual2_64, Dual64};
 use rederive::expr::{Expr, Graph, Leaf, Shape};
-use rederive::number::{Bounded, DualLanes, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
+use rederive::number::{Bounded, DualLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
 use rederive::tape::Tape;
 use std::collections::BTreeMap;
 
@@ -175,6 +175,38 @@ fn bounded_values_are_those_of_f64() {
         }
     }
     tally.require(&["Bounded", "ball"], &[]);
+}
+
+/// The interval of one number contains the value of `f64`, alone and as the first coefficient of a series or a dual number;
+/// where there is no value, the reason is the same. More laws of intervals stand in `interval_laws.rs`.
+#[test]
+fn intervals_contain_the_values_of_f64() {
+    let mut tally = Tally::default();
+    let all = Orders::all(DEGREE);
+    for &op in Op::ALL {
+        for (a, b) in arguments(&mut Random(10)) {
+            // Over intervals −0 is 0, and lies on the upper side of the cut; near 0 the mean of f64 has lost all digits.
+            let small = op == Op::Agm && a.abs().min(b.abs()) < 1e-300;
+            if (op == Op::Arctan2 && a == 0.0 && a.is_sign_negative()) || small {
+                continue;
+            }
+            let (x, y) = (Interval::point(a), Interval::point(b));
+            let range = apply(op, &(), &x, &y);
+            let series = apply(op, &all, &Jet::constant(x, &all), &Jet::constant(y, &all)).map(|j| j.coefficient(0));
+            let dual = apply(op, &(), &Dual::new(x, Interval::ZERO), &Dual::new(y, Interval::ZERO)).map(|d| d.re);
+            assert_eq!((range, range), (series, dual), "{op:?}({a:e}, {b:e})");
+            match (plain(op, a, b), range) {
+                (Ok(v), Ok(range)) => assert!(range.contains(v), "{op:?}({a:e}, {b:e}): {range} lacks {v:e}"),
+                (Ok(v), Err(why)) => {
+                    assert!(why == NoValue::Indeterminate && v.abs() > 1e300, "{op:?}({a:e}, {b:e}) = {v:e}: {why}")
+                }
+                (Err(NoValue::Indeterminate), Ok(_)) => {}
+                (v, range) => assert_eq!(v.err(), range.err(), "{op:?}({a:e}, {b:e})"),
+            }
+            tally.count("Interval", op);
+        }
+    }
+    tally.require(&["Interval"], &[]);
 }
 
 /// What is not a number never becomes one, and never comes out.

@@ -98,6 +98,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         branches_throughout: proposition.throughout,
         expect_inconsistent_units: false,
         printed: false,
+        names_trajectories: true,
         trajectories: Vec::new(),
         expect: Vec::new(),
         scope,

@@ -13,6 +13,8 @@ use crate::number::{Bounded, Interval, NoValue};
 /// Sides that differ for certain refute a claim that holds on samples only if they differ by this many times what the
 /// precision allows.
 const CLEARLY: f64 = 10.0;
+/// The residual of an equation must be below this part of its sides, where these do not vanish.
+const TELLING: f64 = 1e-3;
 /// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
 const DISAGREEMENT: f64 = 100.0;
 
@@ -52,6 +54,8 @@ struct Ready<'a> {
     assumptions: Vec<(RelationKind, bool, f64)>,
     signs: usize,
     scale: f64,
+    /// The median size that the sides have for certain; 0 where they may vanish.
+    known: f64,
     precision: f64,
 }
 
@@ -113,7 +117,7 @@ impl<'a> Ready<'a> {
         }
         let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots).map_err(|e| e.to_string());
         let (compiled, sides) = (compile(&roots)?, compile(&sides)?);
-        let mut ready = Ready { group, compiled, sides, assumptions, signs, scale: 1.0, precision };
+        let mut ready = Ready { group, compiled, sides, assumptions, signs, scale: 1.0, known: 0.0, precision };
         ready.weigh(along);
         Ok(ready)
     }
@@ -132,6 +136,11 @@ impl<'a> Ready<'a> {
         let count = self.group.comparisons.len() * self.signs;
         let typical = (0..count).map(|i| size(self.assumptions.len() + i)).fold(0.0, f64::max);
         self.scale = if typical > 0.0 { typical } else { 1.0 };
+        let side = |at: usize, k: usize| {
+            median(points.iter().filter_map(|p| p.get(3 * at + k)?.as_ref().ok().map(Interval::mignitude)).collect())
+        };
+        let sides = (0..count).map(|i| self.assumptions.len() + i).map(|at| side(at, 0).max(side(at, 1)));
+        self.known = sides.fold(0.0, f64::max);
         for i in 0..self.assumptions.len() {
             let typical = size(i);
             self.assumptions[i].2 = if typical > 0.0 { typical } else { 1.0 };
@@ -191,6 +200,8 @@ impl<'a> Ready<'a> {
     /// Whether all comparisons hold on a stretch with a sign of ±, and how far the sides of equations may be apart.
     fn holds(&self, ranges: &Ranges, sign: usize) -> Result<f64, String> {
         let room = self.precision * self.scale;
+        // Where huge terms cancel, a bound that is small against them may be larger than the sides: that says nothing.
+        let telling = if self.known > 0.0 { TELLING * self.known } else { f64::INFINITY };
         let mut largest = 0.0_f64;
         for (c, comparison) in self.group.comparisons.iter().enumerate() {
             let range = match &ranges[self.place(sign, c)] {
@@ -198,7 +209,7 @@ impl<'a> Ready<'a> {
                 Err(reason) => return Err(format!("`{}` has no value: {reason}", comparison.label)),
             };
             let fine = match comparison.kind {
-                RelationKind::Equal => range.magnitude() <= room,
+                RelationKind::Equal => range.magnitude() <= room.min(telling),
                 RelationKind::LessEqual => range.hi() <= room,
                 RelationKind::GreaterEqual => range.lo() >= -room,
                 kind => certain(kind, range) == Some(true),

@@ -139,7 +139,7 @@ pub(super) fn inverse(m: &[f64], rough: &[f64], n: usize) -> Option<Vec<Interval
         }
         norm = norm.max(sum.hi());
     }
-    if !(norm < 0.5) {
+    if norm.is_nan() || norm >= 0.5 {
         return None;
     }
     let rest = (Interval::point(norm) / (Interval::point(1.0) - Interval::point(norm))).hi();

@@ -115,7 +115,7 @@ impl Set {
         let directions = middle(moved);
         let rough = rough_inverse(&directions, n)?;
         let condition = norm(&directions, n) * norm(&rough, n);
-        if !(condition < WORST_CONDITION) || faults::no_rotation() {
+        if condition.is_nan() || condition >= WORST_CONDITION || faults::no_rotation() {
             return None;
         }
         let back = inverse(&directions, &rough, n)?;

@@ -266,7 +266,7 @@ impl Field {
         let hull = set.hull();
         let size = hull.iter().map(Interval::magnitude).fold(0.0, f64::max);
         let width = hull.iter().map(Interval::width).fold(0.0, f64::max);
-        if !(width <= WIDEST * size.max(f64::MIN_POSITIVE)) && width > 0.0 {
+        if width > WIDEST * size.max(f64::MIN_POSITIVE) {
             return Err("the set is too wide".to_owned());
         }
         let why = |(i, reason): (usize, NoValue)| match self.flow.names.get(i) {

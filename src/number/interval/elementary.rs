@@ -141,7 +141,7 @@ pub(super) fn power(a: Interval, n: u32) -> Interval {
         }
     };
     let (down, up) = (|x| raise(x, mul_down), |x| raise(x, mul_up));
-    if n % 2 == 0 {
+    if n.is_multiple_of(2) {
         return Interval { lo: down(a.mignitude()), hi: up(a.magnitude()) };
     }
     let lo = if a.lo >= 0.0 { down(a.lo) } else { -up(-a.lo) };
@@ -177,7 +177,8 @@ impl Interval {
     /// # Errors
     /// [`NoValue::OutOfDomain`] for the origin alone, [`NoValue::Indeterminate`] for a box that contains it.
     pub fn principal_angle(y: Interval, x: Interval) -> Result<(Interval, Continuity), NoValue> {
-        (y.checked()?, x.checked()?);
+        y.checked()?;
+        x.checked()?;
         if y.contains(0.0) && x.contains(0.0) {
             return Err(outside(y.is_zero() && x.is_zero()));
         }

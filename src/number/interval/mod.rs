@@ -328,7 +328,7 @@ impl Scalar for Interval {
         // (1 + u)ⁿ − 1 < (n + 1)u for the n ≤ 2³⁰ that fit; `size` itself may have been rounded down by as much.
         let room = (slips + 2.0) * U * size * (1.0 + 4.0 * slips * U) + slips * f64::MIN_POSITIVE;
         let room = if faults::nearest() { 0.0 * room } else { room };
-        if !(room < f64::MAX) {
+        if room.is_nan() || room >= f64::MAX {
             return Interval::INVALID;
         }
         Interval { lo: add_down(lo, -room), hi: add_up(hi, room) }
@@ -469,7 +469,8 @@ impl Number for Interval {
         Ok(())
     }
     fn div(&mut self, _: &(), a: &Interval, b: &Interval) -> Result<(), NoValue> {
-        (a.checked()?, b.checked()?);
+        a.checked()?;
+        b.checked()?;
         if b.contains(0.0) {
             return Err(outside(b.is_zero()));
         }
@@ -478,7 +479,8 @@ impl Number for Interval {
     }
     /// a^b is monotone in a and in b, so that its extremes lie at corners.
     fn pow(&mut self, _: &(), a: &Interval, b: &Interval) -> Result<(), NoValue> {
-        (a.checked()?, b.checked()?);
+        a.checked()?;
+        b.checked()?;
         if a.hi < 0.0 || (a.is_zero() && b.hi <= 0.0) {
             return Err(NoValue::OutOfDomain);
         }
@@ -497,7 +499,8 @@ impl Number for Interval {
         Ok(())
     }
     fn agm(&mut self, _: &(), a: &Interval, b: &Interval) -> Result<(), NoValue> {
-        (a.checked()?, b.checked()?);
+        a.checked()?;
+        b.checked()?;
         if a.lo < 0.0 || b.lo < 0.0 {
             return Err(outside(a.hi < 0.0 || b.hi < 0.0));
         }
