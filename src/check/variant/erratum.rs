@@ -253,7 +253,10 @@ impl Search<'_> {
                 (changed, difference, classes, tree)
             })
             .collect();
-        with_distance.sort_by_key(|(changed, _, classes, _)| (rank(classes), *changed));
+        // What defines something usually stands on the right: there the slip is looked for first. Of equal ones the first is
+        // kept.
+        let left = |tree: &Chain| tree.sides.len() > 1 && tree.sides.first() != formula.tree.sides.first();
+        with_distance.sort_by_key(|(changed, _, classes, tree)| (rank(classes), *changed, left(tree)));
         let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
         let mut kept = Vec::new();
         for (changed, difference, classes, tree) in with_distance {
@@ -290,9 +293,7 @@ impl Search<'_> {
             let empty = sight == Sight::Empty;
             out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, empty, difference, changed });
         }
-        // What defines something usually stands on the right: there the slip is looked for first.
-        let left = |c: &Candidate| formula.tree.sides.len() > 1 && c.tree.sides.first() != formula.tree.sides.first();
-        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, left(c), c.text.len()));
+        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, left(&c.tree), c.text.len()));
         out.truncate(MOST_CANDIDATES);
         out
     }
