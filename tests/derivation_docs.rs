@@ -41,7 +41,7 @@ fn every_key_is_described() {
 fn every_key_is_in_the_example() {
     let example = example();
     for key in keys::ALL.iter().flat_map(|(_, keys)| *keys) {
-        let optional = ["id", "source", "shape", "initial-time", "not-applicable", "undecided"];
+        let optional = ["id", "source", "levels", "shape", "initial-time", "not-applicable", "undecided"];
         let used = |before: &str| {
             example.contains(&format!("{before}{key} "))
                 || example.contains(&format!("[{key}"))
