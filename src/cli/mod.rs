@@ -97,7 +97,7 @@ enum Command {
     Search(search::SearchArguments),
     /// Drafts a derivation file from a paper's LaTeX source
     Init(InitArguments),
-    /// Compares two reports: which verdicts changed. The exit code is 1 if something got worse
+    /// Compares two reports: which verdicts changed, and whether for the worse
     Diff(DiffArguments),
     /// Checks a derivation file again whenever it is saved: only what the change concerns
     Watch(WatchArguments),

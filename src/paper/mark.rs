@@ -313,7 +313,7 @@ pub(super) fn parts(tokens: &[Token]) -> Vec<Vec<Token>> {
             part.push(token.clone());
         }
     }
-    out.iter_mut().for_each(|part| trim(part));
+    out.iter_mut().for_each(trim);
     out.retain(|part| !marks(part).is_empty());
     out
 }

@@ -56,7 +56,7 @@ pub fn add_paper(findings: &mut [Finding], derivation: &Derivation, comparison: 
     for finding in findings.iter_mut().filter(|f| f.rule.starts_with("verdict::")) {
         let span = finding.place.span.as_ref().filter(|_| Arc::ptr_eq(&finding.place.source, &derivation.file));
         // A finding stands at the id or at a formula of its claim, and the id comes before the formulas.
-        let claim = span.and_then(|s| derivation.claims.iter().filter(|c| c.span.start <= s.start).last());
+        let claim = span.and_then(|s| derivation.claims.iter().rfind(|c| c.span.start <= s.start));
         let Some(label) = claim.and_then(|c| c.label.as_deref()) else { continue };
         let printed = comparison.equations.iter().find(|e| e.label.as_deref() == Some(label));
         if let Some(equation) = printed {

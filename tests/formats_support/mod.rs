@@ -259,11 +259,8 @@ fn message(text: &str, related: &[Option<u64>]) -> Result<(), String> {
                 Some('\\' | '[' | ']') => {}
                 other => return Err(format!("\\{other:?} in {text}")),
             },
-            '{' | '}' => {
-                if chars.next() != Some(c) {
-                    return Err(format!("a single {c} in {text}"));
-                }
-            }
+            '{' | '}' if chars.next() != Some(c) => return Err(format!("a single {c} in {text}")),
+            '{' | '}' => {}
             '[' if !link => link = true,
             ']' if link => {
                 link = false;
