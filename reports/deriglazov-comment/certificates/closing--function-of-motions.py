@@ -1,0 +1,15 @@
+# deriglazov-comment / closing/function-of-motions: It has: along every motion with momentum along z, ψ as a function of φ obeys t11.
+#
+# Given: the definitions, the assumptions and t11.
+#
+# Each equation below is proved by an identity of polynomials, d*N = q1*p1 + q2*p2 + ...
+# N is the difference of its sides, without its denominator. Every p is 0 where what is given holds,
+# and d is not 0 there, where the formulas have a value. So N is 0 there, and the equation holds.
+# Run with Python and SymPy, this file prints one 0 for each equation.
+
+from sympy import expand, symbols
+
+# Equation 1: 0 = 0
+d = 1
+N = 0
+print(expand(d*N - (0)))
