@@ -159,7 +159,7 @@ for (const id of fs.readdirSync(reports).sort()) {
     await page.goto(`${url}#/matrix`);
     await page.fill("[name=claim]", name);
     await page.fill("[name=trajectory]", trajectory);
-    const state = decodeURIComponent(page.url());
+    const state = decodeURIComponent(await page.evaluate(() => location.hash));
     check(state.includes(`claim=${name}`) && state.includes(`trajectory=${trajectory}`), `${id}: the address keeps the filters: ${state}`);
     await page.reload();
     check(await page.inputValue("[name=claim]") === name, `${id}: filters are read from the address`);

@@ -32,8 +32,8 @@ const SCRIPT: &str = include_str!("script.js");
 pub fn page(derivation: &Derivation, account: &Account) -> String {
     let scope = &derivation.scope;
     let body = html! {
-        a.skip href="#/main" { "Skip to the report" }
         header {
+            a.skip href="#/main" { "Skip to the report" }
             p.kind { "A check of a derivation" }
             h1 { (prose(&derivation.title, scope)) }
             p { (prose(&derivation.concerns, scope)) }
