@@ -33,6 +33,8 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("file", "system") => named("system", "Systems of differential equations, each under its id"),
         ("file", "trajectory") => many("trajectory", "Motions on which claims are tried"),
         ("file", "claim") => many("claim", "What the paper claims"),
+        ("file", "condition") => many("condition", "Conditions that may explain where a claim holds"),
+        ("file", "picture") => many("picture", "Pictures of the motions for the report"),
         ("file", "measure") => many("measure", "Quantities to be measured"),
         ("[derivation]", "id") => id("Name of the report's folder; without it, the file's name without .toml"),
         ("[derivation]", "title") => text("What the report is called"),
@@ -46,7 +48,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "type": ["string", "integer"],
             "description": "\"3\" for a vector, \"3x3\" for a matrix, \"diagonal 3\" for a diagonal matrix; nothing for a scalar",
         }),
-        ("[symbols]", "unit") => text("Its unit, for the reader"),
+        ("[symbols]", "unit") => text("Its unit"),
         ("[symbols]", "positive") => flag("Every component is positive"),
         ("[symbols]", "angle") => flag("Its values along a motion are continued without jumps by 2π"),
         ("[symbols]", "formula") => formula("The definition of an observable or abbreviation"),
@@ -96,6 +98,9 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "same-motion" => part("same-motion", "The motion is that of another trajectory"),
             "independent" => part("independent", "Functions of the states are independent of one another"),
             "at" => formula("An equation between scalars: the claim is tried only when it holds"),
+            "expect-units" => json!({
+                "enum": ["inconsistent"], "description": "The units of its formulas are expected not to agree",
+            }),
             "expect" => part("expect", "The expected verdict: one word, or trajectories for each verdict"),
             _ => return None,
         },
@@ -115,7 +120,20 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[measure]]", "formula") => formula("A scalar"),
         ("[[measure]]", "at") => formula("When it is taken; without it, at the initial time"),
         ("[[measure]]", "trajectories") => ids("Where it is measured; all unless given"),
-        ("[[measure]]", "unit") => text("Its unit, for the reader"),
+        ("[[measure]]", "unit") => text("Its unit"),
+        ("[[condition]]", "id") => id("Its id"),
+        ("[[condition]]", "says") => text("What it is, in words"),
+        ("[[condition]]", "holds") => formulas("It is met where all of these hold at every time"),
+        ("[[picture]]", "id") => id("Its id"),
+        ("[[picture]]", "says") => text("What it shows"),
+        ("[[picture]]", "kind") => json!({
+            "enum": ["time", "curve", "sphere"],
+            "description": "Quantities against time, one against another, or three of constant length",
+        }),
+        ("[[picture]]", "show") => formulas("The quantities"),
+        ("[[picture]]", "slopes") => formulas("For a curve: slopes that are claimed of it"),
+        ("[[picture]]", "levels") => formula("For a sphere: a function whose level sets are drawn"),
+        ("[[picture]]", "trajectories") => ids("Of which it is drawn; all unless given"),
         _ => return None,
     })
 }
@@ -144,6 +162,8 @@ const TABLES: &[&str] = &[
     "independent",
     "expect",
     "[[measure]]",
+    "[[condition]]",
+    "[[picture]]",
 ];
 
 /// Keys that the loader knows and the schema does not describe: table and key. A test wants it empty.
@@ -186,6 +206,8 @@ pub fn schema() -> Value {
         "independent": object(&["independent"], &["functions"]),
         "expect": { "anyOf": [{ "enum": keys::EXPECT }, expect] },
         "measure": object(&["[[measure]]"], &["id", "says", "formula"]),
+        "condition": object(&["[[condition]]"], &["id", "says", "holds"]),
+        "picture": object(&["[[picture]]"], &["id", "says", "kind", "show"]),
     });
     let mut out = Map::new();
     out.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));

@@ -88,6 +88,10 @@ pub fn schema() -> Value {
         ("generic", flag("Whether the proof leaves out special cases of what is given")),
         ("reason", text_or_null("Why undecided; a remark on a proof")),
         ("witness", text_or_null("A point at which everything given holds and the claim does not")),
+        ("branch", text_or_null("For ±: the sign it holds for")),
+        ("trials", or_null(trials())),
+        ("certificate", text_or_null("The file in `certificates` that proves it exactly")),
+        ("no_certificate", text_or_null("Why there is none, where one was looked for")),
     ]);
     let residual = object(&[
         ("max", number("|left − right| at the worst point")),
@@ -110,6 +114,8 @@ pub fn schema() -> Value {
     let discrimination = object(&[
         ("rejected", whole("Variants of the claim that the same evidence rejects")),
         ("of", whole("Variants that were tried")),
+        ("weak", flag("Whether so few are rejected that the verdict says little")),
+        ("survivors", text("Numbers in `variants.survivors`, in ranges, such as 0-3,7")),
     ]);
     let result = object(&[
         ("trajectory", text("Id of the trajectory")),
@@ -139,6 +145,8 @@ pub fn schema() -> Value {
         ("precision", number("The relative precision that was asked for")),
         ("remark", text_or_null("What a reader should know")),
         ("identity", or_null(identity)),
+        ("variants", or_null(variants())),
+        ("conditions", conditions()),
         ("results", list(result)),
     ]);
     let measured = object(&[("t", number("Time")), ("value", number("Value")), ("bound", number("Error bound"))]);
@@ -162,6 +170,8 @@ pub fn schema() -> Value {
         ("trajectories", list(trajectory)),
         ("claims", list(claim)),
         ("measurements", list(measurement)),
+        ("units", units()),
+        ("graph", graph()),
         ("summary", summary),
     ]);
     let report = with_optional(report, &[("paper", paper())]);
@@ -172,6 +182,148 @@ pub fn schema() -> Value {
         out.append(&mut fields);
     }
     Value::Object(out)
+}
+
+/// The random test of an identity.
+fn trials() -> Value {
+    object(&[
+        ("count", whole("Independent trials")),
+        ("primes", list(json!({ "type": "integer" }))),
+        ("degree", number("Bound for the degree of what was tested")),
+        ("height", number("Bound for log2 of the coefficients")),
+        ("signs", whole("Independent signs of roots")),
+        ("cases", whole("Cases into which premises were split")),
+    ])
+}
+
+/// What single edits of a claim's formulas say of the evidence, and what it should have said.
+fn variants() -> Value {
+    let share = object(&[("rejected", whole("Rejected by some motion")), ("of", whole("Variants"))]);
+    let class = object(&[
+        ("class", text("What was edited")),
+        ("generated", whole("Edits")),
+        ("meaningless", whole("Of these, without a meaning")),
+        ("repeated", whole("Of these, the same as one before")),
+        ("equivalent", whole("Of these, the same as the print")),
+        ("empty", whole("Of these, saying nothing")),
+        ("kept", whole("Of these, tried")),
+    ]);
+    let survivor = object(&[
+        ("class", text("What was edited")),
+        ("formula", text("In LaTeX")),
+        ("everywhere", flag("Whether no motion rejects it")),
+    ]);
+    let correction = object(&[
+        ("printed", text("The formula as printed")),
+        ("formula", text("The formula as it would hold")),
+        ("difference", text("Both in one: what goes, what comes")),
+        ("classes", texts("What was edited")),
+        ("proved", flag("Whether it was proved for all values")),
+        ("holds_on", texts("Trajectories on which it holds")),
+    ]);
+    let tried = object(&[
+        ("single", whole("Single edits")),
+        ("completions", whole("Missing factors and terms")),
+        ("pairs", whole("Pairs of edits")),
+    ]);
+    let erratum = object(&[
+        ("corrections", list(correction)),
+        ("tried", tried),
+        ("remark", text_or_null("Why there is none, or not all were tried")),
+    ]);
+    let set = object(&[("trajectories", texts("Their ids")), ("least", flag("Whether no smaller set does"))]);
+    object(&[
+        ("seed", json!({ "type": "integer" })),
+        ("together", or_null(share)),
+        ("smallest_set", set),
+        ("classes", list(class)),
+        ("skipped", list(object(&[("formula", text("As written")), ("reason", text("Why"))]))),
+        ("survivors", list(survivor)),
+        ("erratum", or_null(erratum)),
+    ])
+}
+
+/// Under which condition a claim holds, and which of its assumptions it needs.
+fn conditions() -> Value {
+    let condition = object(&[
+        ("id", text_or_null("Its id; null for one that was built")),
+        ("formula", text("In LaTeX")),
+        ("says", text_or_null("In words")),
+        ("negated", flag("Whether it is its opposite")),
+    ]);
+    let explanation = object(&[("join", json!({ "enum": ["and", "or"] })), ("conditions", list(condition.clone()))]);
+    let rival = object(&[
+        ("explanation", explanation.clone()),
+        ("differ_on", texts("Trajectories on which the two differ, without a verdict of the claim")),
+    ]);
+    let part = object(&[("condition", condition), ("trajectories", whole("How many it covers"))]);
+    let separation = object(&[
+        ("holds", texts("Trajectories on which the claim holds")),
+        ("fails", texts("Trajectories on which it fails")),
+        ("explanation", or_null(explanation)),
+        ("rivals", list(rival)),
+        ("more_rivals", whole("Further ones")),
+        ("sufficient", list(part.clone())),
+        ("necessary", list(part)),
+        ("tried", whole("Conditions that were tried")),
+        ("undecided", whole("Of these, undecided somewhere")),
+    ]);
+    let assumption = object(&[
+        ("formula", text("As written")),
+        ("need", text("needed, not-needed, or untested")),
+        ("on", texts("The trajectories that show it")),
+    ]);
+    object(&[("separation", or_null(separation)), ("assumptions", list(assumption))])
+}
+
+/// Whether the formulas are consistent in their units.
+fn units() -> Value {
+    let terms = object(&[("latex", text("A term")), ("unit", text("Its unit"))]);
+    let formula = object(&[
+        ("where", text("Claim, system, definition, …")),
+        ("of", text("Its id or name")),
+        ("formula", text("As written")),
+        ("verdict", json!({ "enum": ["consistent", "inconsistent", "not-checked"] })),
+        ("expected", flag("Whether the verdict is as expected")),
+        ("relation", text_or_null("What does not agree")),
+        ("terms", or_null(list(terms))),
+        ("reason", text_or_null("Why it was not checked")),
+    ]);
+    object(&[
+        ("consistent", whole("Formulas that are")),
+        ("inconsistent", whole("Formulas that are not")),
+        ("not_checked", whole("Formulas without enough units")),
+        ("unexpected", whole("Of the inconsistent ones, not expected; and expected ones that are consistent")),
+        ("missed", texts("Claims that were expected to be inconsistent, and are not")),
+        ("formulas", list(formula)),
+    ])
+}
+
+/// What follows from what.
+fn graph() -> Value {
+    let named = |first: &str, second: &str| object(&[(first, text("As written")), (second, text("Whose"))]);
+    let rests = object(&[
+        ("systems", texts("Ids")),
+        ("symbols", texts("Names")),
+        ("claims", texts("Ids")),
+        ("assumptions", list(named("formula", "of"))),
+        ("not_proved", list(object(&[("id", text("Of a claim")), ("verdict", text_or_null("Of its step"))]))),
+        ("circular", flag("Whether it rests on itself")),
+    ]);
+    let node = object(&[
+        ("id", text("Id or name")),
+        ("kind", text("claim, system or symbol")),
+        ("verdict", text_or_null("Of its step")),
+        ("assumptions", texts("Its own")),
+        ("rests_on", rests),
+    ]);
+    let edge = object(&[
+        ("from", text("What is given")),
+        ("kind", text("What it is")),
+        ("to", text("What follows")),
+        ("verdict", text_or_null("Of the step")),
+    ]);
+    object(&[("nodes", list(node)), ("edges", list(edge))])
 }
 
 /// The comparison with the paper, there if `--source` was given.

@@ -285,6 +285,10 @@ const MOST_EDITS: usize = 1500;
 impl ClaimVariants {
     /// All edits of all formulas of a claim that mean something else than any before them.
     pub fn new(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> ClaimVariants {
+        // Without a motion nothing is tried.
+        if setting.starts.is_empty() {
+            return ClaimVariants::default();
+        }
         let vocabulary = Vocabulary::new(derivation, setting.claim);
         let (formulas, skipped) = formulas(derivation, graph, setting);
         let mut out = ClaimVariants { skipped, ..ClaimVariants::default() };
