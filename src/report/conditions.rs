@@ -26,6 +26,20 @@ struct Style {
 const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: 2 };
 const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, rivals: usize::MAX };
 
+/// For the page, which typesets what stands between backticks.
+const PAGE: Style =
+    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: usize::MAX };
+
+/// The sentences on what separates the trajectories of a claim, formulas between backticks.
+pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {
+    sentences(s, &PAGE)
+}
+
+/// What an assumption is worth, formulas between backticks.
+pub(super) fn worth_in_words(a: &AssumptionAccount) -> String {
+    worth(a, &PAGE)
+}
+
 fn condition(c: &ConditionName, style: &Style) -> String {
     let formula = (style.formula)(&c.formula);
     let text = match (&c.id, &c.says) {

@@ -58,7 +58,7 @@ fn erratum_json(erratum: &Erratum) -> Value {
 }
 
 /// Most survivors that are listed in a report for people.
-const SURVIVORS_SHOWN: usize = 6;
+pub(super) const SURVIVORS_SHOWN: usize = 6;
 
 /// What is said of a pair in a table.
 pub(super) fn note(pair: &PairAccount) -> Option<String> {
@@ -83,7 +83,7 @@ fn weak_pairs(claim: &ClaimAccount) -> Vec<&PairAccount> {
 }
 
 /// What no motion, or none of the weak ones, would notice, in a sentence; empty where there is nothing to say.
-fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> String {
+pub(super) fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> String {
     let everywhere = variants.survivors.iter().enumerate().filter(|(_, s)| s.everywhere).map(|(i, _)| i);
     let never = variants.unnoticed(everywhere);
     let weak = weak_pairs(claim);
@@ -104,7 +104,7 @@ fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> String {
 }
 
 /// The motions that suffice, in words.
-fn smallest(variants: &VariantAccount) -> String {
+pub(super) fn smallest(variants: &VariantAccount) -> String {
     let how = if variants.cover_is_least { "the fewest" } else { "a small set" };
     match variants.cover.as_slice() {
         [] => String::new(),
@@ -166,7 +166,7 @@ fn corrections_markdown(erratum: &Erratum) -> String {
 }
 
 /// How far a correction was examined.
-fn standing(c: &Correction) -> String {
+pub(super) fn standing(c: &Correction) -> String {
     let proved = if c.proved { "**proved**, " } else { "" };
     let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
     format!("{proved}holds on {} ({})", count(c.holds_on, "trajectory"), classes.join(", "))

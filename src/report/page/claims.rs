@@ -2,9 +2,12 @@
 
 use maud::{Markup, html};
 
+use super::super::discrimination::is_weak;
+use super::super::graph::DerivationGraph;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
+use super::support;
 use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
@@ -12,6 +15,7 @@ use crate::latex::Scope;
 
 /// All claims.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
+    let graph = DerivationGraph::new(derivation, account);
     let mut families: Vec<Vec<&ClaimAccount>> = Vec::new();
     for claim in &account.claims {
         match families.last_mut() {
@@ -24,8 +28,8 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
             h2 { "Claims" }
             @for family in &families {
                 @match family.as_slice() {
-                    [one] if one.reading.is_none() => { (article(derivation, account, one)) },
-                    several => { (readings(derivation, account, several)) },
+                    [one] if one.reading.is_none() => { (article(derivation, account, &graph, one)) },
+                    several => { (readings(derivation, account, &graph, several)) },
                 }
             }
         }
@@ -33,7 +37,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 }
 
 /// A claim that can be understood in several ways: the readings side by side, then each by itself.
-fn readings(derivation: &Derivation, account: &Account, family: &[&ClaimAccount]) -> Markup {
+fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
     let n =
@@ -71,7 +75,7 @@ fn readings(derivation: &Derivation, account: &Account, family: &[&ClaimAccount]
                     }
                 }
             }
-            @for claim in family { (article(derivation, account, claim)) }
+            @for claim in family { (article(derivation, account, graph, claim)) }
         }
     }
 }
@@ -80,7 +84,7 @@ fn scope_of<'d>(derivation: &'d Derivation, claim: &ClaimAccount) -> &'d Scope {
     declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope)
 }
 
-fn article(derivation: &Derivation, account: &Account, claim: &ClaimAccount) -> Markup {
+fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, claim: &ClaimAccount) -> Markup {
     let declared = declared(derivation, claim);
     let scope = scope_of(derivation, claim);
     html! {
@@ -113,20 +117,25 @@ fn article(derivation: &Derivation, account: &Account, claim: &ClaimAccount) -> 
             }
             @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
             @if let Some(remark) = &claim.remark { p.remark { (prose(remark, scope)) } }
-            @if let Some(identity) = &claim.identity { (for_all_values(identity, scope)) }
+            (support::units_of(account, claim, scope))
+            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, scope)) }
+            (support::rests(graph, claim, scope))
+            (support::conditions(claim, scope))
+            (support::discrimination(claim, scope))
             @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
         }
     }
 }
 
 /// Whether it is an identity, with its bound.
-fn for_all_values(identity: &IdentityAccount, scope: &Scope) -> Markup {
+fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
         div class={ "identity " (identity.verdict) } {
             p {
                 b { "For all values: " }
                 (sentence(identity, scope))
                 @if identity.generic { " The proof leaves out special cases of what is given; see the conditions." }
+                (support::certificate(claim, identity, scope))
             }
             @if !identity.conditions.is_empty() {
                 details {
@@ -232,6 +241,8 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
             None => parts.push((head, vec![pair])),
         }
     }
+    let tried = group.pairs.iter().any(|p| rejects(p).is_some());
+    let columns = 2 + 5 * usize::from(compared) + usize::from(tried);
     let single = parts.iter().filter(|(_, pairs)| pairs.len() == 1).count() > 4;
     html! {
         table {
@@ -243,6 +254,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                             th { (head) }
                         }
                     }
+                    @if tried { th { "altered rejected" } }
                     th { "notes" }
                 }
             }
@@ -250,7 +262,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                 @let shared = !head.is_empty() && !(single && pairs.len() == 1);
                 tbody {
                     @if shared {
-                        tr { th.shared colspan=(if compared { 7 } else { 2 }) scope="rowgroup" { (reason(head, scope)) } }
+                        tr { th.shared colspan=(columns) scope="rowgroup" { (reason(head, scope)) } }
                     }
                     @for pair in pairs {
                         @let evidence = pair.verdict.evidence();
@@ -264,6 +276,10 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                                 }
                                 td { @if evidence.samples > 0 { (evidence.samples) } }
                             }
+                            @if tried {
+                                @let weak = is_weak(pair);
+                                td { @if let Some(text) = rejects(pair) { (text) @if weak { ", weak" } } }
+                            }
                             td { (notes(pair, shared, scope)) }
                         }
                     }
@@ -271,6 +287,12 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
             }
         }
     }
+}
+
+/// How many altered formulas a pair rejects.
+fn rejects(pair: &PairAccount) -> Option<String> {
+    let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
+    Some(format!("{} of {}", d.rejected, d.of))
 }
 
 /// Reason, sign, and times left out.

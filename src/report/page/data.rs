@@ -1,6 +1,6 @@
 //! The curves of all pairs, packed for the script.
 //!
-//! A page may have thousands of pairs. Each of its curves is some thirty samples; a value takes two characters: its place
+//! A page may have thousands of pairs. Each of its curves is some twenty samples; a value takes two characters: its place
 //! between the least and the largest value, in 1/7225 of the way (85 characters that need no escape, squared), and the
 //! logarithm of a residual or bound one. That is finer than a line is thick. Equal strings are stored once. Numbers that a reader may want exactly (worst residual,
 //! witness) are stored as numbers.

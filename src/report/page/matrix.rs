@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::super::discrimination::is_weak;
 use super::super::tally::name;
 use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
@@ -23,6 +24,16 @@ pub(super) fn class(pair: &PairAccount) -> &'static str {
         (Outcome::Undecided, false) => "u",
         (Outcome::Undecided, true) => "u x",
     }
+}
+
+/// Whether a pair is marked as weak: many altered formulas would hold as well. A proof needs no motion that tells.
+fn is_marked(pair: &PairAccount) -> bool {
+    is_weak(pair) && matches!(pair.verdict.outcome(), Outcome::Holds(Strength::Sampled | Strength::Enclosed))
+}
+
+/// The class of a cell: that of the pair, and `w` where it is weak.
+fn cell(pair: &PairAccount) -> String {
+    if is_marked(pair) { format!("{} w", class(pair)) } else { class(pair).to_owned() }
 }
 
 /// Where a pair stands on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script writes
@@ -79,9 +90,9 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
             @for t in &account.trajectories {
                 @match claim.results.iter().find(|r| r.trajectory == t.id) {
                     Some(pair) => {
-                        td class=(class(pair)) {
+                        td class=(cell(pair)) {
                             a href={ "#" (anchor(account, claim, pair)) } {
-                                (words(pair)) @if pair.is_unexpected() { ", not as expected" }
+                                (words(pair)) @if is_marked(pair) { ", weak" } @if pair.is_unexpected() { ", not as expected" }
                             }
                         }
                     },
@@ -97,6 +108,7 @@ fn legend() -> Markup {
         ("h p", "holds, proved for all values"),
         ("h e", "holds, enclosed at every time"),
         ("h", "holds at all samples"),
+        ("h w", "holds, but many altered formulas would, too"),
         ("f", "fails"),
         ("n", "does not apply"),
         ("u", "undecided"),

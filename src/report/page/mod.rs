@@ -15,6 +15,7 @@ mod claims;
 mod data;
 mod matrix;
 mod motions;
+mod support;
 mod text;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -48,6 +49,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             (conventions(derivation))
             (symbols(derivation))
             (systems(derivation))
+            (support::units(account, scope))
             (measures(derivation, account))
             (making(derivation))
         }
@@ -90,6 +92,7 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
                 @if !derivation.conventions.is_empty() { li { a href="#/conventions" { "Conventions" } } }
                 li { a href="#/symbols" { "Symbols" } }
                 @if !derivation.systems.is_empty() { li { a href="#/systems" { "Systems" } } }
+                @if !account.units.formulas.is_empty() { li { a href="#/units" { "Units" } } }
                 @if !account.measurements.is_empty() { li { a href="#/measures" { "Measured" } } }
                 li { a href="#/making" { "How it was made" } }
             }

@@ -1,0 +1,293 @@
+//! What the verdicts of a claim are worth: what they rest on, where they hold, what they would notice, what should stand there.
+//!
+//! **In:** the account of a claim. **Out:** HTML beside its verdicts. The sentences are those of the other reports; here they
+//! get formulas, links and marks. Nothing is judged here.
+
+use maud::{Markup, html};
+
+use super::super::certificates::file_name;
+use super::super::conditions::{separation_in_words, worth_in_words};
+use super::super::discrimination::{SURVIVORS_SHOWN, sentence, smallest, standing};
+use super::super::graph::DerivationGraph;
+use super::super::numbers::count;
+use super::super::tally::name;
+use super::text::{formula, prose, unit};
+use crate::check::separation::Need;
+use crate::check::units::{UnitAccount, UnitVerdict};
+use crate::check::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
+use crate::latex::Scope;
+
+/// What a claim rests on, through all steps.
+pub(super) fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let Some(rests) = graph.rests_of(claim) else { return html! {} };
+    let link = |prefix: &str, id: &str| html! { a href={ "#" (prefix) (id) } { (id) } };
+    let mut parts: Vec<Markup> = rests.systems.iter().map(|s| html! { "the system " (link("/system/", s)) }).collect();
+    parts.extend(rests.symbols.iter().map(|s| html! { "the definition of " (formula(s, scope)) }));
+    parts.extend(rests.claims.iter().map(|c| link("", c)));
+    html! {
+        p.rests {
+            "Rests on " (listed(parts)) "."
+            @if !rests.assumptions.is_empty() {
+                " With it come the assumptions "
+                (listed(rests.assumptions.iter().map(|(text, of)| html! { (formula(text, scope)) " (of " (link("", of)) ")" })))
+                "."
+            }
+            @if !rests.open.is_empty() {
+                " Not proved on the way: "
+                (listed(rests.open.iter().map(|(id, verdict)| {
+                    html! { (link("", id)) " (" (verdict.unwrap_or("not decided for all values")) ")" }
+                })))
+                "."
+            }
+            @if rests.circular { " " strong.alarm { "It rests on itself: a circle proves nothing." } }
+        }
+    }
+}
+
+fn listed(parts: impl IntoIterator<Item = Markup>) -> Markup {
+    html! { @for (i, part) in parts.into_iter().enumerate() { @if i > 0 { ", " } (part) } }
+}
+
+/// Where the exact proof of a claim is, or why there is none.
+pub(super) fn certificate(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
+    html! {
+        @if let Some(branch) = identity.evidence.branch { " ± holds " (branch) "." }
+        @if let Some(file) = file_name(claim) {
+            " Exact, too: the certificate " a href=(file) { (file) } " can be expanded by hand."
+        } @else if identity.verdict == "proved" {
+            @if let Some(why) = &identity.evidence.no_certificate { " There is no certificate: " (prose(why, scope)) "." }
+        }
+    }
+}
+
+/// Which condition separates the motions of a claim, and which assumptions it needs.
+pub(super) fn conditions(claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let found = &claim.conditions;
+    html! {
+        @if let Some(separation) = &found.separation {
+            @let sentences = separation_in_words(separation);
+            div.separation {
+                @if let Some((first, more)) = sentences.split_first() {
+                    p { b { "What separates: " } (prose(first, scope)) }
+                    @if !more.is_empty() {
+                        details { summary { "What else would" } @for text in more { p { (prose(text, scope)) } } }
+                    }
+                }
+            }
+        }
+        @if !found.assumptions.is_empty() {
+            details {
+                summary {
+                    @if found.assumptions.iter().any(|a| a.need == Need::NotNeeded) { "Assumptions, not all of them needed" }
+                    @else { "Whether the assumptions are needed" }
+                }
+                ul {
+                    @for a in &found.assumptions {
+                        @let text = prose(&worth_in_words(a), scope);
+                        li { @if a.need == Need::NotNeeded { b { (text) } } @else { (text) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What the evidence would notice of altered formulas, and what a claim that fails should have said.
+pub(super) fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let Some(variants) = &claim.variants else { return html! {} };
+    let alive: Vec<_> = variants.survivors.iter().filter(|s| s.everywhere).collect();
+    html! {
+        @if let Some((rejected, of)) = variants.together() {
+            p {
+                b { "Discrimination: " }
+                "of " (count(of, "altered formula")) " " (rejected) " would be noticed on "
+                (count(variants.tried_on, "trajectory")) (smallest(variants).replace('`', "")) ". "
+                (prose(&sentence(claim, variants), scope))
+            }
+            @if !alive.is_empty() {
+                details {
+                    summary { "Altered formulas that no motion rejects" }
+                    ul {
+                        @for s in alive.iter().take(SURVIVORS_SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
+                        @if alive.len() > SURVIVORS_SHOWN {
+                            li { "and " (alive.len() - SURVIVORS_SHOWN) " more, in report.json" }
+                        }
+                    }
+                }
+            }
+        }
+        @if let Some(erratum) = &variants.erratum { (corrections(erratum, scope)) }
+    }
+}
+
+fn corrections(erratum: &Erratum, scope: &Scope) -> Markup {
+    let (single, completions, pairs) = erratum.tried;
+    let tried = format!("{single} single edits, {completions} completions and {pairs} pairs of edits were tried");
+    html! {
+        div.erratum {
+            @if erratum.corrections.is_empty() {
+                p {
+                    b { "No correction: " }
+                    (prose(erratum.remark.as_deref().unwrap_or("no correction was found"), scope)) ". (" (tried) ".)"
+                }
+            } @else {
+                p { b { "What it should have said" } ", the closest to the print first (" (tried) "):" }
+                ol {
+                    @for c in &erratum.corrections {
+                        li {
+                            (formula(&c.formula, scope)) ", " (standing(c).replace("**", "")) "."
+                            div { (difference(c)) }
+                        }
+                    }
+                }
+                @if let Some(remark) = &erratum.remark { p { (prose(remark, scope)) } }
+            }
+        }
+    }
+}
+
+/// A piece of a marked difference.
+#[derive(Debug, PartialEq)]
+enum Piece<'a> {
+    Same(&'a str),
+    Removed(&'a str),
+    Added(&'a str),
+}
+
+/// The pieces of a text with `[-removed-]` and `{+added+}`.
+fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut out = Vec::new();
+    let (mut rest, mut from) = (text, 0);
+    while let Some(at) = rest[from..].find(['[', '{']).map(|i| from + i) {
+        let tail = &rest[at..];
+        let mark = [("[-", "-]"), ("{+", "+}")].into_iter().find(|(open, _)| tail.starts_with(open));
+        // At least one character is marked: `[---]` removes a minus.
+        let inner = mark.and_then(|(open, close)| {
+            let body = &tail[open.len()..];
+            let first = body.chars().next()?.len_utf8();
+            Some((open, &body[..first + body[first..].find(close)?]))
+        });
+        let Some((open, inner)) = inner else {
+            from = at + 1;
+            continue;
+        };
+        if at > 0 {
+            out.push(Piece::Same(&rest[..at]));
+        }
+        out.push(if open == "[-" { Piece::Removed(inner) } else { Piece::Added(inner) });
+        (rest, from) = (&tail[inner.len() + 4..], 0);
+    }
+    if !rest.is_empty() {
+        out.push(Piece::Same(rest));
+    }
+    out
+}
+
+/// What is removed and what is added, in the LaTeX source. Brackets of a formula can look like marks: where the pieces do not
+/// make up the correction, the print and the correction are shown as wholes.
+fn difference(c: &Correction) -> Markup {
+    let parts = pieces(&c.difference);
+    let dense = |text: &str| text.split_whitespace().collect::<String>();
+    let new: String = parts.iter().map(|p| if let Piece::Same(t) | Piece::Added(t) = p { *t } else { "" }).collect();
+    html! {
+        code.difference {
+            @if dense(&new) == dense(&c.formula) {
+                @for part in &parts {
+                    @match part {
+                        Piece::Same(text) => { (text) },
+                        Piece::Removed(text) => { del { (text) } },
+                        Piece::Added(text) => { ins { (text) } },
+                    }
+                }
+            } @else {
+                del { (c.printed) } " " ins { (c.formula) }
+            }
+        }
+    }
+}
+
+fn unit_words(found: &UnitAccount, scope: &Scope) -> Markup {
+    html! {
+        (formula(&found.formula, scope))
+        @if let UnitVerdict::Inconsistent { relation, terms } = &found.verdict {
+            ": "
+            @for (i, term) in terms.iter().enumerate() {
+                @if i > 0 { " and " }
+                (formula(&term.latex, scope)) " in " (unit(&term.unit))
+            }
+            " " (relation)
+        }
+        @if found.expected { " (as expected)" }
+        "."
+    }
+}
+
+fn inconsistent<'a>(account: &'a Account) -> impl Iterator<Item = &'a UnitAccount> {
+    account.units.formulas.iter().filter(|f| matches!(f.verdict, UnitVerdict::Inconsistent { .. }))
+}
+
+/// The formulas of a claim whose units do not agree.
+pub(super) fn units_of(account: &Account, claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let id = name(claim);
+    html! {
+        @for found in inconsistent(account).filter(|f| f.kind == "claim" && f.of == id) {
+            p { b.bad { "Units do not agree: " } (unit_words(found, scope)) }
+        }
+        @if account.units.missed.contains(&id) {
+            p { strong.alarm { "Inconsistent units are expected, and its units agree." } }
+        }
+    }
+}
+
+/// The units of all formulas.
+pub(super) fn units(account: &Account, scope: &Scope) -> Markup {
+    let units = &account.units;
+    if units.formulas.is_empty() {
+        return html! {};
+    }
+    let n = |word: &str| count(units.count(word), "formula");
+    html! {
+        section id="/units" {
+            h2 { "Units" }
+            p {
+                "The units of " (n("consistent")) " agree, those of " (n("inconsistent")) " do not, and "
+                (n("not-checked")) " could not be checked."
+            }
+            ul { @for found in inconsistent(account) { li { (found.kind) " " (found.of) ", " (unit_words(found, scope)) } } }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Piece::{Added, Removed, Same};
+
+    #[test]
+    fn a_marked_difference_is_taken_apart() {
+        assert_eq!(pieces(r"a=[---]\frac12b"), [Same("a="), Removed("-"), Same(r"\frac12b")]);
+        assert_eq!(pieces(r"m_[-1-]{+3+}"), [Same("m_"), Removed("1"), Added("3")]);
+        assert_eq!(pieces("{++E+}"), [Added("+E")]);
+        assert_eq!(pieces("[-]"), [Same("[-]")]);
+        assert_eq!(pieces(r"\sqrt[n]{x}"), [Same(r"\sqrt[n]{x}")]);
+        assert_eq!(pieces(""), []);
+    }
+
+    #[test]
+    fn a_difference_is_no_markup_and_never_something_else() {
+        let of = |difference: &str, formula: &str| {
+            let correction = Correction {
+                printed: "<b>p".to_owned(),
+                formula: formula.to_owned(),
+                difference: difference.to_owned(),
+                classes: Vec::new(),
+                proved: false,
+                holds_on: 1,
+            };
+            super::difference(&correction).into_string()
+        };
+        assert_eq!(of("x[-<i>-]{+y+}", "x y"), "<code class=\"difference\">x<del>&lt;i&gt;</del><ins>y</ins></code>");
+        // The bracket belongs to the formula: the pieces are not the correction.
+        assert_eq!(of("[-a-]", "[-a-]"), "<code class=\"difference\"><del>&lt;b&gt;p</del> <ins>[-a-]</ins></code>");
+    }
+}
