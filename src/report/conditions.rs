@@ -19,12 +19,10 @@ struct Style {
     formula: fn(&str) -> String,
     id: fn(&str) -> String,
     text: fn(&str) -> String,
-    /// Most rivals that are named.
-    rivals: usize,
 }
 
-const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: 2 };
-const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, rivals: usize::MAX };
+const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned() };
+const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose };
 
 /// For the page, which typesets what stands between backticks.
 const PAGE: Style =
@@ -84,14 +82,13 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
     let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
     match &s.explanation {
         Some(e) => {
-            out.push(format!("It holds exactly where {}; {sides}; {tried}.", explanation(e, style)));
+            out.push(format!("On these trajectories it holds exactly where {}; {sides}; {tried}.", explanation(e, style)));
             if !s.rivals.is_empty() {
-                let all: Vec<String> = s.rivals.iter().take(style.rivals).map(|r| rival(r, style)).collect();
-                let hidden = s.more_rivals + s.rivals.len() - all.len();
-                let more = if hidden > 0 { format!("; and {hidden} more") } else { String::new() };
+                let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
+                let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };
                 out.push(format!(
-                    "The trajectories to which it applies cannot tell this from: {}{more}. A trajectory would tell that \
-                     meets the claim's assumptions, and one condition of the two without the other.",
+                    "The trajectories to which it applies cannot tell this from: {}{more}. To tell them apart takes a \
+                     trajectory that meets the claim's assumptions and only one of the two conditions.",
                     all.join("; ")
                 ));
             }
@@ -132,7 +129,38 @@ fn worth(a: &AssumptionAccount, style: &Style) -> String {
     }
 }
 
-/// For the terminal: a block with every claim that is split, and the assumptions that are not needed.
+/// What separates the trajectories of a claim, in a few words; the sentences say the rest.
+fn brief(s: &Separation, style: &Style) -> String {
+    let Some(e) = &s.explanation else {
+        return format!(
+            "holds on {}, fails on {}; no condition, nor three together, separates them",
+            s.holds.len(),
+            s.fails.len()
+        );
+    };
+    let short = |c: &ConditionName| {
+        let text = match (&c.id, &c.says) {
+            (Some(id), _) => (style.id)(id),
+            (None, Some(says)) => format!("{} {}", (style.formula)(&c.formula), (style.text)(says)),
+            (None, None) => (style.formula)(&c.formula),
+        };
+        if c.negated { format!("not {text}") } else { text }
+    };
+    let parts: Vec<String> = e.conditions.iter().map(short).collect();
+    let rivals = match s.rivals.len() + s.more_rivals {
+        0 => String::new(),
+        1 => "; one other condition fits as well".to_owned(),
+        n => format!("; {n} other conditions fit as well"),
+    };
+    format!("holds exactly where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
+}
+
+/// What separates the trajectories of a claim, for a list of claims in `report.md`.
+pub(super) fn in_brief(conditions: &ConditionsAccount) -> Option<String> {
+    conditions.separation.as_ref().map(|s| brief(s, &MARKDOWN))
+}
+
+/// For the terminal: a line for every claim that is split, and for every assumption that is not needed.
 pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     let mut split = String::new();
     let mut number = 0;
@@ -140,22 +168,30 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     for claim in &account.claims {
         if let Some(separation) = &claim.conditions.separation {
             number += 1;
-            split.push_str(&format!("  {}\n", paint.bold(&name(claim))));
-            for sentence in sentences(separation, &TERMINAL) {
-                split.push_str(&paragraph(&sentence, 4));
-            }
-            split.push('\n');
+            let text = paragraph(&format!("{}: {}", name(claim), brief(separation, &TERMINAL)), 2);
+            split.push_str(&text.replacen(&name(claim), &paint.bold(&name(claim)), 1));
         }
         for assumption in claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded) {
-            idle.push_str(&paragraph(&format!("{}: {}", name(claim), worth(assumption, &TERMINAL)), 2));
+            let on = match assumption.on.as_slice() {
+                [one] => one.clone(),
+                more => count(more.len(), "trajectory"),
+            };
+            let text = format!("{}: {}; it holds without it on {on}", name(claim), assumption.text);
+            idle.push_str(&paragraph(&text, 2));
         }
     }
     let mut out = String::new();
     if !split.is_empty() {
-        out.push_str(&format!("{} ({number})\n\n{split}", paint.bold("Holds on some motions and fails on others")));
+        out.push_str(&format!(
+            "{} ({number}; rivals and numbers are in the report)\n\n{split}\n",
+            paint.bold("Holds on some motions and fails on others")
+        ));
     }
     if !idle.is_empty() {
-        out.push_str(&format!("{}\n\n{idle}\n", paint.bold("Assumptions that are not needed here")));
+        out.push_str(&format!(
+            "{}\n\n{idle}\n",
+            paint.bold("Assumptions that are not needed, as far as these motions show")
+        ));
     }
     out
 }

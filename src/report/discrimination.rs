@@ -89,14 +89,14 @@ pub(super) fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> Strin
     let weak = weak_pairs(claim);
     let mut out = String::new();
     if !never.is_empty() {
-        out.push_str(&format!("It holds, but no motion here would notice {}. ", slips(&never)));
+        out.push_str(&format!("No motion here notices every slip of these kinds: {}. ", slips(&never)));
     }
     if let Some(weakest) = weak.iter().min_by_key(|p| p.discrimination.as_ref().map_or(0, |d| d.rejected))
         && let Some(d) = &weakest.discrimination
     {
         let unnoticed = slips(&variants.unnoticed(d.survivors.iter().copied()));
         out.push_str(&format!(
-            "It holds on {}, but that motion would not notice {unnoticed} ({} of {} rejected).",
+            "The weakest is {}: it rejects {} of {}, and misses some of these: {unnoticed}.",
             weakest.trajectory, d.rejected, d.of
         ));
     }
@@ -108,10 +108,10 @@ pub(super) fn smallest(variants: &VariantAccount) -> String {
     let how = if variants.cover_is_least { "the fewest" } else { "a small set" };
     match variants.cover.as_slice() {
         [] => String::new(),
-        [one] => format!("; `{one}` alone rejects these"),
+        [one] => format!("; `{one}` alone rejects as many"),
         more => {
             let names: Vec<String> = more.iter().map(|t| format!("`{t}`")).collect();
-            format!("; {how} that do: {}", names.join(", "))
+            format!("; {how} that reject as many: {}", names.join(", "))
         }
     }
 }
@@ -122,9 +122,9 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
     let mut out = String::new();
     if let Some((rejected, of)) = variants.together() {
         out.push_str(&format!(
-            "**Discrimination:** of {} {rejected} would be noticed on {}{}. {}\n\n",
-            count(of, "altered formula"),
+            "**Discrimination:** where it holds ({}), {rejected} of {} are rejected{}. {}\n\n",
             count(variants.tried_on, "trajectory"),
+            count(of, "altered formula"),
             smallest(variants),
             prose(&sentence(claim, variants))
         ));
@@ -151,12 +151,16 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
 
 fn corrections_markdown(erratum: &Erratum) -> String {
     let (single, completions, pairs) = erratum.tried;
+    if single + completions + pairs == 0 && erratum.corrections.is_empty() {
+        return String::new();
+    }
     let tried = format!("{single} single edits, {completions} completions and {pairs} pairs of edits were tried");
     if erratum.corrections.is_empty() {
         let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
         return format!("**No correction:** {}. ({tried}.)\n\n", prose(remark));
     }
-    let mut out = format!("**What it should have said**, the closest to the print first ({tried}):\n\n");
+    let mut out = format!("**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
+         say ({tried}):\n\n");
     for c in &erratum.corrections {
         out.push_str(&format!("- {}: {}", standing(c), math(&c.formula)));
         out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
@@ -172,7 +176,7 @@ pub(super) fn standing(c: &Correction) -> String {
     format!("{proved}holds on {} ({})", count(c.holds_on, "trajectory"), classes.join(", "))
 }
 
-/// The part of the summary for a terminal: claims that no motion tests well, and corrections.
+/// The part of the summary for a terminal: claims that no motion tests well, and corrections, a line or two for each.
 pub(super) fn summary(account: &Account, paint: Paint) -> String {
     let mut out = String::new();
     let holds = |p: &&PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_)) && p.discrimination.is_some();
@@ -180,39 +184,44 @@ pub(super) fn summary(account: &Account, paint: Paint) -> String {
     let weak: usize = account.claims.iter().map(|c| weak_pairs(c).len()).sum();
     let mut lines = String::new();
     for claim in &account.claims {
-        let Some((variants, (rejected, of))) = claim.variants.as_ref().and_then(|v| Some((v, v.together()?))) else {
+        let Some((_, (rejected, of))) = claim.variants.as_ref().and_then(|v| Some((v, v.together()?))) else {
             continue;
         };
         if claim.results.iter().filter(holds).all(is_weak) {
-            lines.push_str(&format!("  {}  {rejected} of {of} altered formulas rejected\n", paint.bold(&name(claim))));
-            lines.push_str(&paragraph(&sentence(claim, variants), 4));
+            lines.push_str(&format!("  {}: all together reject {rejected} of {of}\n", paint.bold(&name(claim))));
         }
     }
     if weak > 0 {
         out.push_str(&format!(
             "{} ({weak} of {all} verdicts, marked h)\n",
-            paint.bold("Holds, but would hold of many altered formulas, too")
+            paint.bold("Holds, but many altered formulas would hold there, too")
         ));
         if !lines.is_empty() {
-            out.push_str("  on every trajectory, for these claims:\n");
+            out.push_str(&format!("\n  On every trajectory, for these claims:\n{lines}"));
         }
-        out.push_str(&lines);
         out.push('\n');
     }
     let mut offered = String::new();
+    let mut without = 0;
     for claim in &account.claims {
         let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) else { continue };
-        offered.push_str(&format!("  {}\n", paint.bold(&name(claim))));
-        for c in &erratum.corrections {
-            offered.push_str(&paragraph(&format!("{}: {}", standing(c).replace("**", ""), c.formula), 4));
-            offered.push_str(&format!("      {}\n", c.difference));
-        }
-        if let Some(remark) = &erratum.remark {
-            offered.push_str(&paragraph(remark, 4));
-        }
+        let Some(first) = erratum.corrections.first() else {
+            without += 1;
+            continue;
+        };
+        offered.push_str(&format!("  {}: {}", paint.bold(&name(claim)), standing(first).replace("**", "")));
+        offered.push_str(&match erratum.corrections.len() - 1 {
+            0 => "\n".to_owned(),
+            n => format!("; {n} more in the report\n"),
+        });
+        offered.push_str(&paragraph(&first.formula, 4));
+    }
+    if without > 0 {
+        offered.push_str(&format!("  For {} that fail, no altered formula holds.\n", count(without, "claim")));
     }
     if !offered.is_empty() {
-        out.push_str(&format!("{}\n{offered}\n", paint.bold("What claims that fail should have said")));
+        let title = paint.bold("Altered formulas that hold where the printed one fails");
+        out.push_str(&format!("{title}\n\n{offered}\n"));
     }
     out
 }

@@ -281,9 +281,16 @@ pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> St
         let all: Vec<String> = rests
             .open
             .iter()
-            .map(|(id, verdict)| format!("`{id}` ({})", verdict.unwrap_or("not decided for all values")))
+            .map(|(id, verdict)| {
+                let word = match *verdict {
+                    Some("refuted") => "not so for all values",
+                    Some(verdict) => verdict,
+                    None => "not a question for all values",
+                };
+                format!("`{id}` ({word})")
+            })
             .collect();
-        out.push_str(&format!(" Not proved on the way: {}.", all.join(", ")));
+        out.push_str(&format!(" Taken as given on the way, for it is not proved: {}.", all.join(", ")));
     }
     if rests.circular {
         out.push_str(" **It rests on itself: a circle proves nothing.**");
@@ -324,7 +331,7 @@ mod tests {
         assert_eq!(
             words,
             "Rests on: the system `S`; `b`, `a`. With it come the assumptions $x>0$ (of `b`). \
-             Not proved on the way: `b` (refuted).\n\n"
+             Taken as given on the way, for it is not proved: `b` (not so for all values).\n\n"
         );
     }
 

@@ -103,14 +103,19 @@ fn findings(derivation: &Derivation, account: &Account) -> String {
         1 => "**One verdict is not as the derivation file expects.**\n\n".to_owned(),
         n => format!("**{n} verdicts are not as the derivation file expects.**\n\n"),
     });
-    for standing in Standing::ALL {
+    // What fails comes first: it is what a reader looks for.
+    let order = [Standing::Fails, Standing::Mixed, Standing::Open, Standing::Nowhere, Standing::Holds];
+    for standing in order {
         let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
         if found.is_empty() {
             continue;
         }
         out.push_str(&format!("**{} {}:**\n\n", count(found.len(), "claim"), standing.words(found.len())));
         for claim in found {
-            out.push_str(&format!("- [{}](#{}): {}\n", name(claim), anchor(claim), prose(&says(derivation, claim))));
+            let link = format!("[{}](#{})", name(claim), anchor(claim));
+            let brief = super::conditions::in_brief(&claim.conditions).filter(|_| standing == Standing::Mixed);
+            let brief = brief.map(|b| format!(" *Here it {b}.*")).unwrap_or_default();
+            out.push_str(&format!("- {link}: {}{brief}\n", prose(&says(derivation, claim))));
         }
         out.push('\n');
     }
@@ -261,7 +266,9 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         }
         out.push_str(&super::conditions::section(&claim.conditions));
         out.push_str(&discrimination::section(claim));
-        for group in groups(claim) {
+        let mut groups = groups(claim);
+        groups.sort_by_key(|g| ["fails", "holds", "undecided"].iter().position(|w| *w == g.word).unwrap_or(3));
+        for group in groups {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
     }

@@ -13,6 +13,10 @@ const NAME_WIDTH: usize = 34;
 const VALUES_SHOWN: usize = 12;
 /// The most places of a measurement that are shown.
 const TIMES_SHOWN: usize = 4;
+/// The most trajectories that are named beside the telling one.
+const OTHERS_SHOWN: usize = 6;
+/// The most trajectories of which a measurement is shown; with one more, that one is shown, too.
+const MEASURED_SHOWN: usize = 6;
 
 /// The summary of one derivation, with escape codes if `colour`.
 pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> String {
@@ -26,11 +30,11 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
     out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
+    out.push_str(&super::units::terminal(&account.units, paint));
+    out.push_str(&problems(account, paint));
     out.push_str(&super::conditions::terminal(account, paint));
     out.push_str(&discrimination::summary(account, paint));
     out.push_str(&measurements(derivation, account, paint));
-    out.push_str(&super::units::terminal(&account.units, paint));
-    out.push_str(&problems(account, paint));
     out.push_str(&counts(account, paint));
     out
 }
@@ -124,9 +128,10 @@ fn block(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>, paint
     let others: Vec<&str> =
         group.pairs.iter().map(|p| p.trajectory.as_str()).filter(|t| *t != telling.trajectory).collect();
     if !others.is_empty() {
-        let words =
-            others.iter().enumerate().map(|(i, t)| if i + 1 < others.len() { format!("{t},") } else { (*t).into() });
-        out.push_str(&wrapped(["also", "on"].map(String::from).into_iter().chain(words), 4));
+        let shown = if others.len() > OTHERS_SHOWN + 1 { OTHERS_SHOWN } else { others.len() };
+        let (named, more) = others.split_at(shown);
+        let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
+        out.push_str(&paragraph(&format!("also on {}{more}", named.join(", ")), 4));
     }
     out.push('\n');
     out
@@ -142,7 +147,12 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
     }
     match (&evidence.witness, &evidence.residual) {
         (Some(witness), residual) => {
-            out.push_str(&format!("{space}{} at t = {}:  {}\n", pair.trajectory, time(witness.t), witness.formula));
+            let place = format!("{} at t = {}:", pair.trajectory, time(witness.t));
+            if indent + place.chars().count() + 2 + witness.formula.chars().count() > WIDTH {
+                out.push_str(&format!("{space}{place}\n{}", paragraph(&witness.formula, indent)));
+            } else {
+                out.push_str(&format!("{space}{place}  {}\n", witness.formula));
+            }
             let difference = residual.as_ref().filter(|r| r.at == witness.t).map(|r| size(r.max));
             out.push_str(&sides(witness, difference, indent + 2));
         }
@@ -183,7 +193,10 @@ fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> Str
     let mut out = String::new();
     for measure in &derivation.measures {
         let mut lines = String::new();
-        for m in account.measurements.iter().filter(|m| m.measure == measure.id && !m.values.is_empty()) {
+        let found: Vec<_> =
+            account.measurements.iter().filter(|m| m.measure == measure.id && !m.values.is_empty()).collect();
+        let shown = if found.len() > MEASURED_SHOWN + 1 { MEASURED_SHOWN } else { found.len() };
+        for m in &found[..shown] {
             let values = m.values.iter().take(TIMES_SHOWN).map(|(t, v, b)| {
                 let unit = measure.unit.as_ref().map(|u| format!(" {u}")).unwrap_or_default();
                 format!("{}{unit} ± {} (t = {});", time(*v), size(*b), time(*t)).replace(' ', "\u{a0}")
@@ -194,8 +207,13 @@ fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> Str
             lines.push_str(line.trim_end().trim_end_matches(';'));
             lines.push('\n');
         }
+        if found.len() > shown {
+            lines.push_str(&format!("    and on {} more, in the report\n", found.len() - shown));
+        }
         if !lines.is_empty() {
-            out.push_str(&format!("  {}  {}\n{lines}", paint.bold(&measure.id), measure.says));
+            let head = paragraph(&format!("{}  {}", measure.id, measure.says), 2);
+            out.push_str(&head.replacen(&measure.id, &paint.bold(&measure.id), 1));
+            out.push_str(&lines);
         }
     }
     let out = out.replace('\u{a0}', " ");
