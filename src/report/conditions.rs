@@ -26,7 +26,7 @@ const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: p
 
 /// For the page, which typesets what stands between backticks.
 const PAGE: Style =
-    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), rivals: usize::MAX };
+    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned() };
 
 /// The sentences on what separates the trajectories of a claim, formulas between backticks.
 pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {

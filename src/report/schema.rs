@@ -219,7 +219,7 @@ fn variants() -> Value {
         ("difference", text("Both in one: what goes, what comes")),
         ("classes", texts("What was edited")),
         ("proved", flag("Whether it was proved for all values")),
-        ("holds_on", texts("Trajectories on which it holds")),
+        ("holds_on", whole("Trajectories on which it holds")),
     ]);
     let tried = object(&[
         ("single", whole("Single edits")),
