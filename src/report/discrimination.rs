@@ -217,7 +217,7 @@ pub(super) fn summary(account: &Account, paint: Paint) -> String {
         offered.push_str(&paragraph(&first.formula, 4));
     }
     if without > 0 {
-        offered.push_str(&format!("  For {} that fail, no altered formula holds.\n", count(without, "claim")));
+        offered.push_str(&format!("  None was found for {}.\n", count(without, "failing claim")));
     }
     if !offered.is_empty() {
         let title = paint.bold("Altered formulas that hold where the printed one fails");

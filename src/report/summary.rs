@@ -73,7 +73,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
         out.push('\n');
     }
     let legend =
-        "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! differs from what is expected";
+        "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! not as expected";
     out.push_str(&format!("  {legend}\n\n"));
     out.push_str(&wrapped(numbered.iter().map(|(n, id)| format!("{n}\u{a0}{id} ")), 2));
     out.push('\n');
