@@ -159,8 +159,10 @@ fn corrections_markdown(erratum: &Erratum) -> String {
         let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
         return format!("**No correction:** {}. ({tried}.)\n\n", prose(remark));
     }
-    let mut out = format!("**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
-         say ({tried}):\n\n");
+    let mut out = format!(
+        "**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
+         say ({tried}):\n\n"
+    );
     for c in &erratum.corrections {
         out.push_str(&format!("- {}: {}", standing(c), math(&c.formula)));
         out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
