@@ -82,7 +82,10 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
     let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
     match &s.explanation {
         Some(e) => {
-            out.push(format!("On these trajectories it holds exactly where {}; {sides}; {tried}.", explanation(e, style)));
+            out.push(format!(
+                "On these trajectories it holds exactly where {}; {sides}; {tried}.",
+                explanation(e, style)
+            ));
             if !s.rivals.is_empty() {
                 let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
                 let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };

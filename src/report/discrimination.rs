@@ -159,8 +159,10 @@ fn corrections_markdown(erratum: &Erratum) -> String {
         let remark = erratum.remark.as_deref().unwrap_or("no correction was found");
         return format!("**No correction:** {}. ({tried}.)\n\n", prose(remark));
     }
-    let mut out = format!("**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
-         say ({tried}):\n\n");
+    let mut out = format!(
+        "**Altered formulas that hold instead**, the closest to the print first; which one was meant is for the reader to \
+         say ({tried}):\n\n"
+    );
     for c in &erratum.corrections {
         out.push_str(&format!("- {}: {}", standing(c), math(&c.formula)));
         out.push_str(&format!("  \n  `{}`\n", c.difference.replace('`', "'")));
@@ -217,7 +219,7 @@ pub(super) fn summary(account: &Account, paint: Paint) -> String {
         offered.push_str(&paragraph(&first.formula, 4));
     }
     if without > 0 {
-        offered.push_str(&format!("  For {} that fail, no altered formula holds.\n", count(without, "claim")));
+        offered.push_str(&format!("  None was found for {}.\n", count(without, "failing claim")));
     }
     if !offered.is_empty() {
         let title = paint.bold("Altered formulas that hold where the printed one fails");

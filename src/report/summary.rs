@@ -72,8 +72,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
         }
         out.push('\n');
     }
-    let legend =
-        "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! differs from what is expected";
+    let legend = "H holds   h holds, but weakly   F fails   - does not apply   ? undecided   ! not as expected";
     out.push_str(&format!("  {legend}\n\n"));
     out.push_str(&wrapped(numbered.iter().map(|(n, id)| format!("{n}\u{a0}{id} ")), 2));
     out.push('\n');
@@ -211,7 +210,7 @@ fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> Str
             lines.push_str(&format!("    and on {} more, in the report\n", found.len() - shown));
         }
         if !lines.is_empty() {
-            let head = paragraph(&format!("{}  {}", measure.id, measure.says), 2);
+            let head = paragraph(&format!("{}: {}", measure.id, measure.says), 2);
             out.push_str(&head.replacen(&measure.id, &paint.bold(&measure.id), 1));
             out.push_str(&lines);
         }
