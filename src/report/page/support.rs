@@ -222,7 +222,7 @@ fn unit_words(found: &UnitAccount, scope: &Scope) -> Markup {
     }
 }
 
-fn inconsistent<'a>(account: &'a Account) -> impl Iterator<Item = &'a UnitAccount> {
+fn inconsistent(account: &Account) -> impl Iterator<Item = &UnitAccount> {
     account.units.formulas.iter().filter(|f| matches!(f.verdict, UnitVerdict::Inconsistent { .. }))
 }
 
@@ -270,7 +270,7 @@ mod tests {
         assert_eq!(pieces("{++E+}"), [Added("+E")]);
         assert_eq!(pieces("[-]"), [Same("[-]")]);
         assert_eq!(pieces(r"\sqrt[n]{x}"), [Same(r"\sqrt[n]{x}")]);
-        assert_eq!(pieces(""), []);
+        assert!(pieces("").is_empty());
     }
 
     #[test]
