@@ -60,9 +60,10 @@ use crate::latex::RelationKind;
 use independence::Gradients;
 use program::Program;
 use rayon::prelude::*;
+use separation::Probes;
 use stage::{Fields, Requests, Stage};
 use step::Step;
-use trial::Trial;
+use trial::{Course, Trial};
 use variant::{Altered, Found, Places, Weighed};
 
 /// What to check.
@@ -106,17 +107,26 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_claims(derivation, options, progress)?;
+    let mut account = check_and(derivation, options, true, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
-    separation::separate(derivation, options, &mut account)?;
     Ok(account)
 }
 
-/// The verdicts alone.
+/// The verdicts alone: neither what separates trajectories, nor units.
 fn check_claims(
     derivation: &mut Derivation,
     options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    check_and(derivation, options, false, progress)
+}
+
+/// The verdicts, and, where that is asked for, what separates the trajectories.
+fn check_and(
+    derivation: &mut Derivation,
+    options: &Options,
+    separating: bool,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
@@ -153,12 +163,18 @@ fn check_claims(
             }
         }));
     }
+    let tried: Vec<usize> = (0..derivation.trajectories.len())
+        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
+        .collect();
+    // What they will be asked on the same motions is known before these are built.
+    let mut probes = if separating { Probes::new(derivation, &claimed, &tried, &starts) } else { Probes::default() };
     let measures = measure::compile(derivation, options.claims.is_empty());
     let sign = derivation.scope.branch_sign();
     let mut altered = (!options.plain).then(|| Altered::new(derivation, &claimed, &starts));
     let pictures = if options.claims.is_empty() && !options.plain { picture::leaves(derivation) } else { Vec::new() };
 
     let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
+    wanted.extend(probes.programs().flat_map(|p| p.leaves(&derivation.graph)));
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
@@ -166,7 +182,7 @@ fn check_claims(
     wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
-    for program in programs.iter_mut().flatten() {
+    for program in programs.iter_mut().flatten().chain(probes.programs_mut()) {
         if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
             let name = derivation.graph.leaf_latex(leaf);
             return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
@@ -175,16 +191,19 @@ fn check_claims(
     if let Some(altered) = &mut altered {
         altered.compile(starts.len(), sign, &wanted);
     }
-    let tried: Vec<usize> = (0..derivation.trajectories.len())
-        .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))
-        .collect();
     let measures: Vec<_> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
     let derivation: &Derivation = derivation;
+    let mut claims: Vec<&Claim> = claimed.iter().map(|&c| &derivation.claims[c]).collect();
+    let mut compiled: Vec<&[Program]> = programs.iter().map(Vec::as_slice).collect();
+    for (claim, programs) in probes.asked() {
+        claims.push(claim);
+        compiled.push(programs);
+    }
     let requests = Requests {
         wanted: &wanted,
         tried: &tried,
-        claimed: &claimed,
-        programs: &programs,
+        claims: &claims,
+        programs: &compiled,
         start_of: &start_of,
         measures: &measures,
     };
@@ -196,8 +215,9 @@ fn check_claims(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<(Column, Option<Weighed>), String>> = tried
+    let columns: Vec<Result<(Column, (Option<Weighed>, Option<Course>)), String>> = tried
         .par_iter()
+        .with_max_len(1)
         .map(|&t| {
             let course = stage.course(&derivation.graph, t, &wanted)?;
             let verdict = |k: usize| {
@@ -219,13 +239,16 @@ fn check_claims(
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            Ok(((verdicts, measured, drawn), weighed))
+            let course = (!probes.is_empty()).then_some(course);
+            Ok(((verdicts, measured, drawn), (weighed, course)))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, weighed): (Vec<Column>, Vec<Option<Weighed>>) = columns.into_iter().unzip();
+    let (columns, (weighed, courses)): (Vec<Column>, (Vec<Option<Weighed>>, Vec<Option<Course>>)) =
+        columns.into_iter().unzip();
     let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
         .into_par_iter()
+        .with_max_len(1)
         .map(|k| {
             let claim = &derivation.claims[claimed[k]];
             let step = Step::of(derivation, claim)?;
@@ -238,6 +261,8 @@ fn check_claims(
     let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    let courses = courses.into_iter().flatten().collect();
+    probes.separate(derivation, &gradients, &start_of, courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);

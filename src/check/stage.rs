@@ -16,7 +16,7 @@ use super::comparison::traced_now;
 use super::measure::Compiled;
 use super::program::Program;
 use super::trial::{Course, Values};
-use crate::derivation::{Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
+use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Motion, Observable, Search, Setup, Source, VectorField, Zeros};
@@ -102,10 +102,10 @@ pub(super) struct Requests<'a> {
     pub wanted: &'a [Leaf],
     /// The trajectories on which claims are tried.
     pub tried: &'a [usize],
-    /// The positions of the claims that are tried.
-    pub claimed: &'a [usize],
+    /// The claims that are tried.
+    pub claims: &'a [&'a Claim],
     /// Their programs, one for each initial time.
-    pub programs: &'a [Vec<Program>],
+    pub programs: &'a [&'a [Program]],
     /// Which program belongs to a trajectory.
     pub start_of: &'a [usize],
     /// What is measured.
@@ -140,7 +140,7 @@ impl Stage {
             _ => None,
         };
         let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
-        for form in requests.claimed.iter().flat_map(|&c| &derivation.claims[c].forms) {
+        for form in requests.claims.iter().flat_map(|c| &c.forms) {
             if let Form::SameMotion { other, .. } = form {
                 needed[*other] = true;
             }
@@ -456,9 +456,9 @@ fn prepare(
     // Claims and measures ask for the same zeros again and again.
     let mut searched: BTreeSet<Expr> = BTreeSet::new();
     if requests.tried.contains(&trajectory) {
-        for (k, &c) in requests.claimed.iter().enumerate() {
-            if derivation.claims[c].trajectories.contains(&trajectory) {
-                searched.extend(requests.programs[k][requests.start_of[trajectory]].searched());
+        for (claim, programs) in requests.claims.iter().zip(requests.programs) {
+            if claim.trajectories.contains(&trajectory) {
+                searched.extend(programs[requests.start_of[trajectory]].searched());
             }
         }
         let taken = requests.measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));

@@ -5,7 +5,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
@@ -39,7 +39,7 @@ pub(super) struct Course<'a> {
     /// The values at the sample times.
     pub points: Vec<Values>,
     /// What was looked at around a sample, by its position: claims ask for the same again and again.
-    pub near: RefCell<BTreeMap<usize, Rc<Near>>>,
+    pub near: RefCell<BTreeMap<usize, Arc<Near>>>,
 }
 
 /// Times around a sample, increasing, and the values there.
@@ -55,7 +55,7 @@ impl Course<'_> {
     }
 
     /// Times around a sample: a few between it and its neighbours.
-    fn near(&self, at: usize) -> Rc<Near> {
+    fn near(&self, at: usize) -> Arc<Near> {
         let look = || {
             let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
             let between =
@@ -64,9 +64,9 @@ impl Course<'_> {
             let mut times: Vec<f64> = neighbours.flat_map(between).collect();
             times.sort_by(f64::total_cmp);
             let points = times.iter().map(|&t| self.values(t)).collect();
-            Rc::new(Near { times, points })
+            Arc::new(Near { times, points })
         };
-        Rc::clone(self.near.borrow_mut().entry(at).or_insert_with(look))
+        Arc::clone(self.near.borrow_mut().entry(at).or_insert_with(look))
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.

@@ -2,7 +2,7 @@
 
 use super::PROBE;
 use super::account::{AssumptionAccount, Need};
-use crate::check::account::{Account, ClaimAccount};
+use crate::check::account::{ClaimAccount, PairAccount};
 use crate::check::verdict::Outcome;
 use crate::derivation::{Claim, Derivation};
 use crate::latex::RelationKind;
@@ -15,10 +15,12 @@ pub(super) struct Dropped {
     pub of: usize,
     /// The assumption.
     pub text: String,
+    /// Whether it selects times.
+    pub selects: bool,
 }
 
 /// Whether a verdict could become another one when an assumption is left out.
-fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
+pub(super) fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
     let pair = claim.results.iter().find(|p| p.trajectory == trajectory);
     pair.is_some_and(|p| match p.verdict.outcome() {
         Outcome::NotApplicable => true,
@@ -28,34 +30,35 @@ fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
     })
 }
 
-/// Every claim that holds wherever it applies and is decided, and does so somewhere, without each of its assumptions in turn, on the trajectories where that may matter.
-pub(super) fn without_one(derivation: &Derivation, account: &Account) -> Vec<Dropped> {
+/// Whether a claim is tried without its assumptions: it holds wherever it applies and is decided, and does so somewhere.
+pub(super) fn is_asked(found: &ClaimAccount) -> bool {
+    let any = |want: fn(Outcome) -> bool| found.results.iter().any(|p| want(p.verdict.outcome()));
+    any(|o| matches!(o, Outcome::Holds(_))) && !any(|o| matches!(o, Outcome::Fails(_)))
+}
+
+/// The claims at these positions, without each of their assumptions in turn.
+pub(super) fn without_one(derivation: &Derivation, claimed: &[usize]) -> Vec<Dropped> {
     let mut out = Vec::new();
-    for (of, found) in account.claims.iter().enumerate() {
-        let any = |want: fn(Outcome) -> bool| found.results.iter().any(|p| want(p.verdict.outcome()));
-        let holds = any(|o| matches!(o, Outcome::Holds(_))) && !any(|o| matches!(o, Outcome::Fails(_)));
-        let declared = derivation.claims.iter().find(|c| c.id == found.id && c.reading == found.reading);
-        let Some(declared) = declared.filter(|_| holds) else { continue };
+    for (of, &c) in claimed.iter().enumerate() {
+        let declared = &derivation.claims[c];
         for k in 0..declared.assuming.len() {
             let mut claim = declared.clone();
             let assumption = claim.assuming.remove(k);
             let selects = assumption.value.relations.iter().any(|r| r.kind != RelationKind::Equal);
-            claim.trajectories.retain(|&t| is_open(found, &derivation.trajectories[t].id, selects));
             claim.id = format!("{PROBE}{of}/{k}");
             claim.reading = None;
             claim.follows_from.clear();
-            claim.expect = vec![None; claim.trajectories.len()];
-            out.push(Dropped { claim, of, text: assumption.text });
+            out.push(Dropped { claim, of, text: assumption.text, selects });
         }
     }
     out
 }
 
 /// What the verdicts without an assumption say of it.
-pub(super) fn need(whole: &ClaimAccount, without: &ClaimAccount, text: &str) -> AssumptionAccount {
+pub(super) fn need(whole: &ClaimAccount, without: &[PairAccount], text: &str) -> AssumptionAccount {
     let before = |trajectory: &str| whole.results.iter().find(|p| p.trajectory == trajectory).map(|p| &p.verdict);
     let (mut fails, mut holds, mut open) = (Vec::new(), Vec::new(), Vec::new());
-    for pair in &without.results {
+    for pair in without {
         let name = pair.trajectory.clone();
         match pair.verdict.outcome() {
             Outcome::Fails(_) => fails.push(name),

@@ -332,7 +332,7 @@ impl Search<'_> {
                 plain: true,
                 ..Options::default()
             };
-            crate::check::check(&mut scratch, &options, &|_, _| {})?.claims
+            crate::check::check_claims(&mut scratch, &options, &|_, _| {})?.claims
         };
         for (candidate, id) in read.iter().zip(&ids) {
             let Some(account) = found.iter().find(|a| a.id == *id) else { continue };
