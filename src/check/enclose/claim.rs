@@ -184,8 +184,9 @@ impl<'a> Ready<'a> {
             return Ok(());
         }
         let differences: Vec<Expr> = self.given.iter().map(|g| g.0).collect();
-        along.presuppose((differences.clone(), self.precision.to_bits()), |along| {
-            let sizes: Vec<Expr> = self.given.iter().map(|g| g.1).collect();
+        let sizes: Vec<Expr> = self.given.iter().map(|g| g.1).collect();
+        let key = ([differences.as_slice(), sizes.as_slice()].concat(), self.precision.to_bits());
+        along.presuppose(key, |along| {
             let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots);
             let both = compile(&differences).and_then(|d| Ok((d, compile(&sizes)?)));
             let (differences, sizes) = both.map_err(|e| e.to_string())?;

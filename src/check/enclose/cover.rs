@@ -26,7 +26,7 @@ pub(super) struct Along {
     presupposed: HashMap<Presupposed, Result<(), String>>,
 }
 
-/// Differences of equations, and the bits of the precision.
+/// Differences of equations with the sizes of their terms, and the bits of the precision.
 pub(super) type Presupposed = (Vec<Expr>, u64);
 
 /// What is known of one stretch.
