@@ -50,8 +50,10 @@ struct Ready<'a> {
     compiled: Compiled,
     /// For each of the above: left side, right side, size of the terms.
     sides: Compiled,
-    /// Assumptions: kind, and whether it is an equation.
-    assumptions: Vec<(RelationKind, bool, f64)>,
+    /// The differences of the equations among the assumptions, and the size of their terms.
+    given: Vec<(Expr, Expr)>,
+    /// The kinds of the assumptions that select times.
+    assumptions: Vec<RelationKind>,
     signs: usize,
     scale: f64,
     /// The median size that the sides have for certain; 0 where they may vanish.
@@ -80,6 +82,16 @@ fn median(mut sizes: Vec<f64>) -> f64 {
     sizes.get(sizes.len() / 2).copied().filter(|x| *x > 0.0).unwrap_or(0.0)
 }
 
+/// Most points at which sizes are taken.
+const POINTS: usize = 50;
+
+/// Values at the middle of steps that are spread over the span.
+fn at_middles(along: &mut Along, compiled: &Compiled) -> Vec<Vec<Result<Interval, NoValue>>> {
+    let times = along.pieces();
+    let every = times.len().div_ceil(POINTS).max(1);
+    times.into_iter().step_by(every).map(|time| along.at_middle(compiled, time)).collect()
+}
+
 impl<'a> Ready<'a> {
     fn new(
         program: &'a Program,
@@ -93,15 +105,20 @@ impl<'a> Ready<'a> {
         let sign = claim.scope.branch_sign();
         let (plus, minus) = (along.graph.integer(1), along.graph.integer(-1));
         let (mut roots, mut sides): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
-        let mut assumptions = Vec::new();
+        let (mut assumptions, mut given) = (Vec::new(), Vec::new());
         for assumption in &program.assumptions {
             if assumption.group.branching {
                 return Err("an assumption with ± is not enclosed".to_owned());
             }
             for c in &assumption.group.comparisons {
-                roots.push(along.graph.sub(c.left, c.right));
+                let difference = along.graph.sub(c.left, c.right);
+                if assumption.throughout {
+                    given.push((difference, c.magnitude));
+                    continue;
+                }
+                roots.push(difference);
                 sides.extend([c.left, c.right, c.magnitude]);
-                assumptions.push((c.kind, assumption.throughout, 0.0));
+                assumptions.push(c.kind);
             }
         }
         for s in 0..signs {
@@ -117,18 +134,14 @@ impl<'a> Ready<'a> {
         }
         let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots).map_err(|e| e.to_string());
         let (compiled, sides) = (compile(&roots)?, compile(&sides)?);
-        let mut ready = Ready { group, compiled, sides, assumptions, signs, scale: 1.0, known: 0.0, precision };
+        let mut ready = Ready { group, compiled, sides, given, assumptions, signs, scale: 1.0, known: 0.0, precision };
         ready.weigh(along);
         Ok(ready)
     }
 
     /// The median size of the terms, at the middle of every step.
-    fn weigh(&mut self, along: &Along) {
-        let mut times = along.pieces();
-        let every = times.len().div_ceil(100).max(1);
-        times = times.into_iter().step_by(every).collect();
-        let points: Vec<_> =
-            times.iter().map(|t| along.enclosure.value(&self.sides, Interval::point(t.mid()))).collect();
+    fn weigh(&mut self, along: &mut Along) {
+        let points = at_middles(along, &self.sides);
         // A lower bound: what may be 0 has no size.
         let size = |at: usize| {
             median(points.iter().filter_map(|p| p.get(3 * at + 2)?.as_ref().ok().map(Interval::lo)).collect())
@@ -141,10 +154,6 @@ impl<'a> Ready<'a> {
         };
         let sides = (0..count).map(|i| self.assumptions.len() + i).map(|at| side(at, 0).max(side(at, 1)));
         self.known = sides.fold(0.0, f64::max);
-        for i in 0..self.assumptions.len() {
-            let typical = size(i);
-            self.assumptions[i].2 = if typical > 0.0 { typical } else { 1.0 };
-        }
     }
 
     /// Where the difference of a comparison stands.
@@ -155,10 +164,7 @@ impl<'a> Ready<'a> {
     /// Whether the assumptions that select times hold on a stretch: for certain, for certain not, or unknown.
     fn selected(&self, ranges: &Ranges) -> Option<bool> {
         let mut all = Some(true);
-        for (i, &(kind, throughout, _)) in self.assumptions.iter().enumerate() {
-            if throughout {
-                continue;
-            }
+        for (i, &kind) in self.assumptions.iter().enumerate() {
             match &ranges[i] {
                 Err(NoValue::OutOfDomain) => return Some(false),
                 Err(_) => all = None,
@@ -174,27 +180,37 @@ impl<'a> Ready<'a> {
 
     /// Whether the equations among the assumptions hold to the precision that is asked for, everywhere.
     fn presupposed(&self, along: &mut Along) -> Result<(), String> {
-        if !self.assumptions.iter().any(|a| a.1) {
+        if self.given.is_empty() {
             return Ok(());
         }
-        along.cover(&self.compiled, |_, ranges| {
-            for (i, &(_, throughout, scale)) in self.assumptions.iter().enumerate() {
-                let most = self.precision * scale;
-                match &ranges[i] {
-                    _ if !throughout => {}
-                    Ok(r) if r.range().magnitude() <= most => {}
-                    Ok(r) => {
-                        return Judgement::Open(format!(
-                            "an assumption is only known within {:.1e}",
-                            r.range().magnitude()
-                        ));
+        let differences: Vec<Expr> = self.given.iter().map(|g| g.0).collect();
+        let sizes: Vec<Expr> = self.given.iter().map(|g| g.1).collect();
+        let key = ([differences.as_slice(), sizes.as_slice()].concat(), self.precision.to_bits());
+        along.presuppose(key, |along| {
+            let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots);
+            let both = compile(&differences).and_then(|d| Ok((d, compile(&sizes)?)));
+            let (differences, sizes) = both.map_err(|e| e.to_string())?;
+            let points = at_middles(along, &sizes);
+            let most = |i: usize| {
+                let typical = median(points.iter().filter_map(|p| p.get(i)?.as_ref().ok().map(Interval::lo)).collect());
+                self.precision * if typical > 0.0 { typical } else { 1.0 }
+            };
+            let most: Vec<f64> = (0..self.given.len()).map(most).collect();
+            along.cover(&differences, |_, ranges| {
+                for (range, &most) in ranges.iter().zip(&most) {
+                    match range {
+                        Ok(r) if r.range().magnitude() <= most => {}
+                        Ok(r) => {
+                            let known = r.range().magnitude();
+                            return Judgement::Open(format!("an assumption is only known within {known:.1e}"));
+                        }
+                        Err(reason) => return Judgement::Open(format!("an assumption has no value: {reason}")),
                     }
-                    Err(reason) => return Judgement::Open(format!("an assumption has no value: {reason}")),
                 }
-            }
-            Judgement::Settled
-        })?;
-        Ok(())
+                Judgement::Settled
+            })?;
+            Ok(())
+        })
     }
 
     /// Whether all comparisons hold on a stretch with a sign of ±, and how far the sides of equations may be apart.
@@ -223,6 +239,19 @@ impl<'a> Ready<'a> {
             }
         }
         Ok(largest)
+    }
+
+    /// Whether no shorter stretch around the middle of this one could show the equations: the bound is too wide even there.
+    fn hopeless(&self, ranges: &Ranges, sign: usize) -> bool {
+        let telling = if self.known > 0.0 { TELLING * self.known } else { f64::INFINITY };
+        let most = (self.precision * self.scale).min(telling);
+        self.group.comparisons.iter().enumerate().any(|(c, comparison)| match &ranges[self.place(sign, c)] {
+            Ok(reach) if comparison.kind == RelationKind::Equal => {
+                let there = reach.at(Interval::point(reach.stretch().mid()));
+                there.contains(0.0) && there.magnitude() > most
+            }
+            _ => false,
+        })
     }
 
     /// The comparison that does not hold anywhere on a stretch, with a sign of ±.
@@ -297,6 +326,7 @@ pub(super) fn strengthen(
         refuses(&reason, verdict);
         return Ok(());
     }
+    along.refill();
     let mut reasons = Vec::new();
     for (how, group) in &program.groups {
         let shown = match Ready::new(program, (how, group), along, claim) {
@@ -344,6 +374,7 @@ pub(super) fn strengthen(
 /// Looks for a time at which a claim that fails on samples fails for certain.
 fn certify(claim: &Claim, program: &Program, along: &mut Along, verdict: &mut Verdict) {
     let Some(sampled) = verdict.evidence().witness.clone() else { return };
+    along.refill();
     let mut why = "no part of it is refuted at the witness".to_owned();
     for (how, group) in &program.groups {
         if !matches!(how, Use::Always | Use::Never(_)) {
@@ -454,6 +485,9 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
         let best = each.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if !now.contains(&true) {
             let why = each.into_iter().find_map(Result::err).unwrap_or_default();
+            if selected == Some(true) && (0..ready.signs).all(|s| ready.hopeless(ranges, s)) {
+                return Judgement::Stop(format!("at t = {:.6} {why}: the enclosure is too wide there", time.mid()));
+            }
             return Judgement::Open(why);
         }
         serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);

@@ -1,10 +1,12 @@
 //! Expressions along an enclosed motion, compiled, and their ranges over stretches of time.
 
+use std::cell::RefCell;
+
 use super::Enclosure;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
 use crate::number::{Interval, Jet, NoValue, Orders, Scalar};
-use crate::tape::Tape;
+use crate::tape::{Slots, Tape};
 
 /// Where an input comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,15 @@ pub struct Compiled {
     tape: Tape,
     inputs: Vec<Input>,
     moving: bool,
+    /// For every degree that was asked for, the memory of its evaluations: nothing is allocated twice.
+    memory: RefCell<Vec<(usize, Slots<Jet<Interval>>)>>,
+}
+
+impl Compiled {
+    /// Number of operations of one evaluation: a measure of work that is the same on every machine.
+    pub fn operations(&self) -> usize {
+        self.tape.instructions().len()
+    }
 }
 
 /// What a quantity does over a stretch of time: a polynomial with a remainder.
@@ -126,7 +137,7 @@ impl Enclosure {
         let moving = inputs.iter().any(|i| matches!(i, Input::State(_)));
         let tape = Tape::compile(graph, &leaves, roots)
             .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
-        Ok(Compiled { tape, inputs, moving })
+        Ok(Compiled { tape, inputs, moving, memory: RefCell::default() })
     }
 
     /// The series of the states around all times of an interval.
@@ -154,7 +165,13 @@ impl Enclosure {
     ) -> Vec<Result<Vec<Interval>, NoValue>> {
         let orders = Orders::all(degree);
         let row = degree + 1;
-        let mut slots = compiled.tape.slots::<Jet<Interval>>(&orders);
+        let mut memory = compiled.memory.borrow_mut();
+        let known = memory.iter().position(|m| m.0 == degree);
+        let at = known.unwrap_or_else(|| {
+            memory.push((degree, compiled.tape.slots(&orders)));
+            memory.len() - 1
+        });
+        let slots = &mut memory[at].1;
         for (at, input) in compiled.inputs.iter().enumerate() {
             let value = match *input {
                 Input::Time => Ok(Jet::variable(time, Interval::point(1.0), &orders)),
@@ -169,9 +186,9 @@ impl Enclosure {
             };
             slots.set(at, value);
         }
-        compiled.tape.run(&orders, &mut slots);
+        compiled.tape.run(&orders, slots);
         let output = |i: usize| {
-            let jet = compiled.tape.output(i, &slots)?;
+            let jet = compiled.tape.output(i, slots)?;
             Ok((0..row).map(|k| jet.coefficient(k)).collect())
         };
         (0..compiled.tape.output_count()).map(output).collect()
@@ -181,6 +198,14 @@ impl Enclosure {
     pub fn value(&self, compiled: &Compiled, time: Interval) -> Vec<Result<Interval, NoValue>> {
         let states = if compiled.moving { self.states(time, 0) } else { Ok(Vec::new()) };
         self.series(compiled, time, 0, time, &states).into_iter().map(|s| s.map(|s| s[0])).collect()
+    }
+
+    /// All values of the roots at the middle of a stretch, by what is known of the states there.
+    pub fn value_at_middle(&self, compiled: &Compiled, stretch: &Stretch) -> Vec<Result<Interval, NoValue>> {
+        let middle = Interval::point(stretch.time.mid());
+        let Ok(narrow) = &stretch.narrow else { return self.value(compiled, middle) };
+        let states = Ok(narrow.iter().step_by(stretch.degree + 1).copied().collect());
+        self.series(compiled, middle, 0, stretch.time, &states).into_iter().map(|s| s.map(|s| s[0])).collect()
     }
 
     /// The states over a stretch of time, for any number of calls of [`Enclosure::over`], by polynomials of a degree.
