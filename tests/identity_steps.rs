@@ -197,6 +197,123 @@ always = ['a^2>ab']
     assert!(not.conditions.join(" ").contains("exactly when b < a"), "{not:?}");
 }
 
+/// Values at a fixed time that premises name: present values must belong to the same motion.
+#[test]
+fn values_at_fixed_times_in_premises() {
+    let found = with_claims(
+        "fixed-times",
+        r#"
+[[claim]]
+id = "stays"
+says = "x does not move, and is 1 at the start"
+assuming = ['x(0)=1', 'v=0']
+always = ['x=1']
+follows-from = ["swing"]
+[[claim]]
+id = "circle"
+says = "the circle on which it starts"
+assuming = ['x(0)=a', 'v(0)=0']
+always = ['x^2+v^2=a^2']
+follows-from = ["swing"]
+[[claim]]
+id = "side"
+says = "it does not leap to the other side"
+assuming = ['x(0)=a', 'x^2=a^2']
+always = ['x=a']
+follows-from = ["g"]
+[[claim]]
+id = "solution"
+says = "true, and only the solution shows it"
+assuming = ['x(0)=a', 'v(0)=0']
+always = ['x=a\cos t']
+follows-from = ["swing"]
+[[claim]]
+id = "bound-to-start"
+says = "true of the motion, and neither rates nor the start show it"
+assuming = ['x(0)=0', 'v(0)=0']
+always = ['x=0']
+follows-from = ["swing"]
+[[claim]]
+id = "false-at-the-start"
+says = "wrong already at the start"
+assuming = ['x(0)=a']
+always = ['x=2a']
+follows-from = ["swing"]
+"#,
+    );
+    for id in ["stays", "circle", "side"] {
+        assert_eq!(verdict(&found, id), "proved", "{id}: {:?}", identity(&found, id));
+    }
+    for id in ["solution", "bound-to-start"] {
+        assert_eq!(verdict(&found, id), "undecided", "{id}: {:?}", identity(&found, id));
+    }
+    assert_eq!(verdict(&found, "false-at-the-start"), "refuted", "{:?}", identity(&found, "false-at-the-start"));
+}
+
+/// What is constant on either side of a singularity may be another constant there.
+#[test]
+fn constants_that_jump() {
+    let found = with_claims(
+        "jumps",
+        r#"
+[[claim]]
+id = "arctan"
+says = "the angle, but for steps of pi"
+always = ['\arctan\frac{v}{x}=\arctan\frac{v(0)}{x(0)}-t']
+follows-from = ["swing"]
+trajectories = []
+[[claim]]
+id = "inverse"
+says = "plus or minus a right angle"
+first-integral = ['\arctan x+\arctan\frac{1}{x}']
+trajectories = []
+[[claim]]
+id = "root"
+says = "the sign of x"
+first-integral = ['\frac{\sqrt{x^2}}{x}']
+trajectories = []
+[[claim]]
+id = "sign"
+says = "the sign of x, by another name"
+symbols = { 's' = { role = "observable", formula = '\frac{|x|}{x}' } }
+always = ['s=s(0)']
+follows-from = ["s"]
+trajectories = []
+[[claim]]
+id = "smooth"
+says = "no branches"
+always = ['x^2+v^2=x(0)^2+v(0)^2']
+follows-from = ["swing"]
+trajectories = []
+"#,
+    );
+    for id in ["arctan", "inverse", "root", "sign"] {
+        let found = identity(&found, id);
+        assert!(found.verdict != "proved" || found.generic, "{id}: {found:?}");
+    }
+    let smooth = identity(&found, "smooth");
+    assert!(smooth.verdict == "proved" && !smooth.generic, "{smooth:?}");
+}
+
+/// A case that a proof leaves out may be the one that an assumption excludes.
+#[test]
+fn assumptions_that_exclude_a_case_are_used() {
+    let found = with_claims(
+        "needed",
+        r#"
+[[claim]]
+id = "needed"
+says = "false for x = 1, v = 0"
+assuming = ['\dot x^2+x^2=1', '\dot x\ne 0']
+always = ['\ddot x=-x']
+follows-from = ["g"]
+trajectories = []
+"#,
+    );
+    let used = identity(&found, "needed").conditions.join("; ");
+    assert!(!used.contains("and not"), "{used}");
+}
+
 /// Steps of the Comment that must be proved, and claims that must not.
 #[test]
 fn the_comment() {

@@ -59,6 +59,10 @@ struct Settled {
 const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
                           would need the solution of a differential equation";
 
+/// Why a step from values at a fixed time is open.
+const UNCONNECTED: &str = "what is given names values at fixed times; it was not settled which present values a motion \
+                           reaches from them";
+
 type Pairs = Vec<(Expr, Expr)>;
 
 /// The present value of a component.
@@ -76,6 +80,11 @@ const FEW_POINTS: u32 = 24;
 const MOST_CASES: usize = 12;
 /// Claims with more assumptions are not tried without each of them.
 const MOST_ASSUMPTIONS: usize = 6;
+
+/// Whether something is proved, and no case was left out.
+fn without_exceptions(identity: &Identity) -> bool {
+    matches!(identity, Identity::Proved(p) if !p.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))))
+}
 
 impl<'a> Step<'a> {
     /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
@@ -190,13 +199,25 @@ impl<'a> Step<'a> {
             account.reason = Some(ONLY_RATES.to_owned());
             return Some(Ok(account));
         }
+        if matches!(identity, Identity::Refuted(_)) {
+            match self.at_fixed_time(&gathered, &equations) {
+                None => {}
+                Some(refuted @ Identity::Refuted(_)) => identity = refuted,
+                Some(_) => {
+                    let open = Identity::Undecided(Reason::NoDerivative);
+                    let mut account = self.account(open, gathered.from.clone(), gathered.complete);
+                    account.reason = Some(UNCONNECTED.to_owned());
+                    return Some(Ok(account));
+                }
+            }
+        }
         let evidence = match self.evidence(&identity) {
             Ok(evidence) => evidence,
             Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
         let account = self.account(identity, gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
-        account.generic |= moved && self.jumps(&equations);
+        account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
         if account.verdict == "proved" {
             if let Some(line) = self.assumptions_used(&equations, moved) {
                 account.conditions.push(line);
@@ -264,6 +285,35 @@ impl<'a> Step<'a> {
         let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
         let given = self.graph.leaves(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
         now && elsewhere && given.iter().any(|l| l.rate > 0)
+    }
+
+    /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no
+    /// premise names one. Other values need not belong to one motion: what connects them are rates, or that a motion
+    /// does not leap from one solution of the premises to another.
+    fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        let mut premises = self.premises(gathered, equations, Definitions::All);
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let leaves = self.graph.leaves(sides(equations).into_iter().chain(sides(&premises.equations)));
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        // Without a present value nothing is connected.
+        let now = self.graph.leaves(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
+        let then: Vec<Leaf> = leaves.into_iter().filter(|l| moves(l) && l.instant.is_some()).collect();
+        let instant = then.first()?.instant;
+        if !now {
+            return None;
+        }
+        if then.iter().any(|l| l.instant != instant) {
+            return Some(Identity::Undecided(Reason::NoDerivative));
+        }
+        for leaf in then {
+            let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
+            premises.equations.push((pair[0], pair[1]));
+        }
+        if let (Some(time), Some(instant)) = (scope.time(), instant) {
+            premises.equations.push((self.graph.leaf(time), instant));
+        }
+        Some(self.ask(&premises, equations, &Options::default(), false))
     }
 
     /// What the premises do not say already, as it stands.
@@ -351,7 +401,7 @@ impl<'a> Step<'a> {
         equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
     }
 
-    /// Whether both sides agree at a fixed time that is named, and their rates always.
+    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always.
     fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
         let time = self.claim.scope.time()?;
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
@@ -359,7 +409,9 @@ impl<'a> Step<'a> {
         if leaves.contains(&self.claim.scope.branch_sign()) {
             return None;
         }
-        let start = leaves.iter().find_map(|l| l.instant)?;
+        let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let of_premises = self.graph.leaves(given);
+        let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
         let mut all = Pairs::new();
@@ -378,7 +430,8 @@ impl<'a> Step<'a> {
         Some(self.levels(gathered, &all, true)).filter(proved)
     }
 
-    /// The assumptions of the claim that its proof needs, in words; `None` where it has none.
+    /// The assumptions of the claim that its proof needs, in words; `None` where it has none. One is not needed only if
+    /// a proof without it leaves out no case: the case left out may be the one that it excludes.
     fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<String> {
         let count = self.claim.assuming.len();
         if count == 0 || count > MOST_ASSUMPTIONS {
@@ -391,7 +444,7 @@ impl<'a> Step<'a> {
             let gathered = self.gather(Some(&without));
             let holds = match moved {
                 false => self.levels_proved(&gathered, equations),
-                true => matches!(self.by_rate(&gathered, equations), Some(Identity::Proved(_))),
+                true => self.by_rate(&gathered, equations).is_some_and(|found| without_exceptions(&found)),
             };
             if holds {
                 left_out = without;
@@ -409,12 +462,12 @@ impl<'a> Step<'a> {
         })
     }
 
-    /// Whether a proof is found, at any level; nothing is refuted.
+    /// Whether a proof that reaches every case is found, at any level; nothing is refuted.
     fn levels_proved(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
         Definitions::PARTS.into_iter().chain([Definitions::All]).any(|which| {
             let premises = self.premises(gathered, equations, which);
             let options = Options { attempts: 1, ..Options::default() };
-            matches!(self.test_only(&premises, equations, &options), Identity::Proved(_))
+            without_exceptions(&self.test_only(&premises, equations, &options))
         })
     }
 

@@ -25,8 +25,7 @@ const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(),
 const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose };
 
 /// For the page, which typesets what stands between backticks.
-const PAGE: Style =
-    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned() };
+const PAGE: Style = Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned() };
 
 /// The sentences on what separates the trajectories of a claim, formulas between backticks.
 pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {

@@ -4,24 +4,117 @@ use super::super::account::IdentityAccount;
 use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
 use super::super::second_route::IdentityEvidence;
 use super::{Pairs, Step, pairs};
-use crate::derivation::Form;
-use crate::expr::{Expr, Leaf, Node, Op, Rational};
-use crate::latex::RelationKind;
+use crate::derivation::{Form, Premise};
+use crate::expr::{Expr, Leaf, Node, Op, Rational, Symbol};
+use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
 
 impl Step<'_> {
-    /// Whether something that is shown to be locally constant may still jump.
+    /// Whether something that is shown to be locally constant may still jump: it contains a function with several
+    /// branches, and the motion may pass from one to another. Quotients, sines and exponentials have one branch: what is
+    /// constant on one side of a pole is the same constant on the other, since motions are analytic.
     pub(super) fn jumps(&self, equations: &Pairs) -> bool {
         let integrals = self.claim.forms.iter().filter_map(|form| match form {
             Form::FirstIntegral(w) => Some(w.value.components.clone()),
             _ => None,
         });
-        let roots = integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r]));
-        let jumping = |&e: &Expr| matches!(self.graph.node(e), Node::Unary(Op::Abs, _) | Node::Binary(Op::Arctan2, ..));
-        self.graph.reachable(roots).iter().any(jumping)
+        let mut roots: Vec<Expr> = integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r])).collect();
+        self.add_definitions(&mut roots);
+        let divided = self.divided_by_systems();
+        let branching = |&e: &Expr| match *self.graph.node(e) {
+            // A motion of a system that divides by a root does not pass its zero.
+            Node::Unary(Op::Sqrt, _) if divided.contains(&e) => false,
+            Node::Unary(Op::Abs | Op::Sqrt | Op::Ln | Op::Arcsin | Op::Arccos, a) => self.moves(a),
+            Node::Unary(Op::Arctan, a) => self.has_poles(a),
+            Node::Binary(Op::Arctan2 | Op::Pow | Op::Agm, a, b) => self.moves(a) || self.moves(b),
+            _ => false,
+        };
+        self.graph.reachable(roots).iter().any(branching)
+    }
+
+    /// Everything that the systems among the premises divide by, as it stands and by its definition.
+    fn divided_by_systems(&self) -> Vec<Expr> {
+        let given = Step::given(self.derivation, self.claim);
+        let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
+            Premise::System(system) => Some(&self.derivation.systems[system]),
+            Premise::Claim(_) | Premise::Definition => None,
+        });
+        let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
+        let mut roots: Vec<Expr> = relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
+        self.add_definitions(&mut roots);
+        let mut open: Vec<Expr> = self
+            .graph
+            .reachable(roots)
+            .iter()
+            .filter_map(|&e| match *self.graph.node(e) {
+                Node::Binary(Op::Div, _, a) => Some(a),
+                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
+                _ => None,
+            })
+            .collect();
+        let mut out = Vec::new();
+        while let Some(e) = open.pop() {
+            if out.contains(&e) {
+                continue;
+            }
+            out.push(e);
+            match *self.graph.node(e) {
+                Node::Unary(Op::Powi(_), a) => open.push(a),
+                Node::Binary(Op::Mul, a, b) => open.extend([a, b]),
+                Node::Leaf(leaf) if leaf.rate == 0 && leaf.instant.is_none() => {
+                    let definition = self.claim.scope.definition(leaf.symbol);
+                    open.extend(definition.and_then(|d| d.components.get(usize::from(leaf.component)).copied()));
+                }
+                _ => {}
+            }
+        }
+        out
+    }
+
+    /// Adds the definitions of the observables that occur; not of angles, which are continued along the motion.
+    fn add_definitions(&self, roots: &mut Vec<Expr>) {
+        let symbols = self.derivation.symbols.iter().chain(self.derivation.claims.iter().flat_map(|c| &c.symbols));
+        let angles: Vec<Symbol> = symbols.filter(|s| s.angle).map(|s| s.symbol).collect();
+        let mut seen: Vec<Symbol> = Vec::new();
+        let mut open = roots.clone();
+        while !open.is_empty() {
+            let mut found: Vec<Expr> = Vec::new();
+            for leaf in self.graph.leaves(open) {
+                if seen.contains(&leaf.symbol) || angles.contains(&leaf.symbol) {
+                    continue;
+                }
+                seen.push(leaf.symbol);
+                let definition = self.claim.scope.definition(leaf.symbol);
+                found.extend(definition.into_iter().flat_map(|d| d.components.iter().copied()));
+            }
+            roots.extend(&found);
+            open = found;
+        }
+    }
+
+    /// Whether something changes along a motion.
+    fn moves(&self, e: Expr) -> bool {
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| {
+            let role = scope.role(l.symbol);
+            l.instant.is_none() && matches!(role, Some(Role::State | Role::Observable)) || Some(*l) == scope.time()
+        };
+        self.graph.leaves([e]).iter().any(moves)
+    }
+
+    /// Whether something may be infinite at some time.
+    fn has_poles(&self, e: Expr) -> bool {
+        let mut roots = vec![e];
+        self.add_definitions(&mut roots);
+        let pole = |&e: &Expr| match *self.graph.node(e) {
+            Node::Binary(Op::Div, _, a) | Node::Unary(Op::Tan, a) => self.moves(a),
+            Node::Unary(Op::Powi(n), a) => n < 0 && self.moves(a),
+            _ => false,
+        };
+        self.graph.reachable(roots).iter().any(pole)
     }
 
     /// Whether a condition is a false statement about a number.

@@ -26,8 +26,8 @@ use crate::check::verdict::Outcome;
 use crate::check::{CheckError, Options};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Graph, Leaf, Rational};
-use crate::latex;
 use crate::latex::syntax::{Chain, to_latex};
+use crate::latex::{self, RelationKind};
 
 /// Most candidates of one formula that are handed to the checker.
 const MOST_CANDIDATES: usize = 8;
@@ -117,7 +117,7 @@ impl Search<'_> {
         let rejections: Vec<_> = on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
         let mut out = Vec::new();
         for (f, formula) in variants.formulas.iter().enumerate() {
-            if !rejections.iter().any(|r| r.formulas[f]) {
+            if !rejections.iter().any(|r| r.formulas[f]) || is_inequality(formula) {
                 continue;
             }
             let mut made: Vec<(Vec<EditClass>, Chain)> = Vec::new();
@@ -336,6 +336,9 @@ impl Search<'_> {
         };
         for (candidate, id) in read.iter().zip(&ids) {
             let Some(account) = found.iter().find(|a| a.id == *id) else { continue };
+            if candidate.text.split_once('=').is_some_and(|(left, right)| left.trim() == right.trim()) {
+                continue;
+            }
             let holds = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
             if account.results.is_empty() || !account.results.iter().all(holds) {
                 continue;
@@ -357,8 +360,12 @@ impl Search<'_> {
         for (k, account) in accounts.iter_mut().enumerate() {
             let Some(erratum) = account.variants.as_mut().and_then(|v| v.erratum.as_mut()) else { continue };
             if erratum.corrections.is_empty() {
-                erratum.remark = Some(match self.altered.claims[k].formulas.is_empty() {
+                let formulas = &self.altered.claims[k].formulas;
+                erratum.remark = Some(match formulas.is_empty() {
                     true => "the claim has no formula that could be altered".to_owned(),
+                    false if formulas.iter().all(is_inequality) => {
+                        "inequalities are not corrected: near any print there are some that hold".to_owned()
+                    }
                     false => "no formula within two edits of the print holds on all motions to which the claim applies"
                         .to_owned(),
                 });
@@ -366,6 +373,11 @@ impl Search<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a formula says something else than equations: then an edit that holds says little.
+fn is_inequality(formula: &Formula) -> bool {
+    formula.parts.iter().any(|p| p.kind != RelationKind::Equal)
 }
 
 /// Single edits first, then what completes a formula, then pairs.
