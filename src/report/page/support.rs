@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use super::super::certificates::file_name;
 use super::super::conditions::{separation_in_words, worth_in_words};
-use super::super::discrimination::{SURVIVORS_SHOWN, sentence, smallest, standing};
+use super::super::discrimination::{sentence, smallest, standing};
 use super::super::graph::DerivationGraph;
 use super::super::numbers::count;
 use super::super::tally::name;
@@ -16,6 +16,9 @@ use crate::check::separation::Need;
 use crate::check::units::{UnitAccount, UnitVerdict};
 use crate::check::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
 use crate::latex::Scope;
+
+/// Most altered formulas that are typeset for a claim.
+const SHOWN: usize = 1;
 
 /// What a claim rests on, through all steps.
 pub(super) fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
@@ -108,9 +111,9 @@ pub(super) fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
                 details {
                     summary { "Altered formulas that no motion rejects" }
                     ul {
-                        @for s in alive.iter().take(SURVIVORS_SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
-                        @if alive.len() > SURVIVORS_SHOWN {
-                            li { "and " (alive.len() - SURVIVORS_SHOWN) " more, in report.json" }
+                        @for s in alive.iter().take(SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
+                        @if alive.len() > SHOWN {
+                            li { "and " (alive.len() - SHOWN) " more, in report.json" }
                         }
                     }
                 }
