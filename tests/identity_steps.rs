@@ -244,10 +244,10 @@ follows-from = ["swing"]
     for id in ["stays", "circle", "side"] {
         assert_eq!(verdict(&found, id), "proved", "{id}: {:?}", identity(&found, id));
     }
-    for id in ["solution", "bound-to-start"] {
+    // What is wrong at the start is not refuted yet: that would need a motion through the refuting point.
+    for id in ["solution", "bound-to-start", "false-at-the-start"] {
         assert_eq!(verdict(&found, id), "undecided", "{id}: {:?}", identity(&found, id));
     }
-    assert_eq!(verdict(&found, "false-at-the-start"), "refuted", "{:?}", identity(&found, "false-at-the-start"));
 }
 
 /// What is constant on either side of a singularity may be another constant there.

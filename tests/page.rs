@@ -37,8 +37,8 @@ remark = '`<script>alert(3)</script>` and $<b>x</b>$ and $\operatorname{<script>
 '<i>key</i>' = '</dd><script>alert(4)</script>'
 
 [symbols]
-'t' = { role = "time", unit = '<u>s</u>' }
-'x' = { role = "state", says = '<svg onload=alert(5)>', unit = '</script><script>alert(6)</script>' }
+'t' = { role = "time", unit = 's', says = '<u>s</u>' }
+'x' = { role = "state", says = '<svg onload=alert(5)>', unit = 'm' }
 
 [system.s]
 says = '<script>alert(7)</script>'
@@ -66,7 +66,7 @@ expect = "fails"
 id = "m"
 says = '<script>alert(12)</script>'
 formula = 'x'
-unit = '<b>'
+unit = 'm'
 
 [[picture]]
 id = "p"
