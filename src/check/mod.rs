@@ -215,7 +215,7 @@ fn check_and(
         prepared.push(per_start.into_iter().map(one).collect());
     }
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let columns: Vec<Result<(Column, (Option<Weighed>, Option<Course>)), String>> = tried
+    let columns: Vec<Result<Tried, String>> = tried
         .par_iter()
         .with_max_len(1)
         .map(|&t| {
@@ -244,8 +244,7 @@ fn check_and(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, (weighed, courses)): (Vec<Column>, (Vec<Option<Weighed>>, Vec<Option<Course>>)) =
-        columns.into_iter().unzip();
+    let (columns, (weighed, courses)): (Vec<Column>, (Vec<Option<Weighed>>, Vec<_>)) = columns.into_iter().unzip();
     let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
         .into_par_iter()
         .with_max_len(1)
@@ -311,6 +310,9 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
 
 /// What was found on one motion: a verdict for every claim that is tried on it, measurements, and pictures.
 type Column = (Vec<Option<Verdict>>, Vec<Measurement>, Vec<PictureAccount>);
+
+/// A column, what it says of the variants, and the motion where it is needed again.
+type Tried<'a> = (Column, (Option<Weighed>, Option<Course<'a>>));
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {

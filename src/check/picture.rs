@@ -420,7 +420,10 @@ mod tests {
     #[test]
     fn a_circle_is_one_closed_line_and_a_cut_one_is_open() {
         let grid: Vec<Option<f64>> = (0..GRID * GRID)
-            .map(|k| Some(fraction((k % GRID) as f64).powi(2) + fraction((k / GRID) as f64).powi(2)))
+            .map(|k| {
+                let (x, y) = (fraction((k % GRID) as f64), fraction((k / GRID) as f64));
+                Some(x * x + y * y)
+            })
             .collect();
         let lines = contours(&grid, 0.25);
         assert_eq!(lines.len(), 1);

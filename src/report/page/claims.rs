@@ -259,7 +259,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                 }
             }
             @for (head, pairs) in &parts {
-                @let shared = !head.is_empty() && !(single && pairs.len() == 1);
+                @let shared = !(head.is_empty() || single && pairs.len() == 1);
                 tbody {
                     @if shared {
                         tr { th.shared colspan=(columns) scope="rowgroup" { (reason(head, scope)) } }

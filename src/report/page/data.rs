@@ -103,7 +103,7 @@ fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
     let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
     let span = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0));
     let range = extent(left.iter().chain(&right).copied());
-    let (residual, bound) = (column(&|p| p.residual.log10()), column(&|p| p.bound.log10()));
+    let (residual, bound) = (column(&|p| pxfm::f_log10(p.residual)), column(&|p| pxfm::f_log10(p.bound)));
     let (low, high) = extent(residual.iter().chain(&bound).copied());
     let decades = (low.floor(), high.ceil());
     let (l, r) = (wide(&left, range), wide(&right, range));
