@@ -161,9 +161,9 @@ fn a_missing_term_is_found_and_nothing_is_made_up() {
         let claim = account.claims[0].clone();
         (corrections(&claim).first().map(|c| c.formula.clone()), claim.variants.and_then(|v| v.erratum))
     };
-    // A term left out, a factor left out, two slips at once.
+    // A term left out, a factor too many, two slips at once.
     assert_eq!(first(r"w^2=w(0)^2-2gz").0.as_deref(), Some(r"w^2=w(0)^2-2gz+2gz(0)"));
-    assert_eq!(first(r"w=w(0)-t").0.as_deref(), Some(r"w=w(0)-gt"));
+    assert_eq!(first(r"w=w(0)-2gt").0.as_deref(), Some(r"w=w(0)-gt"));
     assert_eq!(first(r"z=z(0)-w(0)t-gt^2").0.as_deref(), Some(r"z=z(0)+w(0)t-\frac{1}{2}gt^2"));
     // Far from anything true.
     let (none, erratum) = first(r"\sin w=e^{z}\cos t+w");
