@@ -194,21 +194,13 @@ impl<'a> Step<'a> {
         let weighed =
             matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
         if !weighed && self.joins_times(&gathered, &equations) {
-            let open = Identity::Undecided(Reason::NoDerivative);
-            let mut account = self.account(open, gathered.from.clone(), gathered.complete);
-            account.reason = Some(ONLY_RATES.to_owned());
-            return Some(Ok(account));
+            return Some(Ok(self.open(&gathered, ONLY_RATES)));
         }
         if matches!(identity, Identity::Refuted(_)) {
             match self.at_fixed_time(&gathered, &equations) {
                 None => {}
                 Some(refuted @ Identity::Refuted(_)) => identity = refuted,
-                Some(_) => {
-                    let open = Identity::Undecided(Reason::NoDerivative);
-                    let mut account = self.account(open, gathered.from.clone(), gathered.complete);
-                    account.reason = Some(UNCONNECTED.to_owned());
-                    return Some(Ok(account));
-                }
+                Some(_) => return Some(Ok(self.open(&gathered, UNCONNECTED))),
             }
         }
         let evidence = match self.evidence(&identity) {
@@ -229,6 +221,13 @@ impl<'a> Step<'a> {
             }
         }
         Some(Ok(account))
+    }
+
+    /// The account of a step that stays open, for a reason.
+    fn open(&mut self, gathered: &Gathered, reason: &str) -> IdentityAccount {
+        let open = Identity::Undecided(Reason::NoDerivative);
+        let account = self.account(open, gathered.from.clone(), gathered.complete);
+        IdentityAccount { reason: Some(reason.to_owned()), ..account }
     }
 
     /// What the second route says of the question that was settled.

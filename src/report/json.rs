@@ -13,8 +13,12 @@ use crate::paper::Comparison;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
+    text(&document(derivation, account))
+}
+
+fn text(value: &Value) -> String {
     let mut out = String::new();
-    write(&document(derivation, account), 0, &mut out);
+    write(value, 0, &mut out);
     out.push('\n');
     out
 }
@@ -23,10 +27,7 @@ pub fn json(derivation: &Derivation, account: &Account) -> String {
 pub fn json_with_paper(derivation: &Derivation, account: &Account, paper: &Comparison) -> String {
     let mut value = document(derivation, account);
     value["paper"] = paper_data(paper);
-    let mut out = String::new();
-    write(&value, 0, &mut out);
-    out.push('\n');
-    out
+    text(&value)
 }
 
 /// A number, `null` where there is none.
