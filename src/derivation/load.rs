@@ -13,7 +13,7 @@ use super::keys;
 use super::model::{Derivation, System, Trajectory, Written};
 use super::table::{Literal, Problems, Table, check_id, text_of};
 use crate::diag::{Diagnostic, Source, sort};
-use crate::expr::{Graph, Symbol, Tensor};
+use crate::expr::{Symbol, Tensor};
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
 
 /// Largest size of a derivation file, in bytes.
@@ -107,30 +107,9 @@ pub(super) struct Loader<'s> {
 
 impl<'s> Loader<'s> {
     fn new(problems: Problems<'s>) -> Loader<'s> {
-        let mut graph = Graph::new();
-        let scope = Scope::new(&mut graph);
         let file = Arc::clone(problems.source);
         let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
-        let out = Derivation {
-            id: String::new(),
-            title: String::new(),
-            concerns: String::new(),
-            source: None,
-            remark: None,
-            file,
-            sha256,
-            conventions: Vec::new(),
-            symbols: Vec::new(),
-            graph,
-            scope,
-            systems: Vec::new(),
-            trajectories: Vec::new(),
-            claims: Vec::new(),
-            measures: Vec::new(),
-            conditions: Vec::new(),
-            given: Vec::new(),
-            pictures: Vec::new(),
-        };
+        let out = Derivation { file, sha256, ..Derivation::blank() };
         Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
     }
 
