@@ -33,6 +33,7 @@ pub mod separation;
 mod series;
 mod stage;
 mod step;
+mod telling;
 mod trial;
 pub mod units;
 mod variant;

@@ -14,6 +14,7 @@ use super::limit::limit;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
+use super::telling::silence;
 use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::Claim;
@@ -127,7 +128,10 @@ pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option
         let mut series = |s: usize, c: usize| by_sign[s].get_mut(first + c).map(std::mem::take).unwrap_or_default();
         let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
         match along {
-            Some(along) => MeasuredGroup { group, signs, definedness, floors: along.floors.clone() },
+            Some(along) => {
+                let (floors, mute) = (along.floors.clone(), along.mute.clone());
+                MeasuredGroup { group, signs, definedness, floors, mute }
+            }
             None => MeasuredGroup::new(group, signs, definedness),
         }
     };
@@ -165,7 +169,8 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
         }
     }
     let describer = Describer::new(trial, times, points);
-    let measured = measure(program, points, None);
+    let mut measured = measure(program, points, None);
+    silence(trial.graph, program, course.leaves, points, &mut measured);
     let left = match apply(trial, &measured, &describer).conclude() {
         Ok(left) => left,
         Err(verdict) => return *verdict,
