@@ -31,7 +31,7 @@ use super::comparison::at_instant;
 use super::identity::{
     Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order,
 };
-use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of};
+use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -124,8 +124,9 @@ impl<'a> Step<'a> {
     }
 
     fn is_positive_parameter(&self, leaf: Leaf) -> bool {
-        let symbols = self.derivation.symbols.iter();
-        symbols.clone().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
+        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
+        let mut symbols = self.derivation.symbols.iter().chain(of_claims);
+        symbols.any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
@@ -207,7 +208,7 @@ impl<'a> Step<'a> {
             Ok(evidence) => evidence,
             Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
-        let account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
         account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
         if account.verdict == "proved" {
@@ -388,8 +389,10 @@ impl<'a> Step<'a> {
             return pointwise;
         }
         // Proved if one branch is; a refutation needs both.
-        let proved = each.iter().position(|i| matches!(i, Identity::Proved(_)));
-        each.swap_remove(proved.unwrap_or(0))
+        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
+        let proved = first(|i| matches!(i, Identity::Proved(_)));
+        let open = || first(|i| matches!(i, Identity::Undecided(_)));
+        each.swap_remove(proved.or_else(open).unwrap_or(0))
     }
 
     /// Equations with one sign in place of ±.

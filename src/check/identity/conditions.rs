@@ -54,6 +54,20 @@ fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
     image[&e]
 }
 
+/// A lowered expression in terms of the formulas as given; numbers that were made up on the way stay.
+pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
+    let e = without_signs(graph, generators, e);
+    graph.substitute(e, |graph, leaf| {
+        Some(match *generators.get(leaf)? {
+            Generator::Cosine(a) => graph.unary(Op::Cos, a),
+            Generator::Sine(a) => graph.unary(Op::Sin, a),
+            Generator::Exponential(a) => graph.unary(Op::Exp, a),
+            Generator::Opaque(e) => e,
+            Generator::Sign | Generator::Half | Generator::Free => return None,
+        })
+    })
+}
+
 /// Conditions that are not among the facts, in words of the formulas as given.
 pub(super) fn conditions(
     graph: &mut Graph,
@@ -65,18 +79,6 @@ pub(super) fn conditions(
     pivots: &[Expr],
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
-    let raise = |graph: &mut Graph, e: Expr| {
-        let e = without_signs(graph, generators, e);
-        graph.substitute(e, |graph, leaf| {
-            Some(match *generators.get(leaf)? {
-                Generator::Cosine(a) => graph.unary(Op::Cos, a),
-                Generator::Sine(a) => graph.unary(Op::Sin, a),
-                Generator::Exponential(a) => graph.unary(Op::Exp, a),
-                Generator::Opaque(e) => e,
-                Generator::Sign | Generator::Half | Generator::Free => return None,
-            })
-        })
-    };
     let mut out = domains(graph, formulas);
     let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
     for case in cases {
@@ -90,16 +92,16 @@ pub(super) fn conditions(
     from_cases.retain(|c| unknown(graph, c));
     for c in from_cases {
         out.push(match c {
-            Condition::Pivot(e) => Condition::Pivot(raise(graph, e)),
-            Condition::Radicand(e) => Condition::Radicand(raise(graph, e)),
+            Condition::Pivot(e) => Condition::Pivot(raised(graph, generators, e)),
+            Condition::Radicand(e) => Condition::Radicand(raised(graph, generators, e)),
             other => other,
         });
     }
     out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
     // Declared facts need no mention.
     let mut facts = Facts::default();
-    facts.positive.extend(given.positive.iter().copied());
-    facts.not_negative.extend(given.not_negative.iter().copied());
+    given.positive.iter().for_each(|&e| facts.note_positive(graph, e));
+    given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
     for &e in &given.nonzero {
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));

@@ -1,17 +1,18 @@
 //! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
 
-use super::conditions::conditions;
-use super::field::{Question, Trials, sum_log2, trials};
+use super::absolute::AbsoluteValues;
+use super::conditions::{conditions, raised};
+use super::field::{Bound, Question, Trials, sum_log2, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
 use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
 use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
-use super::witness::{Found, Scene, refutation};
+use super::witness::{Found, Scene, refutation, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
 use crate::number::Draws;
@@ -25,6 +26,8 @@ pub(super) struct Lowered {
     pub(super) premises: Vec<(Expr, bool)>,
     pub(super) claim: Pairs,
     pub(super) facts: Facts,
+    /// The same without what only the formulas' having a value implies.
+    pub(super) given_facts: Facts,
     pub(super) denominators: Vec<Expr>,
     /// Given as ≠ 0.
     pub(super) assumed: Vec<Expr>,
@@ -95,7 +98,7 @@ impl From<TooLarge> for Reason {
 impl From<Failed> for Reason {
     fn from(failed: Failed) -> Reason {
         match failed {
-            Failed::NoValue => Reason::NoValue,
+            Failed::Degenerate => Reason::Degenerate,
             Failed::TooManyCases => Reason::TooLarge,
         }
     }
@@ -113,7 +116,7 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions)?;
+    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions, true)?;
     let probe = Probe::new(&mut draws);
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
@@ -169,6 +172,13 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
     all.dedup();
     proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    // An example is one only if it is reached: nothing vanishes there that was divided by.
+    let divided = proof.conditions.iter().filter_map(|c| match *c {
+        Condition::Pivot(e) => Some(e),
+        _ => None,
+    });
+    let divided: Vec<Expr> = divided.collect();
+    proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());
     Ok(proof)
 }
 
@@ -188,8 +198,10 @@ enum Outcome {
     Holds(Box<Proof>),
     Refuted(Box<Refutation>),
     Open(Reason),
-    /// The premises or the formulas rule the case out.
+    /// The premises rule the case out, or it was not reached.
     Empty(Reason),
+    /// Some formula has no value wherever the premises hold.
+    Void(Bound),
 }
 
 /// Why a list of cases does not amount to a proof.
@@ -209,15 +221,32 @@ impl From<Reason> for Stop {
 /// One proof from all cases, with the resolutions it rests on.
 fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
     let mut proof: Option<Proof> = None;
-    let (mut open, mut empty, mut resolved) = (None, None, Vec::new());
+    let (mut open, mut resolved) = (None, Vec::new());
+    let (mut void, mut empty): (Option<Bound>, Option<Reason>) = (None, None);
     for (mut case, outcome) in outcomes {
         match outcome {
             Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
             Outcome::Open(reason) => drop(open.get_or_insert(reason)),
             Outcome::Empty(reason) => {
-                empty.get_or_insert(reason);
+                // Only where all cases contradict themselves the premises do.
+                let weight = |r: &Reason| match r {
+                    Reason::Contradiction => 0,
+                    Reason::NoValue => 1,
+                    _ => 2,
+                };
+                if empty.as_ref().is_none_or(|e| weight(e) < weight(&reason)) {
+                    empty = Some(reason);
+                }
                 case.empty = true;
                 resolved.push(case);
+            }
+            Outcome::Void(bound) => {
+                case.empty = true;
+                resolved.push(case);
+                match &mut void {
+                    None => void = Some(bound),
+                    Some(all) => all.absorb(bound),
+                }
             }
             Outcome::Holds(one) => {
                 resolved.push(case);
@@ -230,8 +259,23 @@ fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), S
     }
     match (open, proof) {
         (Some(reason), _) => Err(Stop::Undecided(reason)),
-        (None, Some(proof)) => Ok((proof, resolved)),
-        (None, None) => Err(Stop::Empty(empty.unwrap_or(Reason::Contradiction), resolved)),
+        (None, Some(mut proof)) => {
+            if let Some(bound) = void {
+                proof.log2_error = sum_log2(proof.log2_error, bound.log2_error);
+                proof.degree_bound = proof.degree_bound.max(bound.degree);
+                proof.height_bound = proof.height_bound.max(bound.height);
+                proof.primes.extend(bound.primes);
+            }
+            Ok((proof, resolved))
+        }
+        (None, None) => {
+            let reason = match (empty, void) {
+                (Some(Reason::Degenerate), _) => Reason::Degenerate,
+                (_, Some(_)) => Reason::NoValue,
+                (empty, None) => empty.unwrap_or(Reason::Contradiction),
+            };
+            Err(Stop::Empty(reason, resolved))
+        }
     }
 }
 
@@ -328,7 +372,7 @@ impl Examination<'_> {
             (self.strategy, self.seeded) = (strategy, seeded);
             match self.run(premises).map_err(Stop::from).and_then(merge).map_err(|s| self.emptiness(premises, s)) {
                 Err(Stop::Undecided(
-                    reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
+                    reason @ (Reason::Unsolved(_) | Reason::OnlyWhere(_) | Reason::Degenerate | Reason::TooLarge | Reason::TooManyRoots(_)),
                 )) => drop(first.get_or_insert(reason)),
                 Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
                     first.get_or_insert(reason);
@@ -336,28 +380,55 @@ impl Examination<'_> {
                 settled => return settled,
             }
         }
-        Err(Stop::Undecided(first.unwrap_or(Reason::NoValue)))
+        Err(Stop::Undecided(first.unwrap_or(Reason::Degenerate)))
     }
 
     /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either.
     fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Stop {
-        let Stop::Empty(reason, cases) = stop else { return stop };
-        if reason != Reason::Contradiction {
+        let Stop::Empty(mut reason, cases) = stop else { return stop };
+        let is_empty = |r: &Reason| matches!(r, Reason::Contradiction | Reason::NoValue);
+        if !is_empty(&reason) {
             return Stop::Undecided(reason);
         }
-        let pivots = Pivots::of(self, &cases).list;
-        for &pivot in &pivots {
+        let mut open = None;
+        for pivot in Pivots::of(self, &cases).list {
             let mut special = vec![(pivot, false)];
             special.extend(premises);
-            let empty = match self.run(&special).map_err(Stop::from).and_then(merge) {
-                Err(Stop::Empty(Reason::Contradiction, cases)) => Pivots::of(self, &cases).list.is_empty(),
-                _ => false,
-            };
-            if !empty {
-                return Stop::Undecided(Reason::Unsolved(pivot));
+            match self.run(&special).map_err(Stop::from).and_then(merge) {
+                // A point that satisfies all premises refutes, wherever it was found.
+                Err(refuted @ Stop::Refuted(_)) => return refuted,
+                Err(Stop::Empty(special, cases)) if is_empty(&special) && Pivots::of(self, &cases).list.is_empty() => {
+                    if special == Reason::NoValue {
+                        reason = special;
+                    }
+                }
+                _ => drop(open.get_or_insert(pivot)),
             }
         }
-        Stop::Undecided(Reason::Contradiction)
+        if let Some(pivot) = open {
+            return Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivot)));
+        }
+        Stop::Undecided(match self.boundary() {
+            Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
+            _ => reason,
+        })
+    }
+
+    /// The base of a power in the premises that is not known to be positive: where it is 0, the power has a value, and is
+    /// not what it was taken for.
+    fn boundary(&mut self) -> Option<Expr> {
+        let mut facts = Facts::default();
+        self.given.positive.iter().for_each(|&e| facts.note_positive(self.graph, e));
+        let roots = self.premises.iter().flat_map(|&(l, r)| [l, r]);
+        let bases = self.graph.reachable(roots).into_iter().filter_map(|e| match *self.graph.node(e) {
+            Node::Binary(Op::Pow, a, _) => Some(a),
+            _ => None,
+        });
+        let bases: Vec<Expr> = bases.collect();
+        bases.into_iter().find(|&a| {
+            let known = facts.sign(self.graph, &self.lowered.generators, a);
+            !(known.not_negative && known.nonzero)
+        })
     }
 
     /// All cases of the given lowered premises.
@@ -368,6 +439,7 @@ impl Examination<'_> {
             generators: &mut self.lowered.generators,
             probe: &mut self.probe,
             facts: &self.lowered.facts,
+            given_facts: &self.lowered.given_facts,
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
             strategy: self.strategy,
@@ -380,6 +452,7 @@ impl Examination<'_> {
         let mut out = Vec::new();
         for case in cases {
             let outcome = match case.empty {
+                true if case.no_value => Outcome::Empty(Reason::NoValue),
                 true => Outcome::Empty(Reason::Contradiction),
                 false => self.case(&case, &each),
             };
@@ -393,8 +466,23 @@ impl Examination<'_> {
         if self.clashes(&map) {
             return Outcome::Empty(Reason::Contradiction);
         }
-        let question = question(self.graph, &mut self.lowered, &mut self.probe, case, &map);
-        let outcome = trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws);
+        let claim = self.lowered.claim.clone();
+        let residuals: Vec<Expr> = match case.void {
+            // That it divides by 0 is tested like a claim.
+            Some(denominator) => vec![denominator],
+            None => claim.iter().map(|&(l, r)| self.graph.sub(l, r)).collect(),
+        };
+        let mut outcome = self.trials(case, &map, residuals.clone(), options, false);
+        if case.void.is_some() {
+            return match outcome {
+                Trials::Vanish(bound) => Outcome::Void(bound),
+                Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+                _ => Outcome::Empty(Reason::Degenerate),
+            };
+        }
+        if outcome == Trials::NoValue {
+            outcome = self.trials(case, &map, residuals, options, true);
+        }
         let mut sides = Pairs::new();
         for &(l, r) in &self.lowered.claim {
             sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
@@ -443,9 +531,23 @@ impl Examination<'_> {
                 }
             }
             Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
-            Trials::NoValue => Outcome::Empty(Reason::NoValue),
+            Trials::Void(bound) => Outcome::Void(bound),
+            Trials::NoValue => Outcome::Empty(Reason::Degenerate),
             Trials::Unsettled(reason) => Outcome::Open(reason),
         }
+    }
+
+    /// The trials of one case; `with_pivots`, choices of signs without a value are left out, where that can be told.
+    fn trials(
+        &mut self,
+        case: &Resolved,
+        map: &FastMap<Leaf, Expr>,
+        residuals: Vec<Expr>,
+        options: &Options,
+        with_pivots: bool,
+    ) -> Trials {
+        let question = question(self.graph, &mut self.lowered, &mut self.probe, (case, map), residuals, with_pivots);
+        trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws)
     }
 
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
@@ -468,13 +570,15 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     }
 }
 
-/// Premises and claim, definitions inserted, without transcendental functions.
+/// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
+/// [`AbsoluteValues`].
 pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
     claim: &[(Expr, Expr)],
     [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
+    with_signs: bool,
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
@@ -491,23 +595,31 @@ pub(super) fn lower(
     let mut facts = Facts::default();
     for &e in positive {
         let image = lowering.lower(e)?;
-        facts.positive.insert(image);
+        facts.note_positive(lowering.graph, image);
     }
     for &e in not_negative {
         let image = lowering.lower(e)?;
-        facts.not_negative.insert(image);
+        facts.note_not_negative(lowering.graph, image);
     }
     let mut not_zero = Vec::new();
     for &e in nonzero {
         not_zero.push(lowering.lower(e)?);
     }
+    let mut of_definitions = Vec::new();
+    for &e in definitions {
+        of_definitions.push(lowering.lower(e)?);
+    }
+    let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
+    let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
+    let mut absolute = AbsoluteValues::of(graph, &mut generators, &mut facts, &premises)?;
+    let mut put = |e: &mut Expr| *e = absolute.put_into(graph, *e);
+    images.iter_mut().for_each(|(e, _)| put(e));
+    sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
+    not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
     // Formulas are claimed where they have a value, so their denominators are not 0 there.
     let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
     lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
-    for &e in definitions {
-        lowered_roots.push(lowering.lower(e)?);
-    }
-    let graph = &mut *lowering.graph;
+    lowered_roots.extend(&of_definitions);
     let mut denominators = Vec::new();
     for node in graph.reachable(lowered_roots) {
         match *graph.node(node) {
@@ -517,11 +629,13 @@ pub(super) fn lower(
         }
     }
     denominators.retain(|&e| graph.as_constant(e).is_none());
-    for &e in not_zero.iter().chain(&denominators) {
+    let note = |facts: &mut Facts, e: Expr| {
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
-    }
-    let mut generators = lowering.generators;
+    };
+    not_zero.iter().for_each(|&e| note(&mut facts, e));
+    let mut given_facts = facts.clone();
+    denominators.iter().for_each(|&e| note(&mut facts, e));
     // What still stands in arguments after lowering must stay free.
     let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
     let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
@@ -530,7 +644,9 @@ pub(super) fn lower(
     let occurring = graph.leaves(all);
     let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
     facts.positive.extend(orthogonal.norms.iter().copied());
+    given_facts.positive.extend(orthogonal.norms.iter().copied());
     Ok(Lowered {
+        given_facts,
         orthogonal,
         generators,
         premises: images,
@@ -547,26 +663,31 @@ fn question(
     graph: &mut Graph,
     lowered: &mut Lowered,
     probe: &mut Probe,
-    case: &Resolved,
-    map: &FastMap<Leaf, Expr>,
+    (case, map): (&Resolved, &FastMap<Leaf, Expr>),
+    residuals: Vec<Expr>,
+    with_pivots: bool,
 ) -> Question {
     let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
         list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
     };
-    let residuals: Vec<Expr> = lowered.claim.iter().map(|&(l, r)| graph.sub(l, r)).collect();
+    let pivots = with_pivots.then(|| {
+        let roots: Vec<Expr> = residuals.iter().chain(&lowered.assumed).chain(&lowered.denominators).copied().collect();
+        let pivots = case.pivots_for(graph, roots);
+        inserted(graph, &pivots)
+    });
     let residuals = inserted(graph, &residuals);
     let filters = inserted(graph, &case.unsolved);
     let mut zeros = inserted(graph, &case.taken_as_zero);
     let mut assumed = inserted(graph, &lowered.assumed);
     let mut nonzeros = inserted(graph, &lowered.denominators);
     let mut facts = lowered.facts.clone();
-    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.nonzero] {
+    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.not_positive, &mut facts.nonzero] {
         let mut list: Vec<Expr> = set.iter().copied().collect();
         list.sort_unstable();
         set.extend(inserted(graph, &list));
     }
     let mut all = residuals.clone();
-    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros));
+    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
     let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
     roots.prepare(&all);
     let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
@@ -574,17 +695,19 @@ fn question(
     zeros = normal(zeros);
     assumed = normal(assumed);
     nonzeros = normal(nonzeros);
+    let pivots = pivots.map(normal);
     let taken = std::mem::take(&mut roots.taken_as_zero);
     zeros.extend(taken.into_iter().map(|e| roots.normal(e)).collect::<Vec<_>>());
-    let mut out = Question { residuals, filters, zeros, assumed, nonzeros };
+    let mut out = Question { residuals, filters, zeros, assumed, nonzeros, pivots };
     parametrise(graph, &mut lowered.generators, &mut out);
     out
 }
 
 /// c = (1 − t²)/(1 + t²), s = 2t/(1 + t²) for every pair that is not solved for.
 fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Question) {
-    let Question { residuals, filters, zeros, assumed, nonzeros } = question;
-    let lists = [residuals, filters, zeros, assumed, nonzeros];
+    let Question { residuals, filters, zeros, assumed, nonzeros, pivots } = question;
+    let lists: Vec<&mut Vec<Expr>> =
+        [residuals, filters, zeros, assumed, nonzeros].into_iter().chain(pivots).collect();
     let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
     let mut map: FastMap<Leaf, Expr> = FastMap::default();
     for leaf in leaves {
@@ -600,7 +723,7 @@ fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Qu
         map.insert(s, graph.div(twice, below));
     }
     for list in lists {
-        for e in list.iter_mut() {
+        for e in list {
             *e = insert_definitions(graph, &map, *e);
         }
     }

@@ -40,6 +40,10 @@ pub(super) struct Resolved {
     unsolved_needs: BTreeSet<usize>,
     /// Whether the premises cannot hold in this case, where the pivots are not 0.
     pub(super) empty: bool,
+    /// A denominator of a premise that vanishes wherever the others hold: the premise has no value then.
+    pub(super) void: Option<Expr>,
+    /// Whether it is empty because something vanishes that a formula divides by.
+    pub(super) no_value: bool,
     /// Factors set to 0, for the description of the case.
     pub(super) split_on: Vec<Expr>,
 }
@@ -47,8 +51,8 @@ pub(super) struct Resolved {
 /// Why there is no resolution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Failed {
-    /// A premise divides by something that vanishes identically under the others.
-    NoValue,
+    /// What was divided by vanishes identically.
+    Degenerate,
     /// More cases than are looked at.
     TooManyCases,
 }
@@ -79,6 +83,8 @@ pub(super) struct Solver<'a> {
     pub(super) generators: &'a mut Generators,
     pub(super) probe: &'a mut Probe,
     pub(super) facts: &'a Facts,
+    /// What is given of signs.
+    pub(super) given_facts: &'a Facts,
     /// Leaves that must stay free: they stand in arguments of transcendental functions.
     pub(super) frozen: &'a FastSet<Leaf>,
     /// In which order.
@@ -195,6 +201,8 @@ impl Solver<'_> {
             match self.advance(&mut case)? {
                 Next::Done => done.push(case.out),
                 Next::Contradiction => done.push(Resolved { empty: true, ..case.out }),
+                Next::NoValue => done.push(Resolved { empty: true, no_value: true, ..case.out }),
+                Next::Void(denominator) => done.push(Resolved { void: Some(denominator), ..case.out }),
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
@@ -259,12 +267,17 @@ impl Solver<'_> {
             }
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
-                Sight::Nowhere => return Err(Failed::NoValue),
+                Sight::Nowhere => {
+                    return match self.vanishing_denominator(case, one.plain) {
+                        Some(denominator) => Ok(Some(Next::Void(denominator))),
+                        None => Err(Failed::Degenerate),
+                    };
+                }
                 Sight::Nonzero => {}
             }
             let (_, parts) = factors(self.graph, top);
-            let mut parts: Vec<Expr> =
-                parts.into_iter().filter(|&(base, k)| k > 0 && !self.is_known(base)).map(|(base, _)| base).collect();
+            let bases: Vec<Expr> = parts.into_iter().filter(|&(_, k)| k > 0).map(|(base, _)| base).collect();
+            let mut parts: Vec<Expr> = bases.iter().copied().filter(|&base| !self.is_known(base)).collect();
             if parts.len() > 1 {
                 // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
                 let free = |base: &Expr| match self.graph.node(*base) {
@@ -275,7 +288,11 @@ impl Solver<'_> {
                 parts.retain(|base| !free(base));
             }
             match parts.as_slice() {
-                [] => return Ok(Some(Next::Contradiction)),
+                // That a formula has a value is not given.
+                [] => {
+                    let given = bases.into_iter().all(|base| self.is_given(base));
+                    return Ok(Some(if given { Next::Contradiction } else { Next::NoValue }));
+                }
                 &[base] => {
                     if let Some(terms) = self.squares(base) {
                         pending.extend(terms.into_iter().rev().map(|e| Pending { e, plain: e, ..one }));
@@ -436,6 +453,37 @@ impl Solver<'_> {
         let known = self.facts.sign(self.graph, self.generators, e).nonzero;
         self.probe.nonzero.insert(e, known);
         known
+    }
+
+    /// Whether it is known from what is given.
+    fn is_given(&self, e: Expr) -> bool {
+        self.given_facts.sign(self.graph, self.generators, e).nonzero
+    }
+
+    /// A denominator of a premise that vanishes under the definitions of a case, none of whose pivots vanishes.
+    fn vanishing_denominator(&mut self, case: &Case, plain: Expr) -> Option<Expr> {
+        let map = closed(self.graph, &case.out.definitions);
+        let pivots = case.out.pivots.clone();
+        for (pivot, _) in pivots {
+            let pivot = insert_definitions(self.graph, &map, pivot);
+            if !self.probe.never_vanishes(self.graph, self.generators, pivot) {
+                return None;
+            }
+        }
+        let denominators: Vec<Expr> = self
+            .graph
+            .reachable([plain])
+            .iter()
+            .filter_map(|&e| match *self.graph.node(e) {
+                Node::Binary(Op::Div, _, b) => Some(b),
+                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
+                _ => None,
+            })
+            .collect();
+        denominators.into_iter().find(|&e| {
+            let e = insert_definitions(self.graph, &map, e);
+            self.probe.sight(self.graph, self.generators, e) == Sight::Zero
+        })
     }
 
     fn class(&self, leaf: Leaf) -> Option<u8> {
@@ -608,6 +656,10 @@ impl Solver<'_> {
 enum Next {
     Done,
     Contradiction,
+    /// Something vanishes that a formula divides by.
+    NoValue,
+    /// This denominator seems to vanish, as far as random points tell.
+    Void(Expr),
     /// The equation with this number is a product of these factors.
     Split(usize, Vec<Expr>),
 }

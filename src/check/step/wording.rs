@@ -12,6 +12,9 @@ use order::{Question, Requirement};
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
 
+/// Why a proof with exceptions is none.
+const UNSEEN: &str = "it was proved outside of special cases only, and no real point was found outside of them";
+
 impl Step<'_> {
     /// Whether something that is shown to be locally constant may still jump: it contains a function with several
     /// branches, and the motion may pass from one to another. Quotients, sines and exponentials have one branch: what is
@@ -195,6 +198,13 @@ impl Step<'_> {
                     out.reason = Some("no real point was found that satisfies what is given".to_owned());
                     out.generic = true;
                 }
+                let left_out = |c: &Condition| matches!(c, Condition::Pivot(_));
+                if proof.example.is_none() && proof.conditions.iter().any(left_out) {
+                    // All real points may be among those that are left out.
+                    out.verdict = "undecided";
+                    out.log2_error = None;
+                    out.reason = Some(UNSEEN.to_owned());
+                }
             }
             Identity::Refuted(refutation) if complete => {
                 let side = |s: &Side| match &s.exact {
@@ -220,6 +230,16 @@ impl Step<'_> {
             Identity::Refuted(_) => {
                 out.verdict = "undecided";
                 out.reason = Some("refuted without something given that could not be used".to_owned());
+            }
+            Identity::Undecided(Reason::OnlyWhere(e)) => {
+                out.reason =
+                    Some(format!("what is given holds at most where {} = 0, which was not decided", self.shown(e)));
+            }
+            Identity::Undecided(Reason::Boundary(e)) => {
+                out.reason = Some(format!(
+                    "what is given holds at most where {} = 0, the base of a power, which was not decided",
+                    self.shown(e)
+                ));
             }
             Identity::Undecided(Reason::Unsolved(e)) => {
                 out.reason =
