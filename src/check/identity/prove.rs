@@ -12,7 +12,7 @@ use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
-use super::witness::{Found, Scene, refutation, vanishing};
+use super::witness::{Found, Scene, refutation, targets, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
 use crate::number::Draws;
@@ -488,6 +488,7 @@ impl Examination<'_> {
             sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
         }
         let scene = Scene {
+            targets: targets(self.graph, &self.lowered.generators, &map),
             graph: self.graph,
             generators: &self.lowered.generators,
             claim: self.claim,

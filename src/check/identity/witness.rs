@@ -6,6 +6,7 @@
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
 use super::exact::Exact;
+use super::linear::Combinations;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
@@ -30,6 +31,53 @@ pub(super) struct Scene<'a> {
     pub(super) explicit: &'a FastMap<Leaf, Expr>,
     /// Definitions of the case, closed.
     pub(super) defined: &'a FastMap<Leaf, Expr>,
+    /// What gets its value from a generator that is solved for, see [`targets`].
+    pub(super) targets: Vec<Target>,
+}
+
+/// A leaf that the argument of a generator is solved for, because the generator itself is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Target {
+    /// Number of the generator: a cosine or an exponential.
+    generator: usize,
+    leaf: Leaf,
+    /// The argument is a multiple of leaf or of 1/leaf: 1 or −1.
+    power: i32,
+}
+
+/// For each cosine and exponential that is solved for, what its argument can be solved for: its only leaf, or one that
+/// stands in no other argument.
+pub(super) fn targets(graph: &Graph, generators: &Generators, defined: &FastMap<Leaf, Expr>) -> Vec<Target> {
+    let arguments: Vec<(usize, Expr)> =
+        generators.list.iter().enumerate().filter_map(|(at, g)| Some((at, g.argument()?))).collect();
+    let mut out: Vec<Target> = Vec::new();
+    for (at, generator) in generators.list.iter().enumerate() {
+        let (argument, own) = match *generator {
+            Generator::Cosine(a) => (a, at..at + 2),
+            Generator::Exponential(a) => (a, at..at + 1),
+            _ => continue,
+        };
+        if !own.clone().any(|i| generators.leaf(i).is_some_and(|l| defined.contains_key(&l))) {
+            continue;
+        }
+        let combination = Combinations::default().of(graph, argument);
+        let mut terms = combination.into_iter();
+        let (Some((monomial, _)), None) = (terms.next(), terms.next()) else { continue };
+        let single = monomial.len() == 1;
+        let found = monomial.iter().find_map(|&(base, power)| {
+            let &Node::Leaf(leaf) = graph.node(base) else { return None };
+            let known = defined.contains_key(&leaf) || generators.get(leaf).is_some();
+            let elsewhere = || {
+                let others = monomial.iter().filter(|(b, _)| *b != base).map(|&(b, _)| b);
+                let arguments = arguments.iter().filter(|(i, _)| !own.contains(i)).map(|&(_, a)| a);
+                others.chain(arguments).any(|e| graph.leaves([e]).contains(&leaf))
+            };
+            let free = power.abs() == 1 && !known && !out.iter().any(|t| t.leaf == leaf) && (single || !elsewhere());
+            free.then_some(Target { generator: at, leaf, power })
+        });
+        out.extend(found);
+    }
+    out
 }
 
 /// A point that satisfies all premises, and what the claim's sides are there.
@@ -160,7 +208,7 @@ impl Scene<'_> {
             .filter_map(|&l| {
                 let value = PointValue {
                     exact: exact.get(&l).cloned(),
-                    circle: circles.get(&l).cloned(),
+                    circle: circles.get(&l).filter(|_| self.is_whole_angle(l)).cloned(),
                     decimal: values.get(&l)?.value,
                 };
                 Some((l, value))
@@ -168,6 +216,14 @@ impl Scene<'_> {
             .collect();
         found.point = Point { values: point };
         Some(found)
+    }
+
+    /// Whether a generator is the cosine of a leaf itself: cosine and sine of another part of it do not say what it is.
+    fn is_whole_angle(&self, leaf: Leaf) -> bool {
+        self.generators.list.iter().any(|g| match *g {
+            Generator::Cosine(a) => matches!(self.graph.node(a), Node::Leaf(l) if *l == leaf),
+            _ => false,
+        })
     }
 
     fn everything(&self) -> Vec<Expr> {
@@ -184,8 +240,7 @@ impl Scene<'_> {
 
     /// q and leaf when e = q·leaf.
     fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
-        let mut combinations = super::linear::Combinations::default();
-        let combination = combinations.of(self.graph, e);
+        let combination = Combinations::default().of(self.graph, e);
         let mut terms = combination.into_iter();
         let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
         match m.as_slice() {
@@ -203,14 +258,7 @@ impl Scene<'_> {
 
     /// Whether a leaf gets its value from a generator that is solved for.
     fn awaited(&self, leaf: Leaf) -> bool {
-        (0..self.generators.list.len()).any(|at| {
-            let argument = match self.generators.list[at] {
-                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) => a,
-                _ => return false,
-            };
-            self.generator_leaf(at).is_some_and(|g| self.defined.contains_key(&g))
-                && self.multiple_of_leaf(argument).is_some_and(|(_, l)| l == leaf)
-        })
+        self.targets.iter().any(|t| t.leaf == leaf)
     }
 
     /// Angles that occur only as such: half-angle tangents are rational.
@@ -337,14 +385,23 @@ impl Scene<'_> {
             if !(solved(Some(leaf)) || circle && solved(sine)) {
                 continue;
             }
-            let (q, target) = self.multiple_of_leaf(argument)?;
-            if values.contains_key(&target) {
+            let target = self.targets.iter().find(|t| t.generator == at)?;
+            if values.contains_key(&target.leaf) {
                 continue;
             }
+            // The argument where the leaf is 1.
+            let one = rounded(&Rational::ONE)?;
+            values.insert(target.leaf, one);
+            let unit = match self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                true => decimals(self.graph, &[argument], values)[0],
+                false => None,
+            };
+            values.remove(&target.leaf);
+            let Some(unit) = unit else { continue };
             let inverse = if circle {
                 let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
                 if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
-                    circles.insert(target, (c.clone(), s.clone()));
+                    circles.insert(target.leaf, (c.clone(), s.clone()));
                 }
                 // Either end of the cut is an angle with this cosine and sine.
                 function(|out| Number::arctan2(out, &(), &s, &c))
@@ -352,8 +409,9 @@ impl Scene<'_> {
                 let Some(e) = values.get(&leaf) else { continue };
                 function(|out| Number::ln(out, &(), e))
             };
-            let (inverse, q) = (inverse?, rounded(&q)?);
-            values.insert(target, function(|out| Number::div(out, &(), &inverse, &q))?);
+            let inverse = inverse?;
+            let (above, below) = if target.power > 0 { (inverse, unit) } else { (unit, inverse) };
+            values.insert(target.leaf, function(|out| Number::div(out, &(), &above, &below))?);
         }
         Some(())
     }
