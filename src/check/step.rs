@@ -26,7 +26,7 @@
 mod gather;
 mod wording;
 
-use super::account::IdentityAccount;
+use super::account::{AssumptionsUsed, IdentityAccount};
 use super::comparison::at_instant;
 use super::identity::{
     Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order,
@@ -160,16 +160,13 @@ impl<'a> Step<'a> {
         };
         IdentityAccount {
             verdict: "refuted",
-            log2_error: None,
             from: Step::given(self.derivation, self.claim),
             conditions,
-            generic: false,
-            reason: None,
             witness: Some(format!(
                 "left {}, right {} on the trajectory {trajectory} at t = {}",
                 witness.left, witness.right, witness.t
             )),
-            evidence: IdentityEvidence::default(),
+            ..IdentityAccount::default()
         }
     }
 
@@ -212,14 +209,10 @@ impl<'a> Step<'a> {
         let mut account = IdentityAccount { evidence, ..account };
         account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
         if account.verdict == "proved" {
-            if let Some(line) = self.assumptions_used(&equations, moved) {
-                account.conditions.push(line);
-            }
-            if !gathered.inherited.is_empty() {
-                account.generic = true;
-                let inherited = gathered.inherited.iter().map(|a| format!("{a} (assumed by what is given)"));
-                account.conditions.extend(inherited);
-            }
+            account.assumptions = self.assumptions_used(&equations, moved);
+            account.generic |= !gathered.inherited.is_empty();
+            account.presupposed.clone_from(&gathered.inherited);
+            account.exceptions.extend(self.continuation(&equations, moved));
         }
         Some(Ok(account))
     }
@@ -432,9 +425,9 @@ impl<'a> Step<'a> {
         Some(self.levels(gathered, &all, true)).filter(proved)
     }
 
-    /// The assumptions of the claim that its proof needs, in words; `None` where it has none. One is not needed only if
+    /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if
     /// a proof without it leaves out no case: the case left out may be the one that it excludes.
-    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<String> {
+    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<AssumptionsUsed> {
         let count = self.claim.assuming.len();
         if count == 0 || count > MOST_ASSUMPTIONS {
             return None;
@@ -452,15 +445,10 @@ impl<'a> Step<'a> {
                 left_out = without;
             }
         }
-        let used: Vec<&str> =
-            (0..count).filter(|i| !left_out.contains(i)).map(|i| self.claim.assuming[i].text.as_str()).collect();
-        let unused: Vec<&str> = left_out.iter().map(|&i| self.claim.assuming[i].text.as_str()).collect();
-        Some(match (used.is_empty(), unused.is_empty()) {
-            (false, true) => format!("this step itself uses all assumptions: {}", used.join(", ")),
-            (false, false) => {
-                format!("of the assumptions this step itself uses {}, and not {}", used.join(", "), unused.join(", "))
-            }
-            _ => format!("this step itself uses none of the assumptions ({})", unused.join(", ")),
+        let text = |i: usize| self.claim.assuming[i].text.clone();
+        Some(AssumptionsUsed {
+            used: (0..count).filter(|i| !left_out.contains(i)).map(text).collect(),
+            unused: left_out.iter().map(|&i| text(i)).collect(),
         })
     }
 

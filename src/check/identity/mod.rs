@@ -109,6 +109,7 @@ mod polynomial;
 mod prepare;
 mod probe;
 mod prove;
+mod restate;
 mod roots;
 mod sign;
 mod solve;

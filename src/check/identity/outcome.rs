@@ -85,8 +85,10 @@ pub enum Condition {
     /// Divided by while solving the premises: not 0. Common solutions at which it vanishes were not tested, unless they are
     /// limits of others.
     Pivot(Expr),
-    /// Under a square root of a formula, or a discriminant of a premise: not negative.
+    /// Under a square root of a formula: not negative.
     Radicand(Expr),
+    /// Of a premise that is quadratic in an unknown: not negative wherever the premises hold, which nothing but they says.
+    Discriminant(Expr),
     /// Argument of arccos or arcsin: in [−1, 1].
     Unit(Expr),
     /// Argument of a logarithm or base of a power: positive.

@@ -187,6 +187,9 @@ const MOST_NODES: usize = 60_000;
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
 const MOST_SPECIAL_NODES: usize = 2000;
 
+/// Signs by which one case is taken apart.
+const MOST_SIGNS_SPLIT: usize = 3;
+
 /// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
 fn is_simple(graph: &Graph, pivot: Expr) -> bool {
     let nodes = graph.reachable([pivot]);
@@ -521,20 +524,51 @@ impl Examination<'_> {
                 }))
             }
             Trials::Fail { failing, of } => {
+                // An exact point is looked for beyond the first that refutes, for a while.
                 let enough = |f: &[Found]| {
-                    f.len() > 12
-                        || refutation(f)
-                            .is_some_and(|r| r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some())
+                    refutation(f).is_some_and(|r| {
+                        f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                    })
                 };
                 match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
                     Some(refutation) => Outcome::Refuted(Box::new(refutation)),
-                    None => Outcome::Open(Reason::Branches { failing, of }),
+                    None => {
+                        let split = if failing < of { self.split_by_sign(case, options) } else { None };
+                        split.unwrap_or(Outcome::Open(Reason::Branches { failing, of }))
+                    }
                 }
             }
             Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
             Trials::Void(bound) => Outcome::Void(bound),
             Trials::NoValue => Outcome::Empty(Reason::Degenerate),
             Trials::Unsettled(reason) => Outcome::Open(reason),
+        }
+    }
+
+    /// A case that fails for some choice of signs, and at no real point, taken apart by the first sign in its definitions:
+    /// what is given may exclude one of the two. `None` where that does not settle it.
+    fn split_by_sign(&mut self, case: &Resolved, options: &Options) -> Option<Outcome> {
+        let values: Vec<Expr> = case.definitions.iter().map(|&(_, e)| e).collect();
+        let defined = |l: &Leaf| case.definitions.iter().any(|(d, _)| d == l);
+        let generators = &self.lowered.generators;
+        let is_sign = |l: &Leaf| generators.get(*l) == Some(&Generator::Sign) && !defined(l);
+        let split = case.definitions.iter().filter(|(l, _)| generators.get(*l) == Some(&Generator::Sign)).count();
+        let leaf = self.graph.leaves(values).into_iter().find(is_sign).filter(|_| split < MOST_SIGNS_SPLIT)?;
+        let mut outcomes = Vec::new();
+        for value in [1, -1] {
+            let mut one = case.clone();
+            one.define_sign(leaf, self.graph.integer(value));
+            let outcome = self.case(&one, options);
+            if let Outcome::Open(_) = outcome {
+                return None;
+            }
+            outcomes.push((one, outcome));
+        }
+        match merge(outcomes) {
+            Ok((proof, _)) => Some(Outcome::Holds(Box::new(proof))),
+            Err(Stop::Refuted(refutation)) => Some(Outcome::Refuted(refutation)),
+            Err(Stop::Empty(reason, _)) => Some(Outcome::Empty(reason)),
+            Err(Stop::Undecided(_)) => None,
         }
     }
 
@@ -553,13 +587,18 @@ impl Examination<'_> {
 
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
     fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
-        let positive = self.lowered.facts.positive.clone();
-        positive.iter().any(|&e| {
+        let Facts { positive, not_negative, .. } = self.lowered.given_facts.clone();
+        let mut facts: Vec<(Expr, bool)> = positive.into_iter().map(|e| (e, true)).collect();
+        facts.extend(not_negative.into_iter().map(|e| (e, false)));
+        facts.sort_unstable();
+        facts.into_iter().any(|(e, strict)| {
             let image = insert_definitions(self.graph, map, e);
             let mut others = self.lowered.facts.clone();
             others.positive.remove(&image);
+            others.not_negative.remove(&image);
             others.nonzero.remove(&image);
-            others.sign(self.graph, &self.lowered.generators, image).not_positive
+            let known = others.sign(self.graph, &self.lowered.generators, image);
+            known.not_positive && (strict || known.nonzero)
         })
     }
 }
@@ -605,6 +644,14 @@ pub(super) fn lower(
     let mut not_zero = Vec::new();
     for &e in nonzero {
         not_zero.push(lowering.lower(e)?);
+    }
+    // Nor are their radicands negative.
+    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
+    for node in lowering.graph.reachable(formulas) {
+        if let Node::Unary(Op::Sqrt, a) = *lowering.graph.node(node) {
+            let image = lowering.lower(a)?;
+            facts.note_not_negative(lowering.graph, image);
+        }
     }
     let mut of_definitions = Vec::new();
     for &e in definitions {

@@ -145,6 +145,12 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap
 }
 
 impl Resolved {
+    /// One value for a sign.
+    pub(super) fn define_sign(&mut self, leaf: Leaf, value: Expr) {
+        self.definitions.push((leaf, value));
+        self.needs.push(BTreeSet::new());
+    }
+
     /// The pivots of the definitions that expressions depend on. The equations that the other definitions come from could
     /// have been left out: so could what was divided by for them.
     pub(super) fn pivots_for(&self, graph: &Graph, exprs: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
@@ -300,7 +306,9 @@ impl Solver<'_> {
                     }
                     let reduced = self.on_circle(case, base);
                     let (_, again) = factors(self.graph, reduced);
-                    if again.len() > 1 {
+                    if let Some(parts) = self.without_leaf(reduced) {
+                        split.get_or_insert((kept.len(), parts));
+                    } else if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
                     }
                     kept.push(Pending { e: reduced, ..one });
@@ -320,7 +328,7 @@ impl Solver<'_> {
         if let Some(known) = self.probe.squares.get(&e) {
             return known.clone();
         }
-        if let Some(terms) = self.written_squares(e) {
+        if let Some(terms) = self.written_squares(e).or_else(|| self.terms_of_one_sign(e)) {
             self.probe.squares.insert(e, Some(terms.clone()));
             return Some(terms);
         }
@@ -336,6 +344,33 @@ impl Solver<'_> {
         });
         self.probe.squares.insert(e, found.clone());
         found
+    }
+
+    /// The same for a sum of terms that are known to have one sign.
+    fn terms_of_one_sign(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        let (mut open, mut terms) = (vec![(e, false)], Vec::new());
+        while let Some((e, minus)) = open.pop() {
+            match *self.graph.node(e) {
+                Node::Binary(Op::Add, a, b) => open.extend([(b, minus), (a, minus)]),
+                Node::Binary(Op::Sub, a, b) => open.extend([(b, !minus), (a, minus)]),
+                Node::Unary(Op::Neg, a) => open.push((a, !minus)),
+                _ if self.graph.is_zero(e) => {}
+                _ => terms.push((e, minus)),
+            }
+        }
+        if terms.len() < 2 {
+            return None;
+        }
+        let signs: Vec<(bool, bool)> = terms
+            .iter()
+            .map(|&(e, minus)| {
+                let known = self.facts.sign(self.graph, self.generators, e);
+                let pair = (known.not_negative, known.not_positive);
+                if minus { (pair.1, pair.0) } else { pair }
+            })
+            .collect();
+        let one_sign = signs.iter().all(|s| s.0) || signs.iter().all(|s| s.1);
+        one_sign.then(|| terms.into_iter().map(|(e, _)| e).collect())
     }
 
     /// The same for a sum that is written as one of squares.
@@ -423,6 +458,36 @@ impl Solver<'_> {
         (parts[0], parts[1])
     }
 
+    /// x and q where an equation is x·q = 0 with more than two powers of x: it can be solved for x no other way.
+    fn without_leaf(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        if self.graph.reachable([e]).len() > 40 {
+            return None;
+        }
+        for leaf in self.graph.leaves([e]) {
+            if self.class(leaf).is_none() {
+                continue;
+            }
+            let Some(all) = coefficients(self.graph, e, leaf, HIGHEST).filter(|all| all.len() > 3) else { continue };
+            if !self.graph.is_zero(all[0]) {
+                continue;
+            }
+            let x = self.graph.leaf(leaf);
+            let quotient = self.from_powers(&all[1..], x);
+            return Some([x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect());
+        }
+        None
+    }
+
+    /// Σ cₖ·xᵏ.
+    fn from_powers(&mut self, all: &[Expr], x: Expr) -> Expr {
+        let mut out = self.graph.integer(0);
+        for &c in all.iter().rev() {
+            let raised = self.graph.mul_structural(out, x);
+            out = self.graph.add(raised, c);
+        }
+        out
+    }
+
     /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
     fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
         let all = &candidate.coefficients;
@@ -436,11 +501,7 @@ impl Solver<'_> {
         if !self.graph.is_zero(lowest) {
             case.out.taken_as_zero.push(lowest);
         }
-        let mut quotient = self.graph.integer(0);
-        for &c in all[1..].iter().rev() {
-            let raised = self.graph.mul_structural(quotient, x);
-            quotient = self.graph.add(raised, c);
-        }
+        let quotient = self.from_powers(&all[1..], x);
         let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
         Some(Next::Split(candidate.equation, parts))
     }

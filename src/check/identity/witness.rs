@@ -189,7 +189,7 @@ impl Scene<'_> {
             let before = values.len();
             self.generate(&mut values, &mut exact, &circles)?;
             self.define(self.defined, &mut values, &mut exact)?;
-            self.invert_solved(&mut values, &exact, &mut circles)?;
+            self.invert_solved(&mut values, &exact, &mut circles, draws)?;
             self.define(self.explicit, &mut values, &mut exact)?;
             if values.len() == before {
                 break;
@@ -299,7 +299,9 @@ impl Scene<'_> {
 
     fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut FastMap<Leaf, Rational>) {
         for at in 0..self.generators.list.len() {
-            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
+            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at))
+                && !self.defined.contains_key(&leaf)
+            {
                 let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
                 values.insert(leaf, Bounded::exact(f64::from(sign)));
                 exact.insert(leaf, Rational::from(sign));
@@ -372,6 +374,7 @@ impl Scene<'_> {
         values: &mut Values,
         exact: &FastMap<Leaf, Rational>,
         circles: &mut FastMap<Leaf, (Rational, Rational)>,
+        draws: &mut Draws,
     ) -> Option<()> {
         for at in 0..self.generators.list.len() {
             let Some(leaf) = self.generator_leaf(at) else { continue };
@@ -398,7 +401,7 @@ impl Scene<'_> {
             };
             values.remove(&target.leaf);
             let Some(unit) = unit else { continue };
-            let inverse = if circle {
+            let mut inverse = if circle {
                 let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
                 if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
                     circles.insert(target.leaf, (c.clone(), s.clone()));
@@ -409,6 +412,13 @@ impl Scene<'_> {
                 let Some(e) = values.get(&leaf) else { continue };
                 function(|out| Number::ln(out, &(), e))
             };
+            // Every angle with this cosine and sine is one.
+            if circle && draws.bits() & 3 == 0 {
+                let turn = function(|out| Number::pi(out, &()));
+                let turns = Bounded::exact(if draws.bits() & 1 == 0 { 2.0 } else { -2.0 });
+                let turned = turn.and_then(|pi| function(|out| Number::mul(out, &(), &turns, &pi)));
+                inverse = turned.zip(inverse).and_then(|(t, a)| function(|out| Number::add(out, &(), &a, &t)));
+            }
             let inverse = inverse?;
             let (above, below) = if target.power > 0 { (inverse, unit) } else { (unit, inverse) };
             values.insert(target.leaf, function(|out| Number::div(out, &(), &above, &below))?);
