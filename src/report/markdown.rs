@@ -253,11 +253,11 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         if let Some(identity) = &claim.identity {
             out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
             if identity.generic {
-                out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+                out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
             }
-            if !identity.conditions.is_empty() {
-                let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
-                out.push_str(&format!("<details><summary>Conditions</summary>\n\n{list}\n</details>\n\n"));
+            for (title, lines) in identity.terms() {
+                let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();
+                out.push_str(&format!("<details><summary>{title}</summary>\n\n{list}\n</details>\n\n"));
             }
             out.push_str(&certificate_note(claim, identity));
             if let Some(witness) = &identity.witness {
