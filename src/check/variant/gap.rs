@@ -5,9 +5,9 @@
 
 use std::ops::Range;
 
-use super::edit::{
-    Place, as_number, confused, is_transpose, negated, number, parts_mut, place_of, product, raised, scaled, scripted,
-    sum, walk, with_part,
+use super::edit::{Place, confused, place_of};
+use super::tree::{
+    as_number, is_transpose, negated, number, parts_mut, product, raised, scaled, scripted, sum, walk, with_part,
 };
 use super::vocabulary::Vocabulary;
 use crate::expr::Rational;

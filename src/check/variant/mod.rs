@@ -4,7 +4,7 @@
 //! rejects, and for every claim which survive, the fewest motions that reject the others, and, where it fails, what it should
 //! have said.
 //!
-//! The order of work: `edit` alters syntax trees, one place at a time; `generate` keeps those with a meaning; `equivalence`
+//! The order of work: `edit` and `convention` alter syntax trees, one place at a time or throughout; `generate` keeps those with a meaning; `equivalence`
 //! removes those that say what the print says; `battery` makes one program of what is left; `rejection` tries it at the points
 //! at which the claim was tried; `cover` chooses motions; `erratum` looks for what should have been printed.
 //!
@@ -14,6 +14,7 @@
 mod account;
 mod battery;
 mod completion;
+mod convention;
 mod cover;
 mod difference;
 mod edit;
@@ -22,6 +23,7 @@ mod erratum;
 mod gap;
 mod generate;
 mod rejection;
+mod tree;
 mod vocabulary;
 
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
