@@ -8,7 +8,7 @@
 
 use super::convention::{Convention, SymbolKey, renamed};
 use super::tree::{
-    as_number, exponent, is_transpose, negated, neighbours, raised, scaled, scripted, sum, walk, with_part,
+    as_number, exponent, is_transpose, negated, neighbours, raised, scaled, scripted, sum, transpose, walk, with_part,
     without,
 };
 use super::vocabulary::Vocabulary;
@@ -188,7 +188,7 @@ impl<'a> Editor<'a> {
     }
 
     fn key(&self, s: &SymbolNode) -> Option<SymbolKey> {
-        self.vocabulary.word(s).map(|(word, _)| SymbolKey { name: word.name.clone(), sub: word.sub.clone() })
+        self.vocabulary.word(s).map(|(word, _)| SymbolKey { name: s.name.clone(), sub: word.sub.clone() })
     }
 
     fn conventions(&self) -> Vec<Convention> {
@@ -415,19 +415,10 @@ impl<'a> Editor<'a> {
                 let left = found.map_or(0, |(w, _)| w.rank).saturating_sub(sub.len() - own);
                 let places = found.is_some_and(|(w, _)| w.rank > 0) && sub.len() > own;
                 if found.is_some() && (left == 0 || places) && s.arguments.is_none() {
-                    out.push((EditClass::Power, with_sup(raised(2, span))));
+                    out.extend(neighbours(1).map(|m| (EditClass::Power, with_sup(raised(m, span)))));
                 }
                 if left == 2 && sub.len() == own {
-                    let t = SymbolNode {
-                        name: "T".into(),
-                        dots: 0,
-                        sub: None,
-                        sup: None,
-                        sup_first: false,
-                        arguments: None,
-                        arguments_text: String::new(),
-                    };
-                    out.push((EditClass::Transpose, with_sup(Some(Box::new(kind(t))))));
+                    out.push((EditClass::Transpose, with_sup(Some(Box::new(transpose(span))))));
                 }
             }
         }

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::expr::Rational;
-use crate::latex::syntax::{Node, NodeKind, Sign, Target};
+use crate::latex::syntax::{Node, NodeKind, Sign, SymbolNode, Target};
 
 /// A number as a formula writes it.
 pub(super) fn number(r: Rational, span: &Range<usize>) -> Node {
@@ -160,6 +160,21 @@ pub(super) fn neighbours(n: i64) -> impl Iterator<Item = i64> {
     [n - 1, n + 1].into_iter().map(move |m| if m == 0 { m + (m - n) } else { m })
 }
 
+/// The mark of a transpose.
+pub(super) fn transpose(span: &Range<usize>) -> Node {
+    let symbol = SymbolNode {
+        name: "T".into(),
+        dots: 0,
+        sub: None,
+        sup: None,
+        sup_first: false,
+        arguments: None,
+        arguments_text: String::new(),
+    };
+    Node::new(NodeKind::Symbol(symbol), span.clone())
+}
+
+/// Whether a superscript is the mark of a transpose.
 pub(super) fn is_transpose(node: &Node) -> bool {
     matches!(&node.kind, NodeKind::Symbol(s) if matches!(s.name.as_str(), "T" | "\\top" | "rm:T") && s.sub.is_none())
 }
@@ -186,6 +201,7 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     }
 }
 
+/// A node with another part at a place, in the order of [`Node::children`].
 pub(super) fn with_part(node: &Node, at: usize, part: Node) -> Node {
     let mut out = node.clone();
     if let Some(place) = parts_mut(&mut out).into_iter().nth(at) {
@@ -207,4 +223,95 @@ pub(super) fn scripted(base: Node, n: i64) -> Node {
     let span = base.span.clone();
     let sup = raised(n, &span);
     Node::new(NodeKind::Scripted { base: Box::new(base), sub: None, sup, sup_first: false }, span)
+}
+
+/// The same tree with all places removed, so that trees can be compared.
+pub(super) fn without_places(node: &Node) -> Node {
+    let mut out = node.clone();
+    out.span = 0..0;
+    for part in parts_mut(&mut out) {
+        *part = without_places(part);
+    }
+    out
+}
+
+/// Every tree in which one node is replaced by one of what `f` makes of it.
+pub(super) fn anywhere(node: &Node, f: &dyn Fn(&Node) -> Vec<Node>) -> Vec<Node> {
+    let mut out = f(node);
+    for (at, child) in node.children().into_iter().enumerate() {
+        out.extend(anywhere(child, f).into_iter().map(|child| with_part(node, at, child)));
+    }
+    out
+}
+
+/// A tree in which no quotient has the same factor above and below: what is multiplied and divided again says nothing.
+pub(super) fn cancelled(node: &Node) -> Node {
+    let mut out = node.clone();
+    for part in parts_mut(&mut out) {
+        *part = cancelled(part);
+    }
+    if let NodeKind::Product(parts) = &out.kind {
+        let divides = |factor: &Node| {
+            parts.iter().position(|part| match &part.kind {
+                NodeKind::Quotient { bottom, .. } => without_places(bottom) == without_places(factor),
+                _ => false,
+            })
+        };
+        let found = (0..parts.len()).find_map(|at| Some((at, divides(&parts[at])?)));
+        if let Some((at, quotient)) = found
+            && let NodeKind::Quotient { top, .. } = &parts[quotient].kind
+            && as_number(&parts[at]).is_none()
+        {
+            let mut left = parts.clone();
+            left[quotient] = (**top).clone();
+            left.remove(at);
+            return product(left, &out.span).unwrap_or(out);
+        }
+    }
+    let NodeKind::Quotient { top, bottom, slash } = &out.kind else { return out };
+    let factors = |n: &Node| match &n.kind {
+        NodeKind::Product(parts) => parts.clone(),
+        _ => vec![n.clone()],
+    };
+    let (mut over, mut under) = (factors(top), factors(bottom));
+    let before = over.len();
+    // Numbers are left as they are: \frac{2}{2} is not what this is about.
+    over.retain(|factor| {
+        let same = |n: &Node| as_number(n).is_none() && without_places(n) == without_places(factor);
+        under.iter().position(same).map(|at| under.remove(at)).is_none()
+    });
+    if over.len() == before {
+        return out;
+    }
+    let one = || Node::new(NodeKind::Number(Rational::ONE), out.span.clone());
+    let top = product(over, &out.span).unwrap_or_else(one);
+    match product(under, &out.span) {
+        None => top,
+        Some(bottom) => {
+            let kind = NodeKind::Quotient { top: Box::new(top), bottom: Box::new(bottom), slash: *slash };
+            Node::new(kind, out.span.clone())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::latex::syntax::to_latex;
+    use crate::latex::{self, Scope};
+
+    #[test]
+    fn what_is_multiplied_and_divided_again_is_left_out() {
+        let simple = |text: &str| {
+            let scope = Scope::default();
+            let mut chains = latex::parse(text, &scope).expect("a formula");
+            to_latex(&cancelled(&chains.remove(0).sides.remove(0)))
+        };
+        assert_eq!(simple(r"\frac{ta}{t}"), "a");
+        assert_eq!(simple(r"t\frac{a}{t}"), "a");
+        assert_eq!(simple(r"\frac{a}{bt}"), r"\frac{a}{bt}");
+        assert_eq!(simple(r"\frac{tta}{bt}"), r"\frac{ta}{b}");
+        assert_eq!(simple(r"1+\frac{a}{a}"), "1+1");
+        assert_eq!(simple(r"\frac{2a}{2}"), r"\frac{2a}{2}");
+    }
 }
