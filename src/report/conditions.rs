@@ -19,13 +19,15 @@ struct Style {
     formula: fn(&str) -> String,
     id: fn(&str) -> String,
     text: fn(&str) -> String,
+    /// Conditions of the file by their words, without their ids.
+    in_words: bool,
 }
 
-const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned() };
-const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose };
+const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: false };
+const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, in_words: true };
 
 /// For the page, which typesets what stands between backticks.
-const PAGE: Style = Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned() };
+const PAGE: Style = Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
 
 /// The sentences on what separates the trajectories of a claim, formulas between backticks.
 pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {
@@ -40,6 +42,7 @@ pub(super) fn worth_in_words(a: &AssumptionAccount) -> String {
 fn condition(c: &ConditionName, style: &Style) -> String {
     let formula = (style.formula)(&c.formula);
     let text = match (&c.id, &c.says) {
+        (Some(_), Some(says)) if style.in_words => format!("{} ({formula})", (style.text)(says)),
         (Some(id), Some(says)) => format!("{} ({}: {formula})", (style.id)(id), (style.text)(says)),
         (_, Some(says)) => format!("{formula} {}", (style.text)(says)),
         (Some(id), None) => format!("{} ({formula})", (style.id)(id)),
@@ -81,10 +84,8 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
     let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
     match &s.explanation {
         Some(e) => {
-            out.push(format!(
-                "On these trajectories it holds exactly where {}; {sides}; {tried}.",
-                explanation(e, style)
-            ));
+            out.push(format!("On these trajectories it holds exactly where {}.", explanation(e, style)));
+            out.push(format!("This is {sides}; {tried}."));
             if !s.rivals.is_empty() {
                 let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
                 let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };

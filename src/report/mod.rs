@@ -12,6 +12,7 @@
 mod certificates;
 mod conditions;
 mod diff;
+mod digest;
 mod discrimination;
 mod explain;
 mod finding;

@@ -249,7 +249,6 @@ document.addEventListener("toggle", e => {
     element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + addressOf(row.id) }, "curves");
   }
 }, true);
-addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details.standing")) d.open = true; });
 
 form.hidden = false;
 go();
