@@ -23,11 +23,13 @@ struct Style {
     in_words: bool,
 }
 
-const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: false };
+const TERMINAL: Style =
+    Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: false };
 const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, in_words: true };
 
 /// For the page, which typesets what stands between backticks.
-const PAGE: Style = Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
+const PAGE: Style =
+    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
 
 /// The sentences on what separates the trajectories of a claim, formulas between backticks.
 pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {
@@ -158,11 +160,6 @@ fn brief(s: &Separation, style: &Style) -> String {
     format!("holds exactly where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
 }
 
-/// What separates the trajectories of a claim, for a list of claims in `report.md`.
-pub(super) fn in_brief(conditions: &ConditionsAccount) -> Option<String> {
-    conditions.separation.as_ref().map(|s| brief(s, &MARKDOWN))
-}
-
 /// For the terminal: a line for every claim that is split, and for every assumption that is not needed.
 pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     let mut split = String::new();
@@ -199,23 +196,24 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     out
 }
 
-/// For a claim in `report.md`.
-pub(super) fn section(conditions: &ConditionsAccount) -> String {
-    let mut out = String::new();
-    if let Some(separation) = &conditions.separation {
-        out.push_str(&format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" ")));
+/// What separates the trajectories of a claim, for its section in `report.md`.
+pub(super) fn separation(conditions: &ConditionsAccount) -> String {
+    let Some(separation) = &conditions.separation else { return String::new() };
+    format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" "))
+}
+
+/// What each assumption of a claim is worth, for its section in `report.md`.
+pub(super) fn assumptions(conditions: &ConditionsAccount) -> String {
+    if conditions.assumptions.is_empty() {
+        return String::new();
     }
-    if !conditions.assumptions.is_empty() {
-        let mut lines: Vec<String> = Vec::new();
-        for assumption in &conditions.assumptions {
-            let text = worth(assumption, &MARKDOWN);
-            let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
-            lines.push(format!("- {line}\n"));
-        }
-        let idle = conditions.assumptions.iter().any(|a| a.need == Need::NotNeeded);
-        let heading = if idle { "Assumptions, one of which is not needed" } else { "Assumptions" };
-        out.push_str(&format!("<details><summary>{heading}</summary>\n\n{}\n</details>\n\n", lines.concat()));
+    let mut out = String::from("Assumptions:\n\n");
+    for assumption in &conditions.assumptions {
+        let text = worth(assumption, &MARKDOWN);
+        let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
+        out.push_str(&format!("- {line}\n"));
     }
+    out.push('\n');
     out
 }
 

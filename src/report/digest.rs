@@ -195,28 +195,28 @@ pub(super) fn explanation(e: &Explanation) -> String {
     }
 }
 
-/// Where a reading holds, in a few words.
+/// Where a reading holds, in a few words; the beginning of a sentence.
 pub(super) fn verdict(reading: &Reading<'_>) -> String {
     let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
     match reading.standing {
         Standing::Holds if reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved") => {
-            "holds, proved for all values".to_owned()
+            "Holds, proved for all values".to_owned()
         }
         Standing::Holds => match n("holds") {
-            1 => "holds on the one motion to which it applies".to_owned(),
-            n => format!("holds on all {n} motions to which it applies"),
+            1 => "Holds on the one motion to which it applies".to_owned(),
+            n => format!("Holds on all {n} motions to which it applies"),
         },
         Standing::Fails => match n("fails") {
-            1 => "fails on the one motion to which it applies".to_owned(),
+            1 => "Fails on the one motion to which it applies".to_owned(),
             n if reading.claim.results.iter().any(|r| r.verdict.outcome().word() == "undecided") => {
-                format!("fails on {n} motions, undecided on others")
+                format!("Fails on {n} motions, undecided on others")
             }
-            n => format!("fails on all {n} motions to which it applies"),
+            n => format!("Fails on all {n} motions to which it applies"),
         },
-        Standing::Mixed => format!("holds on {} motions, fails on {}", n("holds"), n("fails")),
-        Standing::Open if n("holds") > 0 => format!("holds on {} motions, undecided on {}", n("holds"), n("undecided")),
-        Standing::Open => format!("undecided on {}", count(n("undecided"), "motion")),
-        Standing::Nowhere => "applies to none of the motions".to_owned(),
+        Standing::Mixed => format!("Holds on {} motions, fails on {}", n("holds"), n("fails")),
+        Standing::Open if n("holds") > 0 => format!("Holds on {} motions, undecided on {}", n("holds"), n("undecided")),
+        Standing::Open => format!("Undecided on {}", count(n("undecided"), "motion")),
+        Standing::Nowhere => "Applies to none of the motions".to_owned(),
     }
 }
 

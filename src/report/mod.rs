@@ -23,6 +23,7 @@ mod junit;
 mod markdown;
 mod mathml;
 mod numbers;
+mod overview;
 mod page;
 mod paper;
 mod plot;

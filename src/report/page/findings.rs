@@ -104,9 +104,9 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
         @for whole in found {
             div.whole {
                 p {
-                    b { (prose(&whole.says, scope)) }
+                    b { (prose(&whole.says, scope)) } " "
                     span.quiet {
-                        @if let Some(place) = whole.place { " " (prose(place, scope)) "; " } @else { " " }
+                        @if let Some(place) = whole.place { (prose(place, scope)) "; " }
                         a href={ "#" (whole.id) } { (whole.id) }
                     }
                 }

@@ -320,7 +320,8 @@ mod tests {
             "<text>t</text>",
             "<polyline class=\"c0\" points=\"0,0 7,8 9,2 \"/>",
         ];
-        let expected = "<path class=\"grid\" d=\"M1 2l0 7M5 2l-2-1\"/><text>t</text><path class=\"c0\" d=\"M0 0l7 8 2-6\"/>";
+        let expected =
+            "<path class=\"grid\" d=\"M1 2l0 7M5 2l-2-1\"/><text>t</text><path class=\"c0\" d=\"M0 0l7 8 2-6\"/>";
         assert_eq!(joined(lines.into_iter()), expected);
         // A line without a length stays what it is.
         let alone = "<polyline class=\"c0\" points=\"4,4 \"/>";
