@@ -176,12 +176,12 @@ pub(super) fn unsaid(account: &Account) -> Vec<Unsaid<'_>> {
     out
 }
 
-/// A condition in the words of the file; its formula, between backticks, where it has none.
+/// A condition in the words of the file; its formula, between dollar signs, where it has none.
 pub(super) fn condition(c: &ConditionName) -> String {
     let text = match (&c.id, &c.says) {
         (Some(_), Some(says)) => says.trim_end_matches('.').to_owned(),
-        (None, Some(says)) => format!("`{}` {says}", c.formula),
-        (_, None) => format!("`{}`", c.formula),
+        (None, Some(says)) => format!("${}$ {says}", c.formula),
+        (_, None) => format!("${}$", c.formula),
     };
     if c.negated { format!("it is not so that {text}") } else { text }
 }
