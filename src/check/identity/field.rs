@@ -5,7 +5,7 @@ use super::lower::{Generator, Generators};
 use super::outcome::{Options, Reason};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Draws, Finite, FiniteField, NoValue, Number};
-use crate::tape::{Slots, Tape};
+use crate::tape::{Instruction, Slots, Tape};
 
 /// What is asked of one case, all in normal form (see [`roots`](super::roots)).
 #[derive(Clone, Debug, Default)]
@@ -104,6 +104,7 @@ pub(super) fn trials(
     let is_sign = |l: Leaf| generators.get(l) == Some(&Generator::Sign);
     let rigid: Vec<bool> = question.filters.iter().map(|&e| graph.leaves([e]).into_iter().all(is_sign)).collect();
     let mut bound = Bound { log2_error: each * count as f64, degree, height, primes: Vec::new(), signs: signs.len() };
+    let choices = Choices::new(&tape, signs);
     for _ in 0..count {
         let field = FiniteField::draw(draws);
         bound.primes.push(field.prime());
@@ -114,7 +115,7 @@ pub(super) fn trials(
             for &i in &free {
                 slots.set(i, Ok(field.draw_element(draws)));
             }
-            match all_sheets(&tape, &field, &mut slots, &signs, (question, &rigid)) {
+            match all_sheets(&tape, &field, &mut slots, &choices, (question, &rigid)) {
                 None => {
                     passed = true;
                     break;
@@ -131,33 +132,92 @@ pub(super) fn trials(
     Trials::Vanish(bound)
 }
 
+/// The choices of signs, in an order in which little has to be computed again from one to the next.
+struct Choices {
+    /// The inputs that are signs: the first changes most often.
+    signs: Vec<usize>,
+    /// Instructions that depend on no sign.
+    fixed: Vec<Instruction>,
+    /// For each sign the instructions that depend on it, and on none before it.
+    of: Vec<Vec<Instruction>>,
+}
+
+impl Choices {
+    fn new(tape: &Tape, mut signs: Vec<usize>) -> Choices {
+        // For each slot a bit for every sign that it depends on, by the position in `signs`.
+        let dependence = |signs: &[usize]| {
+            let mut on = vec![0u32; tape.slot_count()];
+            for (bit, &i) in signs.iter().enumerate() {
+                on[i] = 1 << bit;
+            }
+            for step in tape.instructions() {
+                on[step.out as usize] = on[step.a as usize] | on[step.b as usize];
+            }
+            on
+        };
+        // The signs on which most depends change least often.
+        let on = dependence(&signs);
+        let load = |bit: usize| on.iter().filter(|&&o| o >> bit & 1 == 1).count();
+        let mut loads: Vec<(usize, usize)> = signs.iter().enumerate().map(|(bit, &i)| (load(bit), i)).collect();
+        loads.sort_unstable();
+        signs = loads.into_iter().map(|(_, i)| i).collect();
+        let on = dependence(&signs);
+        let (mut fixed, mut of) = (Vec::new(), vec![Vec::new(); signs.len()]);
+        for &step in tape.instructions() {
+            match on[step.out as usize].trailing_zeros() as usize {
+                first if first < signs.len() => of[first].push(step),
+                _ => fixed.push(step),
+            }
+        }
+        Choices { signs, fixed, of }
+    }
+
+    fn count(&self) -> u64 {
+        1 << self.signs.len()
+    }
+
+    /// Everything for one choice, given that the one before it was the last that was run.
+    fn run(&self, choice: u64, tape: &Tape, field: &FiniteField, slots: &mut Slots<Finite>) {
+        for (bit, &i) in self.signs.iter().enumerate() {
+            slots.set(i, Ok(field.integer(if choice >> bit & 1 == 0 { 1 } else { -1 })));
+        }
+        // The bits in which a number differs from the one before are those up to its lowest one.
+        let changed = match choice {
+            0 => {
+                tape.run_some(field, slots, &self.fixed);
+                self.signs.len()
+            }
+            _ => choice.trailing_zeros() as usize + 1,
+        };
+        // What depends on an early sign may depend on what depends on late ones only.
+        for steps in self.of[..changed].iter().rev() {
+            tape.run_some(field, slots, steps);
+        }
+    }
+}
+
 /// One point, all choices of signs; `None` when everything holds.
 fn all_sheets(
     tape: &Tape,
     field: &FiniteField,
     slots: &mut Slots<Finite>,
-    signs: &[usize],
+    choices: &Choices,
     (question, rigid): (&Question, &[bool]),
 ) -> Option<Trials> {
-    let (mut holds, mut fails, mut no_value, mut partial) = (0, 0, false, None);
-    for choice in 0..1u64 << signs.len() {
-        for (bit, &i) in signs.iter().enumerate() {
-            slots.set(i, Ok(field.integer(if choice >> bit & 1 == 0 { 1 } else { -1 })));
-        }
-        tape.run(field, slots);
+    let (mut holds, mut fails, mut no_value) = (0, 0, false);
+    for choice in 0..choices.count() {
+        choices.run(choice, tape, field, slots);
         match sheet(tape, field, slots, question, rigid) {
             Sheet::Excluded => {}
             Sheet::Holds => holds += 1,
             Sheet::Fails => fails += 1,
             Sheet::NoValue => no_value = true,
-            Sheet::Partial(filter) => partial = Some(filter),
+            // Whatever the other choices say.
+            Sheet::Partial(filter) => return Some(Trials::Unsettled(Reason::Unsolved(question.filters[filter]))),
             Sheet::NoRoot => return Some(Trials::Unsettled(Reason::NoPoint)),
             Sheet::Unsupported => return Some(Trials::Unsettled(Reason::TooLarge)),
             Sheet::NotZero => return Some(Trials::Unsettled(Reason::Coincidence)),
         }
-    }
-    if let Some(filter) = partial {
-        return Some(Trials::Unsettled(Reason::Unsolved(question.filters[filter])));
     }
     if fails > 0 {
         return Some(Trials::Fail { failing: fails, of: holds + fails });

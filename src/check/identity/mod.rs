@@ -101,6 +101,7 @@ mod linear;
 mod lower;
 #[cfg(feature = "certificates")]
 mod membership;
+mod memory;
 pub mod order;
 mod orthogonal;
 mod outcome;
@@ -116,4 +117,6 @@ mod witness;
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub(super) use conditions::domains;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
+pub use memory::Memory;
 pub use prove::{Branches, branches_test, identity_test};
+pub(super) use prove::{branches_test_after, identity_test_after};

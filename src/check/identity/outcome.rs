@@ -34,11 +34,20 @@ pub struct Options {
     pub attempts: u32,
     /// How many pivots are looked at by themselves: the case that they vanish.
     pub special_cases: u32,
+    /// Solving the premises is given up when it has made this many nodes.
+    pub most_nodes: usize,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 240, special_cases: 8 }
+        Options {
+            seed: 0x5EED,
+            target_log2_error: -100.0,
+            most_signs: 10,
+            attempts: 240,
+            special_cases: 8,
+            most_nodes: 20_000,
+        }
     }
 }
 
@@ -165,6 +174,13 @@ pub enum Reason {
     Coincidence,
     /// The field test and the real points contradict each other: a defect of this program.
     Defect(String),
+}
+
+impl Reason {
+    /// Whether the premises were not solved, in any order: not a matter of the points that were tried.
+    pub(super) fn is_about_solving(&self) -> bool {
+        matches!(self, Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_))
+    }
 }
 
 impl Identity {

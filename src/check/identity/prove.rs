@@ -3,6 +3,7 @@
 use super::conditions::conditions;
 use super::field::{Question, Trials, sum_log2, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
+use super::memory::{Asked, Memory};
 use super::orthogonal::{Orthogonal, orthogonal};
 use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
@@ -40,7 +41,18 @@ pub(super) struct Lowered {
 /// `given` may name derivatives by time; definitions among it are inserted. The graph gets new nodes and, once, one hidden
 /// symbol.
 pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Identity {
-    match decide(graph, equations, given, options) {
+    identity_test_after(&mut Memory::default(), graph, equations, given, options)
+}
+
+/// The same, after other questions about the same graph.
+pub(in crate::check) fn identity_test_after(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    options: &Options,
+) -> Identity {
+    match decide(memory, graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
         Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => Identity::Undecided(reason),
@@ -66,7 +78,18 @@ pub fn branches_test(
     given: &Premises,
     options: &Options,
 ) -> Branches {
-    let throughout = branches.iter().map(|b| identity_test(graph, b, given, options)).collect();
+    branches_test_after(&mut Memory::default(), graph, branches, given, options)
+}
+
+/// The same, after other questions about the same graph.
+pub(in crate::check) fn branches_test_after(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    branches: &[Vec<(Expr, Expr)>],
+    given: &Premises,
+    options: &Options,
+) -> Branches {
+    let throughout = branches.iter().map(|b| identity_test_after(memory, graph, b, given, options)).collect();
     let zero = graph.integer(0);
     let mut products = vec![graph.integer(1)];
     for branch in branches {
@@ -83,7 +106,7 @@ pub fn branches_test(
         products = next;
     }
     let equations: Pairs = products.into_iter().map(|p| (p, zero)).collect();
-    Branches { throughout, pointwise: identity_test(graph, &equations, given, options) }
+    Branches { throughout, pointwise: identity_test_after(memory, graph, &equations, given, options) }
 }
 
 impl From<TooLarge> for Reason {
@@ -101,7 +124,13 @@ impl From<Failed> for Reason {
     }
 }
 
-fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Result<Proof, Stop> {
+fn decide(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    options: &Options,
+) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
     let premises = with_rates(graph, given, equations)?;
     let solved = explicit(graph, &premises, equations, given);
@@ -114,11 +143,15 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
     let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions)?;
+    let asked = Asked::new(&lowered, options.most_nodes);
+    if let Some(reason) = memory.why_open(&asked) {
+        return Err(reason.into());
+    }
     let probe = Probe::new(&mut draws);
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
     lowered.frozen.extend(given.time);
-    let limit = graph.len() + MOST_NODES;
+    let limit = graph.len() + options.most_nodes;
     let mut examination = Examination {
         graph,
         probe,
@@ -136,7 +169,11 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
         limit,
     };
     let own = examination.lowered.premises.clone();
-    let (mut proof, resolved) = examination.generic(&own)?;
+    let (mut proof, resolved) = examination.generic(&own).inspect_err(|stop| {
+        if let Stop::Undecided(reason) = stop {
+            memory.keep(asked, reason);
+        }
+    })?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
     let mut pivots = Pivots::of(&examination, &resolved);
     let limit = examination.graph.len() + MOST_SPECIAL_NODES;
@@ -172,8 +209,6 @@ fn decide(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, optio
     Ok(proof)
 }
 
-/// Solving is given up when it has made this many nodes.
-const MOST_NODES: usize = 60_000;
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
 const MOST_SPECIAL_NODES: usize = 2000;
 
@@ -327,9 +362,7 @@ impl Examination<'_> {
             }
             (self.strategy, self.seeded) = (strategy, seeded);
             match self.run(premises).map_err(Stop::from).and_then(merge).map_err(|s| self.emptiness(premises, s)) {
-                Err(Stop::Undecided(
-                    reason @ (Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_)),
-                )) => drop(first.get_or_insert(reason)),
+                Err(Stop::Undecided(reason)) if reason.is_about_solving() => drop(first.get_or_insert(reason)),
                 Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
                     first.get_or_insert(reason);
                 }

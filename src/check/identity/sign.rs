@@ -5,7 +5,7 @@ use crate::expr::FastSet;
 use crate::expr::{Expr, Graph, Node, Op, Rational};
 
 /// Facts about lowered expressions, and what follows from them by structure.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Facts {
     pub(super) positive: FastSet<Expr>,
     pub(super) not_negative: FastSet<Expr>,
