@@ -362,7 +362,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     }
 
     let telling = clearest.as_ref().map(|f| (f.comparison, f.time)).or(worst);
-    evidence.series = super::series::residuals(&setting, &judged, telling);
+    evidence.series = super::series::residuals(&setting, &judged, telling, false);
     if let Some(f) = clearest {
         let none = Bounded { value: 0.0, error: 0.0 };
         let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
