@@ -130,8 +130,8 @@ pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option
         let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
         match along {
             Some(along) => {
-                let (floors, mute) = (along.floors.clone(), along.mute.clone());
-                MeasuredGroup { group, signs, definedness, floors, mute }
+                let (floors, mute, equal) = (along.floors.clone(), along.mute.clone(), along.equal.clone());
+                MeasuredGroup { group, signs, definedness, floors, mute, equal }
             }
             None => MeasuredGroup::new(group, signs, definedness),
         }
