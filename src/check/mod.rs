@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod met;
 mod occurrence;
 mod picture;
 mod program;
