@@ -12,7 +12,7 @@ use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
-use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions, unmarked};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
@@ -168,6 +168,7 @@ fn decide(
         options,
         examples: options.attempts,
         strategy: Strategy::AsGiven,
+        special: false,
         seeded: true,
         limit,
     };
@@ -178,24 +179,29 @@ fn decide(
         }
     })?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
-    let mut pivots = Pivots::of(&examination, &resolved);
+    let mut pivots = Pivots::of(&mut examination, &resolved);
     let limit = examination.graph.len() + MOST_SPECIAL_NODES;
     examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
-        if !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
+        // Where an equation of motion loses its highest rate, a point need not belong to a motion.
+        let singular = own.iter().any(|&(_, derived)| derived) && pivots.rooted.contains(&pivots.list[at]);
+        if singular || !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
             continue;
         }
         let mut with_pivot = vec![(pivots.list[at], false)];
         with_pivot.extend(&own);
-        let Ok(outcomes) = examination.run(&with_pivot) else { continue };
+        examination.special = true;
+        let outcomes = examination.run(&with_pivot);
+        examination.special = false;
+        let Ok(outcomes) = outcomes else { continue };
         match merge(outcomes) {
             Ok((special, resolved)) => {
                 proof.absorb(special);
-                pivots.nested[at] = Some(Pivots::of(&examination, &resolved).list);
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &resolved).list);
             }
             Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
             Err(Stop::Empty(Reason::Contradiction, cases)) => {
-                pivots.nested[at] = Some(Pivots::of(&examination, &cases).list);
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &cases).list);
             }
             Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
             Err(Stop::Undecided(_) | Stop::Empty(..)) => {}
@@ -339,26 +345,35 @@ impl Proof {
 /// What was divided by, and which of it a special case has dealt with.
 struct Pivots {
     list: Vec<Expr>,
+    /// Those that stood under a root.
+    rooted: Vec<Expr>,
     /// The pivots of the proof for the case that this one vanishes; `None` when there is no such proof.
     nested: Vec<Option<Vec<Expr>>>,
 }
 
 impl Pivots {
     /// The factors of the pivots that are not known to be ≠ 0.
-    fn of(examination: &Examination<'_>, cases: &[Resolved]) -> Pivots {
+    fn of(examination: &mut Examination<'_>, cases: &[Resolved]) -> Pivots {
         let Examination { graph, lowered, .. } = examination;
         let mut list: Vec<Expr> = Vec::new();
         let claim = lowered.claim.iter().flat_map(|&(l, r)| [l, r]);
         let roots: Vec<Expr> = claim.chain(lowered.assumed.iter().copied()).collect();
-        for pivot in cases.iter().flat_map(|c| c.pivots_for(graph, roots.iter().copied())) {
-            for (base, _) in factors(graph, pivot).1 {
+        let mut rooted: Vec<Expr> = Vec::new();
+        let all: Vec<Expr> = cases.iter().flat_map(|c| c.pivots_for(graph, roots.iter().copied())).collect();
+        for pivot in all {
+            for (mut base, _) in factors(graph, pivot).1 {
+                // A root vanishes where its radicand does.
+                while let Node::Unary(Op::Sqrt, radicand) = *graph.node(base) {
+                    base = unmarked(graph, &lowered.generators, radicand).unwrap_or(radicand);
+                    rooted.push(base);
+                }
                 if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
                     list.push(base);
                 }
             }
         }
         let nested = vec![None; list.len()];
-        Pivots { list, nested }
+        Pivots { list, nested, rooted }
     }
 
     /// Pivots that must not vanish: all but those whose special case is proved from the remaining ones.
@@ -391,6 +406,8 @@ struct Examination<'a> {
     /// Real points tried for an example of something proved.
     examples: u32,
     strategy: Strategy,
+    /// Whether the first premise says that something was divided by is 0: it is solved first.
+    special: bool,
     /// Whether orthogonal matrices are parametrised.
     seeded: bool,
     /// The size of the graph at which solving is given up.
@@ -408,7 +425,7 @@ impl Examination<'_> {
                 break;
             }
             (self.strategy, self.seeded) = (strategy, seeded);
-            match self.run(premises).map_err(Stop::from).and_then(merge).map_err(|s| self.emptiness(premises, s)) {
+            match self.run(premises).map_err(Stop::from).and_then(merge).or_else(|s| self.emptiness(premises, s)) {
                 Err(Stop::Undecided(reason)) if reason.is_about_solving() => drop(first.get_or_insert(reason)),
                 Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
                     first.get_or_insert(reason);
@@ -419,35 +436,49 @@ impl Examination<'_> {
         Err(Stop::Undecided(first.unwrap_or(Reason::Degenerate)))
     }
 
-    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either.
-    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Stop {
-        let Stop::Empty(mut reason, cases) = stop else { return stop };
+    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either. If they can, everything is
+    /// decided there.
+    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let Stop::Empty(mut reason, cases) = stop else { return Err(stop) };
         let is_empty = |r: &Reason| matches!(r, Reason::Contradiction | Reason::NoValue);
         if !is_empty(&reason) {
-            return Stop::Undecided(reason);
+            return Err(Stop::Undecided(reason));
         }
-        let mut open = None;
+        let (mut open, mut proof): (Option<Expr>, Option<(Proof, Vec<Resolved>)>) = (None, None);
         for pivot in Pivots::of(self, &cases).list {
             let mut special = vec![(pivot, false)];
             special.extend(premises);
-            match self.run(&special).map_err(Stop::from).and_then(merge) {
+            self.special = true;
+            let found = self.run(&special).map_err(Stop::from).and_then(merge);
+            self.special = false;
+            match found {
                 // A point that satisfies all premises refutes, wherever it was found.
-                Err(refuted @ Stop::Refuted(_)) => return refuted,
+                Err(refuted @ Stop::Refuted(_)) if !premises.iter().any(|&(_, derived)| derived) => return Err(refuted),
+                Ok((one, cases)) => match &mut proof {
+                    None => proof = Some((one, cases)),
+                    Some((all, list)) => {
+                        all.absorb(one);
+                        list.extend(cases);
+                    }
+                },
                 Err(Stop::Empty(special, cases)) if is_empty(&special) && Pivots::of(self, &cases).list.is_empty() => {
                     if special == Reason::NoValue {
                         reason = special;
                     }
                 }
-                _ => drop(open.get_or_insert(pivot)),
+                _ => open = Some(open.map_or(pivot, |all| self.graph.mul(all, pivot))),
             }
         }
-        if let Some(pivot) = open {
-            return Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivot)));
+        match (open, proof) {
+            (Some(pivots), _) => {
+                Err(Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivots))))
+            }
+            (None, Some(proof)) => Ok(proof),
+            (None, None) => Err(Stop::Undecided(match self.boundary() {
+                Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
+                _ => reason,
+            })),
         }
-        Stop::Undecided(match self.boundary() {
-            Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
-            _ => reason,
-        })
     }
 
     /// The base of a power in the premises that is not known to be positive: where it is 0, the power has a value, and is
@@ -479,6 +510,7 @@ impl Examination<'_> {
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
             strategy: self.strategy,
+            special: self.special,
             limit: self.limit,
         }
         .solve(premises, seeds)?;
@@ -620,6 +652,15 @@ impl Examination<'_> {
 
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
     fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
+        // An exponential that is solved for is positive, whatever it is solved as.
+        let solved: Vec<Expr> = map
+            .iter()
+            .filter(|(l, _)| matches!(self.lowered.generators.get(**l), Some(Generator::Exponential(_))))
+            .map(|(_, &e)| e)
+            .collect();
+        if solved.iter().any(|&e| self.lowered.facts.sign(self.graph, &self.lowered.generators, e).not_positive) {
+            return true;
+        }
         let Facts { positive, not_negative, .. } = self.lowered.given_facts.clone();
         let mut facts: Vec<(Expr, bool)> = positive.into_iter().map(|e| (e, true)).collect();
         facts.extend(not_negative.into_iter().map(|e| (e, false)));

@@ -89,6 +89,8 @@ pub(super) struct Solver<'a> {
     pub(super) frozen: &'a FastSet<Leaf>,
     /// In which order.
     pub(super) strategy: Strategy,
+    /// Whether the first equation comes before all others.
+    pub(super) special: bool,
     /// Leaves that are solved for only when nothing else can be.
     pub(super) parameters: &'a FastSet<Leaf>,
     /// The size of the graph at which solving is given up.
@@ -563,7 +565,7 @@ impl Solver<'_> {
     }
 
     fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
-        let Pending { e, derived, .. } = case.pending[equation];
+        let Pending { e, derived, from, .. } = case.pending[equation];
         let mut out = Vec::new();
         let size = self.graph.reachable([e]).len();
         let mut leaves: Vec<(u8, Leaf)> =
@@ -585,9 +587,10 @@ impl Solver<'_> {
             let degree = all.len() as u8;
             // What holds without rates comes first: a rate must not be divided by something that it makes 0.
             let late = match derived {
-                false => 0,
-                true if unknown.rate > 0 => 1,
-                true => 2,
+                _ if self.special && from == 0 => 0,
+                false => 1,
+                true if unknown.rate > 0 => 2,
+                true => 3,
             };
             let position = out.len();
             out.push(Candidate {
