@@ -12,6 +12,7 @@
 mod certificates;
 mod conditions;
 mod diff;
+mod digest;
 mod discrimination;
 mod explain;
 mod finding;
@@ -22,6 +23,7 @@ mod junit;
 mod markdown;
 mod mathml;
 mod numbers;
+mod overview;
 mod page;
 mod paper;
 mod plot;
