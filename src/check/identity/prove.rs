@@ -1,41 +1,26 @@
 //! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
 
-use super::absolute::AbsoluteValues;
+mod cases;
+
 use super::conditions::{conditions, raised};
-use super::field::{Bound, Question, Trials, sum_log2, trials};
-use super::lower::{Generator, Generators, Lowering, TooLarge};
+use super::field::{Trials, trials};
+use super::lower::{Generator, TooLarge};
+use super::lowered::question;
 use super::memory::{Asked, Memory};
-use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
-use super::polynomial::factors;
-use super::prepare::{Premise, argument_leaves, explicit, with_rates};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason};
+use super::prepare::{explicit, with_rates};
 use super::probe::Probe;
-use super::roots::Roots;
 use super::sign::Facts;
-use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions, unmarked};
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
+use cases::{Outcome, Pivots, Stop, merge};
+
+pub(super) use super::lowered::{Lowered, lower};
 use crate::number::Draws;
 
 type Pairs = Vec<(Expr, Expr)>;
-
-/// The problem after lowering.
-pub(super) struct Lowered {
-    pub(super) generators: Generators,
-    /// Residuals of the premises that are not definitions, and whether they are derivatives of others.
-    pub(super) premises: Vec<(Expr, bool)>,
-    pub(super) claim: Pairs,
-    pub(super) facts: Facts,
-    /// The same without what only the formulas' having a value implies.
-    pub(super) given_facts: Facts,
-    pub(super) denominators: Vec<Expr>,
-    /// Given as ≠ 0.
-    pub(super) assumed: Vec<Expr>,
-    frozen: FastSet<Leaf>,
-    /// Orthogonal matrices among the premises.
-    orthogonal: Orthogonal,
-}
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
 ///
@@ -237,160 +222,6 @@ fn is_simple(graph: &Graph, pivot: Expr) -> bool {
     nodes.len() <= 48 && !nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt, _)))
 }
 
-/// What becomes of one case.
-enum Outcome {
-    Holds(Box<Proof>),
-    Refuted(Box<Refutation>),
-    Open(Reason),
-    /// The premises rule the case out, or it was not reached.
-    Empty(Reason),
-    /// Some formula has no value wherever the premises hold.
-    Void(Bound),
-}
-
-/// Why a list of cases does not amount to a proof.
-enum Stop {
-    Refuted(Box<Refutation>),
-    /// No case is possible, where the pivots of these are not 0.
-    Empty(Reason, Vec<Resolved>),
-    Undecided(Reason),
-}
-
-impl From<Reason> for Stop {
-    fn from(reason: Reason) -> Stop {
-        Stop::Undecided(reason)
-    }
-}
-
-/// One proof from all cases, with the resolutions it rests on.
-fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
-    let mut proof: Option<Proof> = None;
-    let (mut open, mut resolved) = (None, Vec::new());
-    let (mut void, mut empty): (Option<Bound>, Option<Reason>) = (None, None);
-    for (mut case, outcome) in outcomes {
-        match outcome {
-            Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
-            Outcome::Open(reason) => drop(open.get_or_insert(reason)),
-            Outcome::Empty(reason) => {
-                // Only where all cases contradict themselves the premises do.
-                let weight = |r: &Reason| match r {
-                    Reason::Contradiction => 0,
-                    Reason::NoValue => 1,
-                    _ => 2,
-                };
-                if empty.as_ref().is_none_or(|e| weight(e) < weight(&reason)) {
-                    empty = Some(reason);
-                }
-                case.empty = true;
-                resolved.push(case);
-            }
-            Outcome::Void(bound) => {
-                case.empty = true;
-                resolved.push(case);
-                match &mut void {
-                    None => void = Some(bound),
-                    Some(all) => all.absorb(bound),
-                }
-            }
-            Outcome::Holds(one) => {
-                resolved.push(case);
-                match &mut proof {
-                    None => proof = Some(*one),
-                    Some(all) => all.absorb(*one),
-                }
-            }
-        }
-    }
-    match (open, proof) {
-        (Some(reason), _) => Err(Stop::Undecided(reason)),
-        (None, Some(mut proof)) => {
-            if let Some(bound) = void {
-                proof.log2_error = sum_log2(proof.log2_error, bound.log2_error);
-                proof.degree_bound = proof.degree_bound.max(bound.degree);
-                proof.height_bound = proof.height_bound.max(bound.height);
-                proof.primes.extend(bound.primes);
-            }
-            Ok((proof, resolved))
-        }
-        (None, None) => {
-            let reason = match (empty, void) {
-                (Some(Reason::Degenerate), _) => Reason::Degenerate,
-                (_, Some(_)) => Reason::NoValue,
-                (empty, None) => empty.unwrap_or(Reason::Contradiction),
-            };
-            Err(Stop::Empty(reason, resolved))
-        }
-    }
-}
-
-impl Proof {
-    /// Both proofs together.
-    pub(in crate::check) fn absorb(&mut self, other: Proof) {
-        self.log2_error = sum_log2(self.log2_error, other.log2_error);
-        self.degree_bound = self.degree_bound.max(other.degree_bound);
-        self.height_bound = self.height_bound.max(other.height_bound);
-        self.trials = self.trials.max(other.trials);
-        self.primes.extend(other.primes);
-        self.signs = self.signs.max(other.signs);
-        self.cases += other.cases;
-        for condition in other.conditions {
-            if !self.conditions.contains(&condition) {
-                self.conditions.push(condition);
-            }
-        }
-        self.example = self.example.take().or(other.example);
-    }
-}
-
-/// What was divided by, and which of it a special case has dealt with.
-struct Pivots {
-    list: Vec<Expr>,
-    /// Those that stood under a root.
-    rooted: Vec<Expr>,
-    /// The pivots of the proof for the case that this one vanishes; `None` when there is no such proof.
-    nested: Vec<Option<Vec<Expr>>>,
-}
-
-impl Pivots {
-    /// The factors of the pivots that are not known to be ≠ 0.
-    fn of(examination: &mut Examination<'_>, cases: &[Resolved]) -> Pivots {
-        let Examination { graph, lowered, .. } = examination;
-        let mut list: Vec<Expr> = Vec::new();
-        let claim = lowered.claim.iter().flat_map(|&(l, r)| [l, r]);
-        let roots: Vec<Expr> = claim.chain(lowered.assumed.iter().copied()).collect();
-        let mut rooted: Vec<Expr> = Vec::new();
-        let all: Vec<Expr> = cases.iter().flat_map(|c| c.pivots_for(graph, roots.iter().copied())).collect();
-        for pivot in all {
-            for (mut base, _) in factors(graph, pivot).1 {
-                // A root vanishes where its radicand does.
-                while let Node::Unary(Op::Sqrt, radicand) = *graph.node(base) {
-                    base = unmarked(graph, &lowered.generators, radicand).unwrap_or(radicand);
-                    rooted.push(base);
-                }
-                if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
-                    list.push(base);
-                }
-            }
-        }
-        let nested = vec![None; list.len()];
-        Pivots { list, nested, rooted }
-    }
-
-    /// Pivots that must not vanish: all but those whose special case is proved from the remaining ones.
-    fn needed(&self) -> Vec<Expr> {
-        let mut needed = self.list.clone();
-        let mut relied_on: Vec<Expr> = Vec::new();
-        for (pivot, nested) in self.list.iter().zip(&self.nested) {
-            let Some(nested) = nested else { continue };
-            if !relied_on.contains(pivot) && nested.iter().all(|n| n != pivot && needed.contains(n)) {
-                needed.retain(|n| n != pivot);
-                relied_on.extend(nested);
-            }
-        }
-        needed
-    }
-}
-
 /// Everything that the cases of one test share.
 struct Examination<'a> {
     graph: &'a mut Graph,
@@ -453,7 +284,9 @@ impl Examination<'_> {
             self.special = false;
             match found {
                 // A point that satisfies all premises refutes, wherever it was found.
-                Err(refuted @ Stop::Refuted(_)) if !premises.iter().any(|&(_, derived)| derived) => return Err(refuted),
+                Err(refuted @ Stop::Refuted(_)) if !premises.iter().any(|&(_, derived)| derived) => {
+                    return Err(refuted);
+                }
                 Ok((one, cases)) => match &mut proof {
                     None => proof = Some((one, cases)),
                     Some((all, list)) => {
@@ -681,173 +514,6 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     match graph.node(e) {
         Node::Leaf(leaf) => Some(*leaf),
         _ => None,
-    }
-}
-
-/// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
-/// [`AbsoluteValues`].
-pub(super) fn lower(
-    graph: &mut Graph,
-    premises: &[Premise],
-    claim: &[(Expr, Expr)],
-    [nonzero, positive, not_negative]: [&[Expr]; 3],
-    definitions: &[Expr],
-    with_signs: bool,
-) -> Result<Lowered, Reason> {
-    let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
-    let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
-    let mut lowering = Lowering::new(graph, &roots);
-    let mut images = Vec::new();
-    for (&e, premise) in residuals.iter().zip(premises) {
-        images.push((lowering.lower(e)?, premise.derived));
-    }
-    let mut sides = Vec::new();
-    for &(l, r) in claim {
-        sides.push((lowering.lower(l)?, lowering.lower(r)?));
-    }
-    let mut facts = Facts::default();
-    for &e in positive {
-        let image = lowering.lower(e)?;
-        facts.note_positive(lowering.graph, image);
-    }
-    for &e in not_negative {
-        let image = lowering.lower(e)?;
-        facts.note_not_negative(lowering.graph, image);
-    }
-    let mut not_zero = Vec::new();
-    for &e in nonzero {
-        not_zero.push(lowering.lower(e)?);
-    }
-    // Nor are their radicands negative.
-    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
-    for node in lowering.graph.reachable(formulas) {
-        if let Node::Unary(Op::Sqrt, a) = *lowering.graph.node(node) {
-            let image = lowering.lower(a)?;
-            facts.note_not_negative(lowering.graph, image);
-        }
-    }
-    let mut of_definitions = Vec::new();
-    for &e in definitions {
-        of_definitions.push(lowering.lower(e)?);
-    }
-    let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
-    let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
-    let mut absolute = AbsoluteValues::of(graph, &mut generators, &mut facts, &premises)?;
-    let mut put = |e: &mut Expr| *e = absolute.put_into(graph, *e);
-    images.iter_mut().for_each(|(e, _)| put(e));
-    sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
-    not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
-    // Formulas are claimed where they have a value, so their denominators are not 0 there.
-    let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
-    lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
-    lowered_roots.extend(&of_definitions);
-    let mut denominators = Vec::new();
-    for node in graph.reachable(lowered_roots) {
-        match *graph.node(node) {
-            Node::Binary(Op::Div, _, b) => denominators.push(b),
-            Node::Unary(Op::Powi(n), a) if n < 0 => denominators.push(a),
-            _ => {}
-        }
-    }
-    denominators.retain(|&e| graph.as_constant(e).is_none());
-    let note = |facts: &mut Facts, e: Expr| {
-        facts.nonzero.insert(e);
-        facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
-    };
-    not_zero.iter().for_each(|&e| note(&mut facts, e));
-    let mut given_facts = facts.clone();
-    denominators.iter().for_each(|&e| note(&mut facts, e));
-    // What still stands in arguments after lowering must stay free.
-    let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
-    let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
-    let given: Vec<Expr> = images.iter().filter(|(_, derived)| !derived).map(|&(e, _)| e).collect();
-    let all = images.iter().map(|&(e, _)| e).chain(sides.iter().flat_map(|&(l, r)| [l, r]));
-    let occurring = graph.leaves(all);
-    let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
-    facts.positive.extend(orthogonal.norms.iter().copied());
-    given_facts.positive.extend(orthogonal.norms.iter().copied());
-    Ok(Lowered {
-        given_facts,
-        orthogonal,
-        generators,
-        premises: images,
-        claim: sides,
-        facts,
-        denominators,
-        assumed: not_zero,
-        frozen,
-    })
-}
-
-/// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
-fn question(
-    graph: &mut Graph,
-    lowered: &mut Lowered,
-    probe: &mut Probe,
-    (case, map): (&Resolved, &FastMap<Leaf, Expr>),
-    residuals: Vec<Expr>,
-    with_pivots: bool,
-) -> Question {
-    let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
-        list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
-    };
-    let pivots = with_pivots.then(|| {
-        let roots: Vec<Expr> = residuals.iter().chain(&lowered.assumed).chain(&lowered.denominators).copied().collect();
-        let pivots = case.pivots_for(graph, roots);
-        inserted(graph, &pivots)
-    });
-    let residuals = inserted(graph, &residuals);
-    let filters = inserted(graph, &case.unsolved);
-    let mut zeros = inserted(graph, &case.taken_as_zero);
-    let mut assumed = inserted(graph, &lowered.assumed);
-    let mut nonzeros = inserted(graph, &lowered.denominators);
-    let mut facts = lowered.facts.clone();
-    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.not_positive, &mut facts.nonzero] {
-        let mut list: Vec<Expr> = set.iter().copied().collect();
-        list.sort_unstable();
-        set.extend(inserted(graph, &list));
-    }
-    let mut all = residuals.clone();
-    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
-    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
-    roots.prepare(&all);
-    let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
-    let (residuals, filters) = (normal(residuals), normal(filters));
-    zeros = normal(zeros);
-    assumed = normal(assumed);
-    nonzeros = normal(nonzeros);
-    let pivots = pivots.map(normal);
-    let taken = std::mem::take(&mut roots.taken_as_zero);
-    zeros.extend(taken.into_iter().map(|e| roots.normal(e)).collect::<Vec<_>>());
-    let mut out = Question { residuals, filters, zeros, assumed, nonzeros, pivots };
-    parametrise(graph, &mut lowered.generators, &mut out);
-    out
-}
-
-/// c = (1 − t²)/(1 + t²), s = 2t/(1 + t²) for every pair that is not solved for.
-fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Question) {
-    let Question { residuals, filters, zeros, assumed, nonzeros, pivots } = question;
-    let lists: Vec<&mut Vec<Expr>> =
-        [residuals, filters, zeros, assumed, nonzeros].into_iter().chain(pivots).collect();
-    let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
-    let mut map: FastMap<Leaf, Expr> = FastMap::default();
-    for leaf in leaves {
-        let Some((c, s)) = generators.circle(leaf) else { continue };
-        if map.contains_key(&leaf) {
-            continue;
-        }
-        let Some(t) = generators.add(Generator::Half) else { continue };
-        let t = graph.leaf(t);
-        let (one, two, square) = (graph.integer(1), graph.integer(2), graph.powi(t, 2));
-        let (above, below, twice) = (graph.sub(one, square), graph.add(one, square), graph.mul(two, t));
-        map.insert(c, graph.div(above, below));
-        map.insert(s, graph.div(twice, below));
-    }
-    for list in lists {
-        for e in list {
-            *e = insert_definitions(graph, &map, *e);
-        }
     }
 }
 
