@@ -107,13 +107,13 @@ impl IdentityAccount {
     pub fn terms(&self) -> Vec<(&'static str, Vec<String>)> {
         let mut out = vec![
             ("It holds where", self.conditions.clone()),
-            ("It does not reach", self.exceptions.clone()),
+            ("The proof does not reach", self.exceptions.clone()),
             ("What is given can hold only where", self.given_only_where.clone()),
             ("What is given assumes", self.presupposed.clone()),
         ];
         if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {
-            out.push(("Of its assumptions it uses", used.clone()));
-            out.push(("Of its assumptions it does not use", unused.clone()));
+            out.push(("Of the assumptions it uses", used.clone()));
+            out.push(("Of the assumptions it does not use", unused.clone()));
         }
         out.retain(|(_, lines)| !lines.is_empty());
         out
