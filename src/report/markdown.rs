@@ -17,6 +17,7 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     }
     out.push_str(&findings(derivation, account));
     out.push_str(&matrix(account));
+    out.push_str(&super::alone::section(account));
     let graph = DerivationGraph::new(derivation, account);
     out.push_str(&graph.section());
     out.push_str(&conventions(derivation));

@@ -297,15 +297,22 @@ pub(super) fn cancelled(node: &Node) -> Node {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::latex::syntax::to_latex;
-    use crate::latex::{self, Scope};
+    use crate::expr::Graph;
+    use crate::latex::syntax::{Chain, to_latex};
+    use crate::latex::{self, Declaration, Role, Scope};
 
     #[test]
     fn what_is_multiplied_and_divided_again_is_left_out() {
+        let mut graph = Graph::new();
+        let mut scope = Scope::new(&mut graph);
+        for name in ["a", "b", "t"] {
+            let role = Role::Parameter;
+            let declaration = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[] };
+            scope.declare(&mut graph, name, declaration).expect("a name");
+        }
         let simple = |text: &str| {
-            let scope = Scope::default();
-            let mut chains = latex::parse(text, &scope).expect("a formula");
-            to_latex(&cancelled(&chains.remove(0).sides.remove(0)))
+            let chain = latex::parse(text, &scope).expect("a formula").remove(0);
+            to_latex(&Chain { sides: chain.sides.iter().map(cancelled).collect(), ..chain })
         };
         assert_eq!(simple(r"\frac{ta}{t}"), "a");
         assert_eq!(simple(r"t\frac{a}{t}"), "a");
