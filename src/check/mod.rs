@@ -33,6 +33,7 @@ pub mod separation;
 mod series;
 mod stage;
 mod step;
+mod telling;
 mod trial;
 pub mod units;
 mod variant;
@@ -339,7 +340,7 @@ fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gr
             let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
             Verdict::new(Outcome::Undecided, evidence)
         }
-        _ => verdict,
+        _ => trial::unless_unresolved(trial, verdict),
     }
 }
 

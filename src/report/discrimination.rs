@@ -60,13 +60,6 @@ fn erratum_json(erratum: &Erratum) -> Value {
 /// Most survivors that are listed in a report for people.
 pub(super) const SURVIVORS_SHOWN: usize = 6;
 
-/// What is said of a pair in a table.
-pub(super) fn note(pair: &PairAccount) -> Option<String> {
-    let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
-    let weak = if d.is_weak() { "**weak**: " } else { "" };
-    Some(format!("{weak}rejects {} of {} altered formulas", d.rejected, d.of))
-}
-
 /// Whether a verdict says little.
 pub(super) fn is_weak(pair: &PairAccount) -> bool {
     pair.discrimination.as_ref().is_some_and(|d| d.is_weak())

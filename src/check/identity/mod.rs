@@ -89,6 +89,7 @@
 //! J. T. Schwartz, *J. ACM* 27 (1980) 701; R. Zippel, EUROSAM 1979, LNCS 72, 216; G. H. Gonnet, STOC 1984, 334;
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
+mod absolute;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -101,6 +102,7 @@ mod linear;
 mod lower;
 #[cfg(feature = "certificates")]
 mod membership;
+mod memory;
 pub mod order;
 mod orthogonal;
 mod outcome;
@@ -108,6 +110,7 @@ mod polynomial;
 mod prepare;
 mod probe;
 mod prove;
+mod restate;
 mod roots;
 mod sign;
 mod solve;
@@ -116,4 +119,6 @@ mod witness;
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub(super) use conditions::domains;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
+pub use memory::Memory;
 pub use prove::{Branches, branches_test, identity_test};
+pub(super) use prove::{branches_test_after, identity_test_after};

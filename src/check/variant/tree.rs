@@ -298,21 +298,23 @@ pub(super) fn cancelled(node: &Node) -> Node {
 mod tests {
     use super::*;
     use crate::expr::Graph;
-    use crate::latex::syntax::{Chain, to_latex};
+    use crate::latex::syntax::to_latex;
     use crate::latex::{self, Declaration, Role, Scope};
 
     #[test]
     fn what_is_multiplied_and_divided_again_is_left_out() {
         let mut graph = Graph::new();
         let mut scope = Scope::new(&mut graph);
-        for name in ["a", "b", "t"] {
+        for name in ["t", "a", "b"] {
             let role = Role::Parameter;
-            let declaration = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[] };
-            scope.declare(&mut graph, name, declaration).expect("a name");
+            let scalar = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[] };
+            scope.declare(&mut graph, name, scalar).expect("a new name");
         }
         let simple = |text: &str| {
-            let chain = latex::parse(text, &scope).expect("a formula").remove(0);
-            to_latex(&Chain { sides: chain.sides.iter().map(cancelled).collect(), ..chain })
+            let mut chains = latex::parse(text, &scope).expect("a formula");
+            let mut chain = chains.remove(0);
+            chain.sides = chain.sides.iter().map(cancelled).collect();
+            to_latex(&chain)
         };
         assert_eq!(simple(r"\frac{ta}{t}"), "a");
         assert_eq!(simple(r"t\frac{a}{t}"), "a");

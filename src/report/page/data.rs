@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::super::tally::{declared, name};
 use super::claims::pasted;
-use super::text::label;
+use super::text::{formula, label};
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 use crate::derivation::Derivation;
 
@@ -42,10 +42,12 @@ impl Strings {
 ///
 /// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
 /// where there is none; curves are `[formula, samples, [least, largest], [first, last], [lowest, highest decade], t, left,
-/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`.
+/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`. The limit is 0 where the
+/// relation is looked for at some time, and null where it is no equation. `events` gives the equation at which a claim is
+/// tried, a position in `strings`: its samples are events.
 pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
     let mut strings = Strings::default();
-    let mut claims = serde_json::Map::new();
+    let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
     for claim in &account.claims {
         let mut pairs = serde_json::Map::new();
         for pair in &claim.results {
@@ -54,11 +56,16 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
                 pairs.insert(t.to_string(), packed);
             }
         }
-        claims.insert(name(claim), Value::Object(pairs));
+        if let Some((d, at)) = declared(derivation, claim).and_then(|d| Some((d, d.at.as_ref()?))) {
+            events.insert(name(claim), strings.put(formula(&at.text, &d.scope).into_string()).into());
+        }
+        if !pairs.is_empty() {
+            claims.insert(name(claim), Value::Object(pairs));
+        }
     }
     let time = derivation.scope.time().map(|l| l.symbol);
     let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    let document = json!({ "unit": unit, "strings": strings.all, "pairs": claims });
+    let document = json!({ "unit": unit, "strings": strings.all, "events": events, "pairs": claims });
     // `<` could end the element that the text stands in.
     document.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
@@ -84,6 +91,11 @@ fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, str
         out.truncate(2);
     }
     Some(Value::Array(out))
+}
+
+/// A number, a whole one without its `.0`.
+fn exact(x: f64) -> Value {
+    if x.fract() == 0.0 && x.abs() < 1e6 { (x as i64).into() } else { json!(x) }
 }
 
 /// A number with four digits.
@@ -112,14 +124,18 @@ fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
         formula,
         series.of,
         [short(range.0), short(range.1)],
-        [span.0, span.1],
+        [exact(span.0), exact(span.1)],
         [short(decades.0), short(decades.1)],
         strings.put(wide(&t, span)),
         strings.put(l),
         strings.put(r),
         strings.put(narrow(&residual, decades)),
         strings.put(narrow(&bound, decades)),
-        if series.equation { short(limit) } else { Value::Null },
+        match (series.sought, series.equation) {
+            (true, _) => 0.into(),
+            (false, true) => short(limit),
+            (false, false) => Value::Null,
+        },
     ])
 }
 

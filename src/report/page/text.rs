@@ -10,7 +10,11 @@ const LONG: usize = 40;
 
 /// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
 pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    // A space at an end is kept: texts are put together.
+    let edge = |at: Option<char>| if at.is_some_and(char::is_whitespace) { " " } else { "" };
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let inner = if words.is_empty() { "" } else { edge(text.chars().next_back()) };
+    let text = format!("{}{words}{inner}", edge(text.chars().next()));
     let mut out = String::new();
     let mut rest = text.as_str();
     while let Some(start) = rest.find(['$', '`']) {
@@ -76,7 +80,7 @@ pub(super) fn plain(text: &str) -> String {
 
 /// A condition of a proof: an expression, its relation to zero, and perhaps words.
 pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
-    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < ", " = "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
     match split {
         Some((relation, (expression, rest))) => html! { (formula(expression, scope)) (relation) (rest) },
         None if text.contains('\\') => html! { code { (plain(text)) } },
@@ -185,6 +189,17 @@ mod tests {
         ] {
             assert_eq!(identifier(name), word, "{name}");
         }
+    }
+
+    #[test]
+    fn texts_that_are_put_together_keep_their_spaces() {
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        let shown = |text: &str| prose(text, &scope).into_string();
+        assert_eq!(shown("at most "), "at most ");
+        assert_eq!(shown("\n  a\n b"), " a b");
+        assert_eq!((shown(" "), shown("")), (" ".to_owned(), String::new()));
+        assert!(reason("x has no value at t = 1", &scope).into_string().ends_with("has no value at t = 1"));
     }
 
     #[test]
