@@ -22,7 +22,6 @@ const KNOWN_WRONG: &[(&str, &str, &str, &str, &str)] = &[
         "the size of a rate's terms is not looked for behind the dot",
     ),
     ("systems", "kink", "kink", "fails", "the error estimate does not notice a kink of the right side, here 2e-13"),
-    ("precision", "cancellation-of-all-digits", "coarse", "holds", "the bound is compared with terms that cancel"),
 ];
 
 /// Claims that are wrongly proved in this version: none that is known.

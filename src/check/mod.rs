@@ -33,6 +33,7 @@ pub mod separation;
 mod series;
 mod stage;
 mod step;
+mod telling;
 mod trial;
 pub mod units;
 mod variant;
@@ -48,8 +49,8 @@ pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{
-    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
-    altered_formulas, says_the_same,
+    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor, VariantAccount,
+    WEAK, altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
@@ -189,7 +190,7 @@ fn check_and(
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
-    wanted.extend(altered.iter().flat_map(|a| a.leaves(starts.len(), sign)));
+    wanted.extend(altered.iter().flat_map(|a| a.leaves(derivation, starts.len(), sign)));
     wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
@@ -250,7 +251,7 @@ fn check_and(
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            let course = (!probes.is_empty()).then_some(course);
+            let course = (!probes.is_empty() || altered.is_some()).then_some(course);
             Ok(((verdicts, measured, drawn), (weighed, course)))
         })
         .collect();
@@ -271,8 +272,8 @@ fn check_and(
     let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
-    let courses = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, courses, &mut account);
+    let mut courses: Vec<Course> = courses.into_iter().flatten().collect();
+    probes.separate(derivation, &gradients, &start_of, &mut courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
@@ -282,7 +283,7 @@ fn check_and(
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
-        altered.conclude(derivation, &mut account.claims, &weighed, &places)?;
+        altered.conclude(derivation, &mut account.claims, &weighed, &places, &mut courses)?;
     }
     Ok(account)
 }
@@ -363,7 +364,7 @@ fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gr
             let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
             Verdict::new(Outcome::Undecided, evidence)
         }
-        _ => verdict,
+        _ => trial::unless_unresolved(trial, verdict),
     }
 }
 

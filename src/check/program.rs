@@ -328,6 +328,11 @@ impl Program {
         self.inputs.get(position).copied()
     }
 
+    /// The leaf that stands for the sign of ±.
+    pub fn sign(&self) -> Leaf {
+        self.sign
+    }
+
     /// The tape, once compiled.
     pub fn tape(&self) -> Option<&Tape> {
         self.tape.as_ref()

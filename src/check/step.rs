@@ -26,13 +26,13 @@
 mod gather;
 mod wording;
 
-use super::account::IdentityAccount;
+use super::account::{AssumptionsUsed, IdentityAccount};
 use super::comparison::at_instant;
 use super::identity::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, branches_test_after, identity_test_after,
     order,
 };
-use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of};
+use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -146,8 +146,9 @@ impl<'a> Step<'a> {
     }
 
     fn is_positive_parameter(&self, leaf: Leaf) -> bool {
-        let symbols = self.derivation.symbols.iter();
-        symbols.clone().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
+        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
+        let mut symbols = self.derivation.symbols.iter().chain(of_claims);
+        symbols.any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
@@ -181,16 +182,13 @@ impl<'a> Step<'a> {
         };
         IdentityAccount {
             verdict: "refuted",
-            log2_error: None,
             from: Step::given(self.derivation, self.claim),
             conditions,
-            generic: false,
-            reason: None,
             witness: Some(format!(
                 "left {}, right {} on the trajectory {trajectory} at t = {}",
                 witness.left, witness.right, witness.t
             )),
-            evidence: IdentityEvidence::default(),
+            ..IdentityAccount::default()
         }
     }
 
@@ -229,18 +227,14 @@ impl<'a> Step<'a> {
             Ok(evidence) => evidence,
             Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
-        let account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
         account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
         if account.verdict == "proved" {
-            if let Some(line) = self.assumptions_used(&equations, moved) {
-                account.conditions.push(line);
-            }
-            if !gathered.inherited.is_empty() {
-                account.generic = true;
-                let inherited = gathered.inherited.iter().map(|a| format!("{a} (assumed by what is given)"));
-                account.conditions.extend(inherited);
-            }
+            account.assumptions = self.assumptions_used(&equations, moved);
+            account.generic |= !gathered.inherited.is_empty();
+            account.presupposed.clone_from(&gathered.inherited);
+            account.exceptions.extend(self.continuation(&equations, moved));
         }
         Some(Ok(account))
     }
@@ -413,8 +407,10 @@ impl<'a> Step<'a> {
             return pointwise;
         }
         // Proved if one branch is; a refutation needs both.
-        let proved = each.iter().position(|i| matches!(i, Identity::Proved(_)));
-        each.swap_remove(proved.unwrap_or(0))
+        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
+        let proved = first(|i| matches!(i, Identity::Proved(_)));
+        let open = || first(|i| matches!(i, Identity::Undecided(_)));
+        each.swap_remove(proved.or_else(open).unwrap_or(0))
     }
 
     /// Equations with one sign in place of ±.
@@ -460,9 +456,9 @@ impl<'a> Step<'a> {
         Some(all)
     }
 
-    /// The assumptions of the claim that its proof needs, in words; `None` where it has none. One is not needed only if
+    /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if
     /// a proof without it leaves out no case: the case left out may be the one that it excludes.
-    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<String> {
+    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<AssumptionsUsed> {
         let count = self.claim.assuming.len();
         if count == 0 || count > MOST_ASSUMPTIONS {
             return None;
@@ -484,15 +480,10 @@ impl<'a> Step<'a> {
                 left_out = without;
             }
         }
-        let used: Vec<&str> =
-            (0..count).filter(|i| !left_out.contains(i)).map(|i| self.claim.assuming[i].text.as_str()).collect();
-        let unused: Vec<&str> = left_out.iter().map(|&i| self.claim.assuming[i].text.as_str()).collect();
-        Some(match (used.is_empty(), unused.is_empty()) {
-            (false, true) => format!("this step itself uses all assumptions: {}", used.join(", ")),
-            (false, false) => {
-                format!("of the assumptions this step itself uses {}, and not {}", used.join(", "), unused.join(", "))
-            }
-            _ => format!("this step itself uses none of the assumptions ({})", unused.join(", ")),
+        let text = |i: usize| self.claim.assuming[i].text.clone();
+        Some(AssumptionsUsed {
+            used: (0..count).filter(|i| !left_out.contains(i)).map(text).collect(),
+            unused: left_out.iter().map(|&i| text(i)).collect(),
         })
     }
 

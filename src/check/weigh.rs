@@ -44,13 +44,16 @@ pub(super) struct MeasuredGroup<'a> {
     pub definedness: bool,
     /// What is typical of the size of the terms along the motion, for each sign.
     pub floors: Vec<f64>,
+    /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
+    pub mute: Vec<Vec<bool>>,
 }
 
 impl<'a> MeasuredGroup<'a> {
     /// A group measured along a motion: what is typical of it is what is typical there.
     pub fn new(group: &'a Group, signs: Vec<Vec<Series>>, definedness: bool) -> MeasuredGroup<'a> {
         let floors = signs.iter().map(|s| floor(s)).collect();
-        MeasuredGroup { group, signs, definedness, floors }
+        let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
+        MeasuredGroup { group, signs, definedness, floors, mute }
     }
 
     /// What a residual must be small against: the size of the terms at that time, or what is typical of the group along
@@ -66,6 +69,8 @@ impl<'a> MeasuredGroup<'a> {
         let exists = self.definedness && kind == RelationKind::Equal;
         match &self.signs[sign][comparison][time] {
             Ok(_) if exists => Standing::Satisfied,
+            // No bound is small enough for what cannot be seen.
+            Ok(m) if self.mute[sign][comparison] => judge(kind, m.difference, 0.0, precision),
             Ok(m) => judge(kind, m.difference, self.scale(sign, m), precision),
             Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
             Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
@@ -333,8 +338,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             Standing::Inconclusive => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
+                    let unseen = if group.mute[best][c] { ", below which a term of the formula is lost" } else { "" };
                     format!(
-                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}",
+                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}{unseen}",
                         setting.times[i], m.difference.value, bound
                     )
                 });
@@ -368,9 +374,12 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let definedness = group.definedness && inconclusive_count > 0;
     if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
+        let would = match group.mute.iter().flatten().any(|&mute| mute) {
+            true => "a formula whose large terms do not cancel",
+            false => "a more accurate trajectory or a lower precision",
+        };
         evidence.reason = Some(format!(
-            "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; a more accurate \
-             trajectory or a lower precision would decide",
+            "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; {would} would decide",
             counted.len()
         ));
         return Verdict::new(Outcome::Undecided, evidence);

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use super::angle::{Angle, AngleBenches};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
+use super::resolve::Resolution;
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use crate::expr::{Expr, Graph, Leaf, Shape};
@@ -41,6 +42,8 @@ pub(super) struct Core {
     pub(super) initial_time: f64,
     pub(super) span: (f64, f64),
     pub(super) orbit: Option<Arc<Orbit>>,
+    /// Of a motion by formulas: where it is cut, and where it is not known from samples.
+    pub(super) resolution: Resolution,
     pub(super) constants: Vec<Constant>,
     pub(super) angles: Vec<Arc<Angle>>,
     /// Definitions of leaves in basic leaves.
@@ -190,16 +193,7 @@ impl Core {
     pub(super) fn boundaries(&self) -> Vec<f64> {
         match &self.orbit {
             Some(orbit) => orbit.trajectory.boundaries(),
-            None => {
-                const PARTS: usize = 16;
-                let (a, b) = self.span;
-                let mut times: Vec<f64> = (0..=PARTS).map(|i| a + (b - a) * (i as f64 / PARTS as f64)).collect();
-                times.push(self.initial_time);
-                times[PARTS] = b;
-                times.sort_by(f64::total_cmp);
-                times.dedup();
-                times
-            }
+            None => self.resolution.cuts.clone(),
         }
     }
 }

@@ -4,7 +4,7 @@ use num_dual::Dual;
 
 use super::core::Core;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -43,6 +43,12 @@ impl Base for f64 {
 impl Base for Bounded {
     fn from_bounded(x: Bounded) -> Bounded {
         x
+    }
+}
+
+impl Base for Interval {
+    fn from_bounded(x: Bounded) -> Interval {
+        Interval::ball(x.value, x.error)
     }
 }
 
@@ -199,6 +205,19 @@ impl Program {
             }
         }
         self.tape.run(&orders, &mut bench.slots);
+    }
+
+    /// Expands all outputs around all times of an interval, for programs in the time and constants alone.
+    pub(super) fn run_over(&self, core: &Core, bench: &mut Bench<Interval>, time: Interval) {
+        debug_assert!(!self.moving && !self.needs_turns() && core.orbit.is_none());
+        for (at, input) in self.inputs.iter().enumerate() {
+            if *input == Input::Time {
+                let slot = bench.slots.value_mut(at);
+                slot.set_coefficient(0, time);
+                slot.set_coefficient(1, Interval::point(1.0));
+            }
+        }
+        self.tape.run(&Orders::all(bench.degree), &mut bench.slots);
     }
 
     /// Whether an operation was evaluated at its branch point with an argument that looks constant to the degree of the

@@ -85,6 +85,16 @@ pub fn schema() -> Value {
         ("log2_error", number("log2 of the bound for the probability that a proof is wrong")),
         ("from", texts("What was given: ids of claims and systems")),
         ("conditions", texts("What has to hold for the formulas to have values")),
+        ("exceptions", texts("What the proof does not reach")),
+        ("given_only_where", texts("Where alone what is given can hold")),
+        (
+            "assumptions",
+            or_null(object(&[
+                ("used", texts("Assumptions of the claim that the proof needs")),
+                ("unused", texts("Assumptions of the claim that it does not need")),
+            ])),
+        ),
+        ("presupposed", texts("Assumptions of what is given that the claim does not make itself")),
         ("generic", flag("Whether the proof leaves out special cases of what is given")),
         ("reason", text_or_null("Why undecided; a remark on a proof")),
         ("witness", text_or_null("A point at which everything given holds and the claim does not")),

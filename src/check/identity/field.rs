@@ -20,6 +20,9 @@ pub(super) struct Question {
     pub(super) assumed: Vec<Expr>,
     /// Denominators: must not vanish.
     pub(super) nonzeros: Vec<Expr>,
+    /// Divided by while solving. With them, a choice of signs at which no pivot vanishes, and a denominator does, is void:
+    /// the formulas have no value there, and nothing is claimed.
+    pub(super) pivots: Option<Vec<Expr>>,
 }
 
 /// What the trials say.
@@ -31,6 +34,8 @@ pub(super) enum Trials {
     Fail { failing: usize, of: usize },
     /// No choice of signs satisfies the premises.
     Contradiction,
+    /// The same, but on every admitted choice of signs some formula has no value.
+    Void(Bound),
     /// A denominator vanishes at every point tried, for some choice of signs that the premises admit.
     NoValue,
     /// Not settled.
@@ -38,13 +43,24 @@ pub(super) enum Trials {
 }
 
 /// The error bound of the trials of one case.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Bound {
     pub(super) log2_error: f64,
     pub(super) degree: f64,
     pub(super) height: f64,
     pub(super) primes: Vec<u64>,
     pub(super) signs: usize,
+}
+
+impl Bound {
+    /// Both together.
+    pub(super) fn absorb(&mut self, other: Bound) {
+        self.log2_error = sum_log2(self.log2_error, other.log2_error);
+        self.degree = self.degree.max(other.degree);
+        self.height = self.height.max(other.height);
+        self.primes.extend(other.primes);
+        self.signs = self.signs.max(other.signs);
+    }
 }
 
 /// Points tried in one trial, until all roots exist and no denominator vanishes.
@@ -56,6 +72,7 @@ const CONSTANT_COUNT: f64 = 32.0;
 
 enum Sheet {
     Excluded,
+    Void,
     Holds,
     Fails,
     NoRoot,
@@ -78,6 +95,7 @@ pub(super) fn trials(
     let roots: Vec<Expr> =
         [&question.residuals, &question.filters, &question.zeros, &question.assumed, &question.nonzeros]
             .into_iter()
+            .chain(&question.pivots)
             .flatten()
             .copied()
             .collect();
@@ -88,7 +106,10 @@ pub(super) fn trials(
     if signs.len() > options.most_signs.min(20) as usize {
         return Trials::Unsettled(Reason::TooManyRoots(signs.len()));
     }
-    let tested = question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
+    let mut tested = question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
+    if question.pivots.is_some() {
+        tested += question.nonzeros.len();
+    }
     let Some((degree, height)) = bounds(&tape, &leaves, generators, tested, signs.len()) else {
         return Trials::Unsettled(Reason::TooLarge);
     };
@@ -104,6 +125,7 @@ pub(super) fn trials(
     let is_sign = |l: Leaf| generators.get(l) == Some(&Generator::Sign);
     let rigid: Vec<bool> = question.filters.iter().map(|&e| graph.leaves([e]).into_iter().all(is_sign)).collect();
     let mut bound = Bound { log2_error: each * count as f64, degree, height, primes: Vec::new(), signs: signs.len() };
+    let mut held = false;
     let choices = Choices::new(&tape, signs);
     for _ in 0..count {
         let field = FiniteField::draw(draws);
@@ -117,6 +139,10 @@ pub(super) fn trials(
             }
             match all_sheets(&tape, &field, &mut slots, &choices, (question, &rigid)) {
                 None => {
+                    (passed, held) = (true, true);
+                    break;
+                }
+                Some(Trials::Void(_)) => {
                     passed = true;
                     break;
                 }
@@ -129,7 +155,7 @@ pub(super) fn trials(
             return last;
         }
     }
-    Trials::Vanish(bound)
+    if held { Trials::Vanish(bound) } else { Trials::Void(bound) }
 }
 
 /// The choices of signs, in an order in which little has to be computed again from one to the next.
@@ -204,12 +230,13 @@ fn all_sheets(
     choices: &Choices,
     (question, rigid): (&Question, &[bool]),
 ) -> Option<Trials> {
-    let (mut holds, mut fails, mut no_value) = (0, 0, false);
+    let (mut holds, mut fails, mut void, mut no_value) = (0, 0, false, false);
     for choice in 0..choices.count() {
         choices.run(choice, tape, field, slots);
         match sheet(tape, field, slots, question, rigid) {
             Sheet::Excluded => {}
             Sheet::Holds => holds += 1,
+            Sheet::Void => void = true,
             Sheet::Fails => fails += 1,
             Sheet::NoValue => no_value = true,
             // Whatever the other choices say.
@@ -225,7 +252,11 @@ fn all_sheets(
     if no_value {
         return Some(Trials::NoValue);
     }
-    if holds == 0 { Some(Trials::Contradiction) } else { None }
+    match (holds, void) {
+        (0, false) => Some(Trials::Contradiction),
+        (0, true) => Some(Trials::Void(Bound::default())),
+        _ => None,
+    }
 }
 
 fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Question, rigid: &[bool]) -> Sheet {
@@ -261,12 +292,23 @@ fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Que
     if excluded {
         return Sheet::Excluded;
     }
+    let mut vanishing = false;
     for _ in &question.nonzeros {
         match next() {
-            Ok(v) if v.is_zero() => missing = missing.or(Some(NoValue::OutOfDomain)),
+            Ok(v) if v.is_zero() => {
+                vanishing = true;
+                missing = missing.or(Some(NoValue::OutOfDomain));
+            }
             Ok(_) => {}
             Err(reason) => missing = missing.or(Some(reason)),
         }
+    }
+    if let Some(pivots) = &question.pivots
+        && vanishing
+        && !not_zero
+        && pivots.iter().all(|_| next().is_ok_and(|v| !v.is_zero()))
+    {
+        return Sheet::Void;
     }
     let mut fails = false;
     for residual in residuals {

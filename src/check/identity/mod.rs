@@ -89,6 +89,7 @@
 //! J. T. Schwartz, *J. ACM* 27 (1980) 701; R. Zippel, EUROSAM 1979, LNCS 72, 216; G. H. Gonnet, STOC 1984, 334;
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
+mod absolute;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -109,6 +110,7 @@ mod polynomial;
 mod prepare;
 mod probe;
 mod prove;
+mod restate;
 mod roots;
 mod sign;
 mod solve;

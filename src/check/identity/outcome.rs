@@ -94,8 +94,10 @@ pub enum Condition {
     /// Divided by while solving the premises: not 0. Common solutions at which it vanishes were not tested, unless they are
     /// limits of others.
     Pivot(Expr),
-    /// Under a square root of a formula, or a discriminant of a premise: not negative.
+    /// Under a square root of a formula: not negative.
     Radicand(Expr),
+    /// Of a premise that is quadratic in an unknown: not negative wherever the premises hold, which nothing but they says.
+    Discriminant(Expr),
     /// Argument of arccos or arcsin: in [−1, 1].
     Unit(Expr),
     /// Argument of a logarithm or base of a power: positive.
@@ -153,6 +155,12 @@ pub enum Reason {
     Unsolved(Expr),
     /// Some formula divides by something that vanishes identically under the premises.
     NoValue,
+    /// Every way of solving the premises divides by something that vanishes wherever they hold.
+    Degenerate,
+    /// The premises have no solution at which this base of a power is positive; where it is 0 was not decided.
+    Boundary(Expr),
+    /// The premises have no solution unless this vanishes, and that case was not decided.
+    OnlyWhere(Expr),
     /// It fails over the field on `failing` of `of` choices of signs of roots, but no real point was found where it fails.
     Branches {
         /// Choices at which an equation fails.
@@ -179,7 +187,11 @@ pub enum Reason {
 impl Reason {
     /// Whether the premises were not solved, in any order: not a matter of the points that were tried.
     pub(super) fn is_about_solving(&self) -> bool {
-        matches!(self, Reason::Unsolved(_) | Reason::NoValue | Reason::TooLarge | Reason::TooManyRoots(_))
+        match self {
+            Reason::Unsolved(_) | Reason::OnlyWhere(_) | Reason::Degenerate => true,
+            Reason::TooLarge | Reason::TooManyRoots(_) => true,
+            _ => false,
+        }
     }
 }
 
@@ -199,7 +211,16 @@ impl std::fmt::Display for Reason {
         match self {
             Reason::Contradiction => f.write_str("the premises contradict each other; nothing follows from them"),
             Reason::Unsolved(_) => f.write_str("a premise could not be solved for any of its unknowns"),
-            Reason::NoValue => f.write_str("a formula divides by something that is 0 whenever the premises hold"),
+            Reason::NoValue => f.write_str("a formula divides by something that is 0 wherever the premises hold"),
+            Reason::Degenerate => {
+                f.write_str("the premises were not solved: each way divides by something that is 0 wherever they hold")
+            }
+            Reason::Boundary(_) => {
+                f.write_str("the premises hold at most where the base of a power is 0, which was not decided")
+            }
+            Reason::OnlyWhere(_) => {
+                f.write_str("the premises hold at most where something vanishes that was divided by; that was not decided")
+            }
             Reason::Branches { failing, of } => write!(
                 f,
                 "it depends on the signs of roots: false for {failing} of {of} choices, and no real point decides"

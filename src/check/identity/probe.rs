@@ -102,6 +102,19 @@ impl Probe {
         (0..exprs.len()).map(|i| tape.output(i, &slots).copied()).collect()
     }
 
+    /// Whether an expression has a value ≠ 0 at every point at which the roots in it exist, and at some.
+    pub(super) fn never_vanishes(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> bool {
+        let mut seen = false;
+        for point in 0..TRIES {
+            match self.values(graph, generators, point, &[e])[0] {
+                Ok(v) if !v.is_zero() => seen = true,
+                Err(NoValue::Indeterminate) => {}
+                _ => return false,
+            }
+        }
+        seen
+    }
+
     /// Whether an expression is identically zero, see [`Sight`].
     pub(super) fn sight(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> Sight {
         if let Some(&known) = self.sights.get(&e) {

@@ -1,18 +1,19 @@
 //! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
 
-use super::conditions::conditions;
-use super::field::{Question, Trials, sum_log2, trials};
+use super::absolute::AbsoluteValues;
+use super::conditions::{conditions, raised};
+use super::field::{Bound, Question, Trials, sum_log2, trials};
 use super::lower::{Generator, Generators, Lowering, TooLarge};
 use super::memory::{Asked, Memory};
 use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::{Identity, Options, Premises, Proof, Reason, Refutation};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
 use super::polynomial::factors;
 use super::prepare::{Premise, argument_leaves, explicit, with_rates};
 use super::probe::Probe;
 use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
-use super::witness::{Found, Scene, refutation};
+use super::witness::{Found, Scene, refutation, targets, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
 use crate::number::Draws;
@@ -26,6 +27,8 @@ pub(super) struct Lowered {
     pub(super) premises: Vec<(Expr, bool)>,
     pub(super) claim: Pairs,
     pub(super) facts: Facts,
+    /// The same without what only the formulas' having a value implies.
+    pub(super) given_facts: Facts,
     pub(super) denominators: Vec<Expr>,
     /// Given as ≠ 0.
     pub(super) assumed: Vec<Expr>,
@@ -118,7 +121,7 @@ impl From<TooLarge> for Reason {
 impl From<Failed> for Reason {
     fn from(failed: Failed) -> Reason {
         match failed {
-            Failed::NoValue => Reason::NoValue,
+            Failed::Degenerate => Reason::Degenerate,
             Failed::TooManyCases => Reason::TooLarge,
         }
     }
@@ -142,7 +145,7 @@ fn decide(
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions)?;
+    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions, true)?;
     let asked = Asked::new(&lowered, options.most_nodes);
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
@@ -206,11 +209,21 @@ fn decide(
     let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
     all.dedup();
     proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    // An example is one only if it is reached: nothing vanishes there that was divided by.
+    let divided = proof.conditions.iter().filter_map(|c| match *c {
+        Condition::Pivot(e) => Some(e),
+        _ => None,
+    });
+    let divided: Vec<Expr> = divided.collect();
+    proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());
     Ok(proof)
 }
 
 /// Special cases are given up when they have made this many nodes: their pivots stay conditions.
 const MOST_SPECIAL_NODES: usize = 2000;
+
+/// Signs by which one case is taken apart.
+const MOST_SIGNS_SPLIT: usize = 3;
 
 /// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
 fn is_simple(graph: &Graph, pivot: Expr) -> bool {
@@ -223,8 +236,10 @@ enum Outcome {
     Holds(Box<Proof>),
     Refuted(Box<Refutation>),
     Open(Reason),
-    /// The premises or the formulas rule the case out.
+    /// The premises rule the case out, or it was not reached.
     Empty(Reason),
+    /// Some formula has no value wherever the premises hold.
+    Void(Bound),
 }
 
 /// Why a list of cases does not amount to a proof.
@@ -244,15 +259,32 @@ impl From<Reason> for Stop {
 /// One proof from all cases, with the resolutions it rests on.
 fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
     let mut proof: Option<Proof> = None;
-    let (mut open, mut empty, mut resolved) = (None, None, Vec::new());
+    let (mut open, mut resolved) = (None, Vec::new());
+    let (mut void, mut empty): (Option<Bound>, Option<Reason>) = (None, None);
     for (mut case, outcome) in outcomes {
         match outcome {
             Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
             Outcome::Open(reason) => drop(open.get_or_insert(reason)),
             Outcome::Empty(reason) => {
-                empty.get_or_insert(reason);
+                // Only where all cases contradict themselves the premises do.
+                let weight = |r: &Reason| match r {
+                    Reason::Contradiction => 0,
+                    Reason::NoValue => 1,
+                    _ => 2,
+                };
+                if empty.as_ref().is_none_or(|e| weight(e) < weight(&reason)) {
+                    empty = Some(reason);
+                }
                 case.empty = true;
                 resolved.push(case);
+            }
+            Outcome::Void(bound) => {
+                case.empty = true;
+                resolved.push(case);
+                match &mut void {
+                    None => void = Some(bound),
+                    Some(all) => all.absorb(bound),
+                }
             }
             Outcome::Holds(one) => {
                 resolved.push(case);
@@ -265,8 +297,23 @@ fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), S
     }
     match (open, proof) {
         (Some(reason), _) => Err(Stop::Undecided(reason)),
-        (None, Some(proof)) => Ok((proof, resolved)),
-        (None, None) => Err(Stop::Empty(empty.unwrap_or(Reason::Contradiction), resolved)),
+        (None, Some(mut proof)) => {
+            if let Some(bound) = void {
+                proof.log2_error = sum_log2(proof.log2_error, bound.log2_error);
+                proof.degree_bound = proof.degree_bound.max(bound.degree);
+                proof.height_bound = proof.height_bound.max(bound.height);
+                proof.primes.extend(bound.primes);
+            }
+            Ok((proof, resolved))
+        }
+        (None, None) => {
+            let reason = match (empty, void) {
+                (Some(Reason::Degenerate), _) => Reason::Degenerate,
+                (_, Some(_)) => Reason::NoValue,
+                (empty, None) => empty.unwrap_or(Reason::Contradiction),
+            };
+            Err(Stop::Empty(reason, resolved))
+        }
     }
 }
 
@@ -369,28 +416,55 @@ impl Examination<'_> {
                 settled => return settled,
             }
         }
-        Err(Stop::Undecided(first.unwrap_or(Reason::NoValue)))
+        Err(Stop::Undecided(first.unwrap_or(Reason::Degenerate)))
     }
 
     /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either.
     fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Stop {
-        let Stop::Empty(reason, cases) = stop else { return stop };
-        if reason != Reason::Contradiction {
+        let Stop::Empty(mut reason, cases) = stop else { return stop };
+        let is_empty = |r: &Reason| matches!(r, Reason::Contradiction | Reason::NoValue);
+        if !is_empty(&reason) {
             return Stop::Undecided(reason);
         }
-        let pivots = Pivots::of(self, &cases).list;
-        for &pivot in &pivots {
+        let mut open = None;
+        for pivot in Pivots::of(self, &cases).list {
             let mut special = vec![(pivot, false)];
             special.extend(premises);
-            let empty = match self.run(&special).map_err(Stop::from).and_then(merge) {
-                Err(Stop::Empty(Reason::Contradiction, cases)) => Pivots::of(self, &cases).list.is_empty(),
-                _ => false,
-            };
-            if !empty {
-                return Stop::Undecided(Reason::Unsolved(pivot));
+            match self.run(&special).map_err(Stop::from).and_then(merge) {
+                // A point that satisfies all premises refutes, wherever it was found.
+                Err(refuted @ Stop::Refuted(_)) => return refuted,
+                Err(Stop::Empty(special, cases)) if is_empty(&special) && Pivots::of(self, &cases).list.is_empty() => {
+                    if special == Reason::NoValue {
+                        reason = special;
+                    }
+                }
+                _ => drop(open.get_or_insert(pivot)),
             }
         }
-        Stop::Undecided(Reason::Contradiction)
+        if let Some(pivot) = open {
+            return Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivot)));
+        }
+        Stop::Undecided(match self.boundary() {
+            Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
+            _ => reason,
+        })
+    }
+
+    /// The base of a power in the premises that is not known to be positive: where it is 0, the power has a value, and is
+    /// not what it was taken for.
+    fn boundary(&mut self) -> Option<Expr> {
+        let mut facts = Facts::default();
+        self.given.positive.iter().for_each(|&e| facts.note_positive(self.graph, e));
+        let roots = self.premises.iter().flat_map(|&(l, r)| [l, r]);
+        let bases = self.graph.reachable(roots).into_iter().filter_map(|e| match *self.graph.node(e) {
+            Node::Binary(Op::Pow, a, _) => Some(a),
+            _ => None,
+        });
+        let bases: Vec<Expr> = bases.collect();
+        bases.into_iter().find(|&a| {
+            let known = facts.sign(self.graph, &self.lowered.generators, a);
+            !(known.not_negative && known.nonzero)
+        })
     }
 
     /// All cases of the given lowered premises.
@@ -401,6 +475,7 @@ impl Examination<'_> {
             generators: &mut self.lowered.generators,
             probe: &mut self.probe,
             facts: &self.lowered.facts,
+            given_facts: &self.lowered.given_facts,
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
             strategy: self.strategy,
@@ -413,6 +488,7 @@ impl Examination<'_> {
         let mut out = Vec::new();
         for case in cases {
             let outcome = match case.empty {
+                true if case.no_value => Outcome::Empty(Reason::NoValue),
                 true => Outcome::Empty(Reason::Contradiction),
                 false => self.case(&case, &each),
             };
@@ -426,13 +502,29 @@ impl Examination<'_> {
         if self.clashes(&map) {
             return Outcome::Empty(Reason::Contradiction);
         }
-        let question = question(self.graph, &mut self.lowered, &mut self.probe, case, &map);
-        let outcome = trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws);
+        let claim = self.lowered.claim.clone();
+        let residuals: Vec<Expr> = match case.void {
+            // That it divides by 0 is tested like a claim.
+            Some(denominator) => vec![denominator],
+            None => claim.iter().map(|&(l, r)| self.graph.sub(l, r)).collect(),
+        };
+        let mut outcome = self.trials(case, &map, residuals.clone(), options, false);
+        if case.void.is_some() {
+            return match outcome {
+                Trials::Vanish(bound) => Outcome::Void(bound),
+                Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+                _ => Outcome::Empty(Reason::Degenerate),
+            };
+        }
+        if outcome == Trials::NoValue {
+            outcome = self.trials(case, &map, residuals, options, true);
+        }
         let mut sides = Pairs::new();
         for &(l, r) in &self.lowered.claim {
             sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
         }
         let scene = Scene {
+            targets: targets(self.graph, &self.lowered.generators, &map),
             graph: self.graph,
             generators: &self.lowered.generators,
             claim: self.claim,
@@ -465,31 +557,81 @@ impl Examination<'_> {
                 }))
             }
             Trials::Fail { failing, of } => {
+                // An exact point is looked for beyond the first that refutes, for a while.
                 let enough = |f: &[Found]| {
-                    f.len() > 12
-                        || refutation(f)
-                            .is_some_and(|r| r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some())
+                    refutation(f).is_some_and(|r| {
+                        f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                    })
                 };
                 match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
                     Some(refutation) => Outcome::Refuted(Box::new(refutation)),
-                    None => Outcome::Open(Reason::Branches { failing, of }),
+                    None => {
+                        let split = if failing < of { self.split_by_sign(case, options) } else { None };
+                        split.unwrap_or(Outcome::Open(Reason::Branches { failing, of }))
+                    }
                 }
             }
             Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
-            Trials::NoValue => Outcome::Empty(Reason::NoValue),
+            Trials::Void(bound) => Outcome::Void(bound),
+            Trials::NoValue => Outcome::Empty(Reason::Degenerate),
             Trials::Unsettled(reason) => Outcome::Open(reason),
         }
     }
 
+    /// A case that fails for some choice of signs, and at no real point, taken apart by the first sign in its definitions:
+    /// what is given may exclude one of the two. `None` where that does not settle it.
+    fn split_by_sign(&mut self, case: &Resolved, options: &Options) -> Option<Outcome> {
+        let values: Vec<Expr> = case.definitions.iter().map(|&(_, e)| e).collect();
+        let defined = |l: &Leaf| case.definitions.iter().any(|(d, _)| d == l);
+        let generators = &self.lowered.generators;
+        let is_sign = |l: &Leaf| generators.get(*l) == Some(&Generator::Sign) && !defined(l);
+        let split = case.definitions.iter().filter(|(l, _)| generators.get(*l) == Some(&Generator::Sign)).count();
+        let leaf = self.graph.leaves(values).into_iter().find(is_sign).filter(|_| split < MOST_SIGNS_SPLIT)?;
+        let mut outcomes = Vec::new();
+        for value in [1, -1] {
+            let mut one = case.clone();
+            one.define_sign(leaf, self.graph.integer(value));
+            let outcome = self.case(&one, options);
+            if let Outcome::Open(_) = outcome {
+                return None;
+            }
+            outcomes.push((one, outcome));
+        }
+        match merge(outcomes) {
+            Ok((proof, _)) => Some(Outcome::Holds(Box::new(proof))),
+            Err(Stop::Refuted(refutation)) => Some(Outcome::Refuted(refutation)),
+            Err(Stop::Empty(reason, _)) => Some(Outcome::Empty(reason)),
+            Err(Stop::Undecided(_)) => None,
+        }
+    }
+
+    /// The trials of one case; `with_pivots`, choices of signs without a value are left out, where that can be told.
+    fn trials(
+        &mut self,
+        case: &Resolved,
+        map: &FastMap<Leaf, Expr>,
+        residuals: Vec<Expr>,
+        options: &Options,
+        with_pivots: bool,
+    ) -> Trials {
+        let question = question(self.graph, &mut self.lowered, &mut self.probe, (case, map), residuals, with_pivots);
+        trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws)
+    }
+
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
     fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
-        let positive = self.lowered.facts.positive.clone();
-        positive.iter().any(|&e| {
+        let Facts { positive, not_negative, .. } = self.lowered.given_facts.clone();
+        let mut facts: Vec<(Expr, bool)> = positive.into_iter().map(|e| (e, true)).collect();
+        facts.extend(not_negative.into_iter().map(|e| (e, false)));
+        facts.sort_unstable();
+        facts.into_iter().any(|(e, strict)| {
             let image = insert_definitions(self.graph, map, e);
             let mut others = self.lowered.facts.clone();
             others.positive.remove(&image);
+            others.not_negative.remove(&image);
             others.nonzero.remove(&image);
-            others.sign(self.graph, &self.lowered.generators, image).not_positive
+            let known = others.sign(self.graph, &self.lowered.generators, image);
+            known.not_positive && (strict || known.nonzero)
         })
     }
 }
@@ -501,13 +643,15 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     }
 }
 
-/// Premises and claim, definitions inserted, without transcendental functions.
+/// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
+/// [`AbsoluteValues`].
 pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
     claim: &[(Expr, Expr)],
     [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
+    with_signs: bool,
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
@@ -524,23 +668,39 @@ pub(super) fn lower(
     let mut facts = Facts::default();
     for &e in positive {
         let image = lowering.lower(e)?;
-        facts.positive.insert(image);
+        facts.note_positive(lowering.graph, image);
     }
     for &e in not_negative {
         let image = lowering.lower(e)?;
-        facts.not_negative.insert(image);
+        facts.note_not_negative(lowering.graph, image);
     }
     let mut not_zero = Vec::new();
     for &e in nonzero {
         not_zero.push(lowering.lower(e)?);
     }
+    // Nor are their radicands negative.
+    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
+    for node in lowering.graph.reachable(formulas) {
+        if let Node::Unary(Op::Sqrt, a) = *lowering.graph.node(node) {
+            let image = lowering.lower(a)?;
+            facts.note_not_negative(lowering.graph, image);
+        }
+    }
+    let mut of_definitions = Vec::new();
+    for &e in definitions {
+        of_definitions.push(lowering.lower(e)?);
+    }
+    let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
+    let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
+    let mut absolute = AbsoluteValues::of(graph, &mut generators, &mut facts, &premises)?;
+    let mut put = |e: &mut Expr| *e = absolute.put_into(graph, *e);
+    images.iter_mut().for_each(|(e, _)| put(e));
+    sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
+    not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
     // Formulas are claimed where they have a value, so their denominators are not 0 there.
     let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
     lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
-    for &e in definitions {
-        lowered_roots.push(lowering.lower(e)?);
-    }
-    let graph = &mut *lowering.graph;
+    lowered_roots.extend(&of_definitions);
     let mut denominators = Vec::new();
     for node in graph.reachable(lowered_roots) {
         match *graph.node(node) {
@@ -550,11 +710,13 @@ pub(super) fn lower(
         }
     }
     denominators.retain(|&e| graph.as_constant(e).is_none());
-    for &e in not_zero.iter().chain(&denominators) {
+    let note = |facts: &mut Facts, e: Expr| {
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
-    }
-    let mut generators = lowering.generators;
+    };
+    not_zero.iter().for_each(|&e| note(&mut facts, e));
+    let mut given_facts = facts.clone();
+    denominators.iter().for_each(|&e| note(&mut facts, e));
     // What still stands in arguments after lowering must stay free.
     let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
     let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
@@ -563,7 +725,9 @@ pub(super) fn lower(
     let occurring = graph.leaves(all);
     let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
     facts.positive.extend(orthogonal.norms.iter().copied());
+    given_facts.positive.extend(orthogonal.norms.iter().copied());
     Ok(Lowered {
+        given_facts,
         orthogonal,
         generators,
         premises: images,
@@ -580,26 +744,31 @@ fn question(
     graph: &mut Graph,
     lowered: &mut Lowered,
     probe: &mut Probe,
-    case: &Resolved,
-    map: &FastMap<Leaf, Expr>,
+    (case, map): (&Resolved, &FastMap<Leaf, Expr>),
+    residuals: Vec<Expr>,
+    with_pivots: bool,
 ) -> Question {
     let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
         list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
     };
-    let residuals: Vec<Expr> = lowered.claim.iter().map(|&(l, r)| graph.sub(l, r)).collect();
+    let pivots = with_pivots.then(|| {
+        let roots: Vec<Expr> = residuals.iter().chain(&lowered.assumed).chain(&lowered.denominators).copied().collect();
+        let pivots = case.pivots_for(graph, roots);
+        inserted(graph, &pivots)
+    });
     let residuals = inserted(graph, &residuals);
     let filters = inserted(graph, &case.unsolved);
     let mut zeros = inserted(graph, &case.taken_as_zero);
     let mut assumed = inserted(graph, &lowered.assumed);
     let mut nonzeros = inserted(graph, &lowered.denominators);
     let mut facts = lowered.facts.clone();
-    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.nonzero] {
+    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.not_positive, &mut facts.nonzero] {
         let mut list: Vec<Expr> = set.iter().copied().collect();
         list.sort_unstable();
         set.extend(inserted(graph, &list));
     }
     let mut all = residuals.clone();
-    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros));
+    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
     let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
     roots.prepare(&all);
     let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
@@ -607,17 +776,19 @@ fn question(
     zeros = normal(zeros);
     assumed = normal(assumed);
     nonzeros = normal(nonzeros);
+    let pivots = pivots.map(normal);
     let taken = std::mem::take(&mut roots.taken_as_zero);
     zeros.extend(taken.into_iter().map(|e| roots.normal(e)).collect::<Vec<_>>());
-    let mut out = Question { residuals, filters, zeros, assumed, nonzeros };
+    let mut out = Question { residuals, filters, zeros, assumed, nonzeros, pivots };
     parametrise(graph, &mut lowered.generators, &mut out);
     out
 }
 
 /// c = (1 − t²)/(1 + t²), s = 2t/(1 + t²) for every pair that is not solved for.
 fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Question) {
-    let Question { residuals, filters, zeros, assumed, nonzeros } = question;
-    let lists = [residuals, filters, zeros, assumed, nonzeros];
+    let Question { residuals, filters, zeros, assumed, nonzeros, pivots } = question;
+    let lists: Vec<&mut Vec<Expr>> =
+        [residuals, filters, zeros, assumed, nonzeros].into_iter().chain(pivots).collect();
     let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
     let mut map: FastMap<Leaf, Expr> = FastMap::default();
     for leaf in leaves {
@@ -633,7 +804,7 @@ fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Qu
         map.insert(s, graph.div(twice, below));
     }
     for list in lists {
-        for e in list.iter_mut() {
+        for e in list {
             *e = insert_definitions(graph, &map, *e);
         }
     }

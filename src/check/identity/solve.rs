@@ -40,6 +40,10 @@ pub(super) struct Resolved {
     unsolved_needs: BTreeSet<usize>,
     /// Whether the premises cannot hold in this case, where the pivots are not 0.
     pub(super) empty: bool,
+    /// A denominator of a premise that vanishes wherever the others hold: the premise has no value then.
+    pub(super) void: Option<Expr>,
+    /// Whether it is empty because something vanishes that a formula divides by.
+    pub(super) no_value: bool,
     /// Factors set to 0, for the description of the case.
     pub(super) split_on: Vec<Expr>,
 }
@@ -47,8 +51,8 @@ pub(super) struct Resolved {
 /// Why there is no resolution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Failed {
-    /// A premise divides by something that vanishes identically under the others.
-    NoValue,
+    /// What was divided by vanishes identically.
+    Degenerate,
     /// More cases than are looked at.
     TooManyCases,
 }
@@ -79,6 +83,8 @@ pub(super) struct Solver<'a> {
     pub(super) generators: &'a mut Generators,
     pub(super) probe: &'a mut Probe,
     pub(super) facts: &'a Facts,
+    /// What is given of signs.
+    pub(super) given_facts: &'a Facts,
     /// Leaves that must stay free: they stand in arguments of transcendental functions.
     pub(super) frozen: &'a FastSet<Leaf>,
     /// In which order.
@@ -139,6 +145,12 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap
 }
 
 impl Resolved {
+    /// One value for a sign.
+    pub(super) fn define_sign(&mut self, leaf: Leaf, value: Expr) {
+        self.definitions.push((leaf, value));
+        self.needs.push(BTreeSet::new());
+    }
+
     /// The pivots of the definitions that expressions depend on. The equations that the other definitions come from could
     /// have been left out: so could what was divided by for them.
     pub(super) fn pivots_for(&self, graph: &Graph, exprs: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
@@ -195,6 +207,8 @@ impl Solver<'_> {
             match self.advance(&mut case)? {
                 Next::Done => done.push(case.out),
                 Next::Contradiction => done.push(Resolved { empty: true, ..case.out }),
+                Next::NoValue => done.push(Resolved { empty: true, no_value: true, ..case.out }),
+                Next::Void(denominator) => done.push(Resolved { void: Some(denominator), ..case.out }),
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
@@ -259,12 +273,17 @@ impl Solver<'_> {
             }
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
-                Sight::Nowhere => return Err(Failed::NoValue),
+                Sight::Nowhere => {
+                    return match self.vanishing_denominator(case, one.plain) {
+                        Some(denominator) => Ok(Some(Next::Void(denominator))),
+                        None => Err(Failed::Degenerate),
+                    };
+                }
                 Sight::Nonzero => {}
             }
             let (_, parts) = factors(self.graph, top);
-            let mut parts: Vec<Expr> =
-                parts.into_iter().filter(|&(base, k)| k > 0 && !self.is_known(base)).map(|(base, _)| base).collect();
+            let bases: Vec<Expr> = parts.into_iter().filter(|&(_, k)| k > 0).map(|(base, _)| base).collect();
+            let mut parts: Vec<Expr> = bases.iter().copied().filter(|&base| !self.is_known(base)).collect();
             if parts.len() > 1 {
                 // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
                 let free = |base: &Expr| match self.graph.node(*base) {
@@ -275,7 +294,11 @@ impl Solver<'_> {
                 parts.retain(|base| !free(base));
             }
             match parts.as_slice() {
-                [] => return Ok(Some(Next::Contradiction)),
+                // That a formula has a value is not given.
+                [] => {
+                    let given = bases.into_iter().all(|base| self.is_given(base));
+                    return Ok(Some(if given { Next::Contradiction } else { Next::NoValue }));
+                }
                 &[base] => {
                     if let Some(terms) = self.squares(base) {
                         pending.extend(terms.into_iter().rev().map(|e| Pending { e, plain: e, ..one }));
@@ -283,7 +306,9 @@ impl Solver<'_> {
                     }
                     let reduced = self.on_circle(case, base);
                     let (_, again) = factors(self.graph, reduced);
-                    if again.len() > 1 {
+                    if let Some(parts) = self.without_leaf(reduced) {
+                        split.get_or_insert((kept.len(), parts));
+                    } else if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
                     }
                     kept.push(Pending { e: reduced, ..one });
@@ -303,7 +328,7 @@ impl Solver<'_> {
         if let Some(known) = self.probe.squares.get(&e) {
             return known.clone();
         }
-        if let Some(terms) = self.written_squares(e) {
+        if let Some(terms) = self.written_squares(e).or_else(|| self.terms_of_one_sign(e)) {
             self.probe.squares.insert(e, Some(terms.clone()));
             return Some(terms);
         }
@@ -319,6 +344,33 @@ impl Solver<'_> {
         });
         self.probe.squares.insert(e, found.clone());
         found
+    }
+
+    /// The same for a sum of terms that are known to have one sign.
+    fn terms_of_one_sign(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        let (mut open, mut terms) = (vec![(e, false)], Vec::new());
+        while let Some((e, minus)) = open.pop() {
+            match *self.graph.node(e) {
+                Node::Binary(Op::Add, a, b) => open.extend([(b, minus), (a, minus)]),
+                Node::Binary(Op::Sub, a, b) => open.extend([(b, !minus), (a, minus)]),
+                Node::Unary(Op::Neg, a) => open.push((a, !minus)),
+                _ if self.graph.is_zero(e) => {}
+                _ => terms.push((e, minus)),
+            }
+        }
+        if terms.len() < 2 {
+            return None;
+        }
+        let signs: Vec<(bool, bool)> = terms
+            .iter()
+            .map(|&(e, minus)| {
+                let known = self.facts.sign(self.graph, self.generators, e);
+                let pair = (known.not_negative, known.not_positive);
+                if minus { (pair.1, pair.0) } else { pair }
+            })
+            .collect();
+        let one_sign = signs.iter().all(|s| s.0) || signs.iter().all(|s| s.1);
+        one_sign.then(|| terms.into_iter().map(|(e, _)| e).collect())
     }
 
     /// The same for a sum that is written as one of squares.
@@ -406,6 +458,36 @@ impl Solver<'_> {
         (parts[0], parts[1])
     }
 
+    /// x and q where an equation is x·q = 0 with more than two powers of x: it can be solved for x no other way.
+    fn without_leaf(&mut self, e: Expr) -> Option<Vec<Expr>> {
+        if self.graph.reachable([e]).len() > 40 {
+            return None;
+        }
+        for leaf in self.graph.leaves([e]) {
+            if self.class(leaf).is_none() {
+                continue;
+            }
+            let Some(all) = coefficients(self.graph, e, leaf, HIGHEST).filter(|all| all.len() > 3) else { continue };
+            if !self.graph.is_zero(all[0]) {
+                continue;
+            }
+            let x = self.graph.leaf(leaf);
+            let quotient = self.from_powers(&all[1..], x);
+            return Some([x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect());
+        }
+        None
+    }
+
+    /// Σ cₖ·xᵏ.
+    fn from_powers(&mut self, all: &[Expr], x: Expr) -> Expr {
+        let mut out = self.graph.integer(0);
+        for &c in all.iter().rev() {
+            let raised = self.graph.mul_structural(out, x);
+            out = self.graph.add(raised, c);
+        }
+        out
+    }
+
     /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
     fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
         let all = &candidate.coefficients;
@@ -419,11 +501,7 @@ impl Solver<'_> {
         if !self.graph.is_zero(lowest) {
             case.out.taken_as_zero.push(lowest);
         }
-        let mut quotient = self.graph.integer(0);
-        for &c in all[1..].iter().rev() {
-            let raised = self.graph.mul_structural(quotient, x);
-            quotient = self.graph.add(raised, c);
-        }
+        let quotient = self.from_powers(&all[1..], x);
         let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
         Some(Next::Split(candidate.equation, parts))
     }
@@ -436,6 +514,37 @@ impl Solver<'_> {
         let known = self.facts.sign(self.graph, self.generators, e).nonzero;
         self.probe.nonzero.insert(e, known);
         known
+    }
+
+    /// Whether it is known from what is given.
+    fn is_given(&self, e: Expr) -> bool {
+        self.given_facts.sign(self.graph, self.generators, e).nonzero
+    }
+
+    /// A denominator of a premise that vanishes under the definitions of a case, none of whose pivots vanishes.
+    fn vanishing_denominator(&mut self, case: &Case, plain: Expr) -> Option<Expr> {
+        let map = closed(self.graph, &case.out.definitions);
+        let pivots = case.out.pivots.clone();
+        for (pivot, _) in pivots {
+            let pivot = insert_definitions(self.graph, &map, pivot);
+            if !self.probe.never_vanishes(self.graph, self.generators, pivot) {
+                return None;
+            }
+        }
+        let denominators: Vec<Expr> = self
+            .graph
+            .reachable([plain])
+            .iter()
+            .filter_map(|&e| match *self.graph.node(e) {
+                Node::Binary(Op::Div, _, b) => Some(b),
+                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
+                _ => None,
+            })
+            .collect();
+        denominators.into_iter().find(|&e| {
+            let e = insert_definitions(self.graph, &map, e);
+            self.probe.sight(self.graph, self.generators, e) == Sight::Zero
+        })
     }
 
     fn class(&self, leaf: Leaf) -> Option<u8> {
@@ -608,6 +717,10 @@ impl Solver<'_> {
 enum Next {
     Done,
     Contradiction,
+    /// Something vanishes that a formula divides by.
+    NoValue,
+    /// This denominator seems to vanish, as far as random points tell.
+    Void(Expr),
     /// The equation with this number is a product of these factors.
     Split(usize, Vec<Expr>),
 }

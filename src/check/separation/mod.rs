@@ -94,7 +94,7 @@ impl Probes {
         derivation: &Derivation,
         gradients: &[Option<Result<Gradients, String>>],
         start_of: &[usize],
-        courses: Vec<Course>,
+        courses: &mut [Course],
         account: &mut Account,
     ) {
         let split = account.claims.iter().any(explain::is_split);
@@ -104,20 +104,20 @@ impl Probes {
         };
         let count = self.candidates.len();
         let asked: Vec<(&Claim, &[Program])> = self.asked().collect();
-        let on_one = |course: Course| -> (String, Vec<Option<Verdict>>) {
+        let on_one = |course: &mut Course| -> (String, Vec<Option<Verdict>>) {
             let t = course.trajectory;
             let verdict = |(k, (claim, programs)): (usize, &(&Claim, &[Program]))| {
                 let dropped = k.checked_sub(count).and_then(|d| self.dropped.get(d));
                 let wanted = dropped.map_or(split, |d| open(d, t));
                 let program = programs.get(start_of[t]).filter(|_| wanted && claim.trajectories.contains(&t))?;
                 let gradients = dropped.and_then(|d| gradients.get(d.of)).and_then(Option::as_ref);
-                let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+                let trial = Trial { graph: &derivation.graph, claim, program, course };
                 Some(one_pair(derivation, &trial, gradients))
             };
             (derivation.trajectories[t].id.clone(), asked.iter().enumerate().map(verdict).collect())
         };
         let columns: Vec<(String, Vec<Option<Verdict>>)> =
-            courses.into_par_iter().with_max_len(1).map(on_one).collect();
+            courses.par_iter_mut().with_max_len(1).map(on_one).collect();
 
         let ids: Vec<String> = account.trajectories.iter().map(|t| t.id.clone()).collect();
         let truth = |k: usize| -> Truth {

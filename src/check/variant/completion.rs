@@ -10,13 +10,13 @@
 
 use super::battery::{Battery, Value};
 use super::edit::EditClass;
-use super::gap::{Gap, atoms, filled, monomial};
+use super::gap::{Gap, filled, monomial};
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
 use super::vocabulary::Vocabulary;
 use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::latex;
 use crate::latex::syntax::{Chain, Node, NodeKind};
-use crate::number::Bounded;
+use crate::number::{Bounded, Number};
 use crate::tape::Tape;
 
 /// Largest power in a monomial.
@@ -99,10 +99,34 @@ fn power(x: f64, n: i32) -> f64 {
     if n < 0 { 1.0 / size } else { size }
 }
 
+/// ln |b/a|.
+fn change(a: Option<&f64>, b: Option<&f64>) -> f64 {
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let mut out = 0.0_f64;
+            Number::ln(&mut out, &(), &(b / a).abs()).map_or(f64::NAN, |()| out)
+        }
+        _ => f64::NAN,
+    }
+}
+
 /// The monomials c·∏ aⁿ that make the residual vanish, the simplest first.
 fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     let mut out = Vec::new();
+    // How the logarithms change from the first point to the second rules out almost everything, at the cost of a sum.
+    let changes: Vec<f64> = values.iter().map(|v| change(v.first(), v.get(1))).collect();
+    let factor = |p: usize| line.coefficient(p, |_| 1.0);
+    let wanted = (!line.constant && line.at.len() > 1).then(|| change(factor(0).as_ref(), factor(1).as_ref()));
+    let near = |powers: &[(usize, i32)]| {
+        let Some(wanted) = wanted.filter(|w| w.is_finite()) else { return true };
+        let found: f64 = powers.iter().map(|&(a, n)| f64::from(n) * changes[a]).sum();
+        // A looser bound than that of the values: this only chooses what is looked at.
+        !((found - wanted).abs() > 1e-5)
+    };
     let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
+        if !near(powers) {
+            return None;
+        }
         let m = |p: usize| -> f64 { powers.iter().map(|&(a, n)| power(values[a][p], n)).product() };
         let mut c = None;
         let mut count = 0;
@@ -183,9 +207,10 @@ pub(super) fn completions(
     setting: &Setting,
     vocabulary: &Vocabulary,
     formula: &Formula,
+    atoms: &[Node],
     points: &Points,
 ) -> Vec<Chain> {
-    let (nodes, values) = valued_atoms(graph, setting, &atoms(&formula.tree, vocabulary), points);
+    let (nodes, values) = valued_atoms(graph, setting, atoms, points);
     let constant = |n: i64| Node::new(NodeKind::Number(Rational::from(n)), 0..0);
     let mut out: Vec<(i32, Chain)> = Vec::new();
     for (gap, probe, instead) in [(Gap::Factor, constant(0), true), (Gap::Term, constant(1), false)] {

@@ -80,7 +80,7 @@ pub(super) fn plain(text: &str) -> String {
 
 /// A condition of a proof: an expression, its relation to zero, and perhaps words.
 pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
-    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < ", " = "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
     match split {
         Some((relation, (expression, rest))) => html! { (formula(expression, scope)) (relation) (rest) },
         None if text.contains('\\') => html! { code { (plain(text)) } },
