@@ -255,11 +255,11 @@ fn evidence(claim: &ClaimAccount, graph: &DerivationGraph) -> String {
     }
     if let Some(identity) = &claim.identity {
         if identity.generic {
-            out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+            out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
         }
-        if !identity.conditions.is_empty() {
-            let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
-            out.push_str(&format!("Conditions of the proof:\n\n{list}\n"));
+        for (title, lines) in identity.terms() {
+            let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();
+            out.push_str(&format!("{title}:\n\n{list}\n"));
         }
         out.push_str(&certificate_note(claim, identity));
         if let Some(witness) = &identity.witness {
