@@ -297,15 +297,24 @@ pub(super) fn cancelled(node: &Node) -> Node {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expr::Graph;
     use crate::latex::syntax::to_latex;
-    use crate::latex::{self, Scope};
+    use crate::latex::{self, Declaration, Role, Scope};
 
     #[test]
     fn what_is_multiplied_and_divided_again_is_left_out() {
+        let mut graph = Graph::new();
+        let mut scope = Scope::new(&mut graph);
+        for name in ["t", "a", "b"] {
+            let role = Role::Parameter;
+            let scalar = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[] };
+            scope.declare(&mut graph, name, scalar).expect("a new name");
+        }
         let simple = |text: &str| {
-            let scope = Scope::default();
             let mut chains = latex::parse(text, &scope).expect("a formula");
-            to_latex(&cancelled(&chains.remove(0).sides.remove(0)))
+            let mut chain = chains.remove(0);
+            chain.sides = chain.sides.iter().map(cancelled).collect();
+            to_latex(&chain)
         };
         assert_eq!(simple(r"\frac{ta}{t}"), "a");
         assert_eq!(simple(r"t\frac{a}{t}"), "a");
