@@ -1,14 +1,14 @@
 //! One claim along one enclosed motion.
 
-use super::cover::{Along, Judgement, Ranges};
+use super::cover::{Along, Judgement, Ranges, Selection};
 use crate::check::comparison::{Comparison, Group};
 use crate::check::program::{Program, Use};
 use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
 use crate::derivation::{Claim, Form};
-use crate::expr::Expr;
-use crate::flow::{Compiled, Reach};
+use crate::flow::Reach;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, Interval, NoValue};
+use std::rc::Rc;
 
 /// Sides that differ for certain refute a claim that holds on samples only if they differ by this many times what the
 /// precision allows.
@@ -43,18 +43,20 @@ enum Shown {
 }
 
 /// A group, compiled with the assumptions.
-struct Ready<'a> {
+pub(super) struct Ready<'a> {
     group: &'a Group,
     /// The differences of the assumptions, then, for each sign and comparison, that of its sides; for a claim that something
     /// is defined, the left side.
-    compiled: Compiled,
-    /// For each of the above: left side, right side, size of the terms.
-    sides: Compiled,
-    /// The differences of the equations among the assumptions, and the size of their terms.
-    given: Vec<(Expr, Expr)>,
+    roots: Selection,
+    /// For each of the above: the places of left side, right side, size of the terms.
+    sides: Vec<usize>,
+    /// The places of the differences of the equations among the assumptions, and of the size of their terms.
+    given: Vec<(usize, usize)>,
     /// The kinds of the assumptions that select times.
     assumptions: Vec<RelationKind>,
     signs: usize,
+    /// Where the rate of the only difference stands.
+    slope: Option<usize>,
     scale: f64,
     /// The median size that the sides have for certain; 0 where they may vanish.
     known: f64,
@@ -83,13 +85,13 @@ fn median(mut sizes: Vec<f64>) -> f64 {
 }
 
 /// Most points at which sizes are taken.
-const POINTS: usize = 50;
+const POINTS: usize = 40;
 
-/// Values at the middle of steps that are spread over the span.
-fn at_middles(along: &mut Along, compiled: &Compiled) -> Vec<Vec<Result<Interval, NoValue>>> {
-    let times = along.pieces();
-    let every = times.len().div_ceil(POINTS).max(1);
-    times.into_iter().step_by(every).map(|time| along.at_middle(compiled, time)).collect()
+/// All sides at the middle of steps that are spread over the span.
+fn at_middles(along: &mut Along) -> Vec<Rc<Vec<Result<Interval, NoValue>>>> {
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    let times: Vec<Interval> = along.pieces().iter().copied().step_by(every).collect();
+    times.into_iter().map(|time| along.at_middle(time)).collect()
 }
 
 impl<'a> Ready<'a> {
@@ -104,7 +106,8 @@ impl<'a> Ready<'a> {
         let signs = if group.branching { 2 } else { 1 };
         let sign = claim.scope.branch_sign();
         let (plus, minus) = (along.graph.integer(1), along.graph.integer(-1));
-        let (mut roots, mut sides): (Vec<Expr>, Vec<Expr>) = (Vec::new(), Vec::new());
+        let (mut roots, mut sides): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+        let mut last = None;
         let (mut assumptions, mut given) = (Vec::new(), Vec::new());
         for assumption in &program.assumptions {
             if assumption.group.branching {
@@ -113,11 +116,13 @@ impl<'a> Ready<'a> {
             for c in &assumption.group.comparisons {
                 let difference = along.graph.sub(c.left, c.right);
                 if assumption.throughout {
-                    given.push((difference, c.magnitude));
+                    given.push((along.difference(difference)?, along.side(c.magnitude)?));
                     continue;
                 }
-                roots.push(difference);
-                sides.extend([c.left, c.right, c.magnitude]);
+                roots.push(along.difference(difference)?);
+                for e in [c.left, c.right, c.magnitude] {
+                    sides.push(along.side(e)?);
+                }
                 assumptions.push(c.kind);
             }
         }
@@ -128,32 +133,39 @@ impl<'a> Ready<'a> {
                 let [left, right, size] =
                     [c.left, c.right, c.magnitude].map(|e| graph.substitute(e, |_, l| (l == sign).then_some(with)));
                 let value = defined && c.kind == RelationKind::Equal;
-                roots.push(if value { left } else { graph.sub(left, right) });
-                sides.extend([left, right, size]);
+                let root = if value { left } else { graph.sub(left, right) };
+                roots.push(along.difference(root)?);
+                last = Some(root);
+                for e in [left, right, size] {
+                    sides.push(along.side(e)?);
+                }
             }
         }
-        let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots).map_err(|e| e.to_string());
-        let (compiled, sides) = (compile(&roots)?, compile(&sides)?);
-        let mut ready = Ready { group, compiled, sides, given, assumptions, signs, scale: 1.0, known: 0.0, precision };
-        ready.weigh(along);
-        Ok(ready)
+        let mut slope = None;
+        if let (Use::Eventually(_), [_], Some(difference)) = (how, group.comparisons.as_slice(), last)
+            && let Ok(rate) = along.enclosure.rate(&mut along.graph, difference)
+            && let Ok(place) = along.difference(rate)
+        {
+            slope = Some(roots.len());
+            roots.push(place);
+        }
+        let roots = Selection::new(roots);
+        Ok(Ready { group, roots, sides, given, assumptions, signs, slope, scale: 1.0, known: 0.0, precision })
     }
 
-    /// The median size of the terms, at the middle of every step.
+    /// The median size of the terms, at the middle of steps.
     fn weigh(&mut self, along: &mut Along) {
-        let points = at_middles(along, &self.sides);
+        let points = at_middles(along);
+        let of = |at: usize, k: usize, measure: fn(&Interval) -> f64| {
+            let place = self.sides[3 * at + k];
+            median(points.iter().filter_map(|p| p.get(place)?.as_ref().ok().map(measure)).collect())
+        };
+        let places = || self.assumptions.len()..self.sides.len() / 3;
         // A lower bound: what may be 0 has no size.
-        let size = |at: usize| {
-            median(points.iter().filter_map(|p| p.get(3 * at + 2)?.as_ref().ok().map(Interval::lo)).collect())
-        };
-        let count = self.group.comparisons.len() * self.signs;
-        let typical = (0..count).map(|i| size(self.assumptions.len() + i)).fold(0.0, f64::max);
+        let typical = places().map(|at| of(at, 2, Interval::lo)).fold(0.0, f64::max);
+        let size = Interval::mignitude;
+        self.known = places().map(|at| of(at, 0, size).max(of(at, 1, size))).fold(0.0, f64::max);
         self.scale = if typical > 0.0 { typical } else { 1.0 };
-        let side = |at: usize, k: usize| {
-            median(points.iter().filter_map(|p| p.get(3 * at + k)?.as_ref().ok().map(Interval::mignitude)).collect())
-        };
-        let sides = (0..count).map(|i| self.assumptions.len() + i).map(|at| side(at, 0).max(side(at, 1)));
-        self.known = sides.fold(0.0, f64::max);
     }
 
     /// Where the difference of a comparison stands.
@@ -183,20 +195,16 @@ impl<'a> Ready<'a> {
         if self.given.is_empty() {
             return Ok(());
         }
-        let differences: Vec<Expr> = self.given.iter().map(|g| g.0).collect();
-        let sizes: Vec<Expr> = self.given.iter().map(|g| g.1).collect();
-        let key = ([differences.as_slice(), sizes.as_slice()].concat(), self.precision.to_bits());
-        along.presuppose(key, |along| {
-            let mut compile = |roots: &[Expr]| along.enclosure.compile(&mut along.graph, roots);
-            let both = compile(&differences).and_then(|d| Ok((d, compile(&sizes)?)));
-            let (differences, sizes) = both.map_err(|e| e.to_string())?;
-            let points = at_middles(along, &sizes);
-            let most = |i: usize| {
-                let typical = median(points.iter().filter_map(|p| p.get(i)?.as_ref().ok().map(Interval::lo)).collect());
+        along.presuppose((self.given.clone(), self.precision.to_bits()), |along| {
+            let differences = Selection::new(self.given.iter().map(|g| g.0).collect());
+            let points = at_middles(along);
+            let most = |&(_, place): &(usize, usize)| {
+                let sizes = points.iter().filter_map(|p| p.get(place)?.as_ref().ok().map(Interval::lo));
+                let typical = median(sizes.collect());
                 self.precision * if typical > 0.0 { typical } else { 1.0 }
             };
-            let most: Vec<f64> = (0..self.given.len()).map(most).collect();
-            along.cover(&differences, |_, ranges| {
+            let most: Vec<f64> = self.given.iter().map(most).collect();
+            let judge = |_: Interval, ranges: &Ranges| {
                 for (range, &most) in ranges.iter().zip(&most) {
                     match range {
                         Ok(r) if r.range().magnitude() <= most => {}
@@ -208,8 +216,11 @@ impl<'a> Ready<'a> {
                     }
                 }
                 Judgement::Settled
-            })?;
-            Ok(())
+            };
+            let too_wide = |(range, &most): (&Result<Reach, NoValue>, &f64)| {
+                matches!(range, Ok(r) if r.range().magnitude() > most)
+            };
+            along.cover(&differences, judge, |ranges| ranges.iter().zip(&most).any(too_wide)).map(|_| ())
         })
     }
 
@@ -241,13 +252,13 @@ impl<'a> Ready<'a> {
         Ok(largest)
     }
 
-    /// Whether no shorter stretch around the middle of this one could show the equations: the bound is too wide even there.
+    /// Whether the bound of an equation is too wide, and does not refute it either: asked at a single time.
     fn hopeless(&self, ranges: &Ranges, sign: usize) -> bool {
         let telling = if self.known > 0.0 { TELLING * self.known } else { f64::INFINITY };
         let most = (self.precision * self.scale).min(telling);
         self.group.comparisons.iter().enumerate().any(|(c, comparison)| match &ranges[self.place(sign, c)] {
             Ok(reach) if comparison.kind == RelationKind::Equal => {
-                let there = reach.at(Interval::point(reach.stretch().mid()));
+                let there = reach.range();
                 there.contains(0.0) && there.magnitude() > most
             }
             _ => false,
@@ -269,15 +280,16 @@ impl<'a> Ready<'a> {
 
     /// Both sides at a time.
     fn sides_at(&self, along: &Along, t: f64, place: usize) -> Option<(Interval, Interval)> {
-        let values = along.enclosure.value(&self.sides, Interval::point(t));
-        let side = |k: usize| values.get(3 * place + k)?.as_ref().ok().copied();
-        Some((side(0)?, side(1)?))
+        match along.sides_at(&self.sides[3 * place..3 * place + 2], t)[..] {
+            [Ok(left), Ok(right)] => Some((left, right)),
+            _ => None,
+        }
     }
 
     /// A point at which every sign of ± fails, assumptions being met.
     fn witness(&self, along: &mut Along, t: f64, values: Vec<(String, f64)>) -> Option<Witness> {
         let time = Interval::point(t);
-        let ranges = along.over(&self.compiled, time);
+        let ranges = along.over(&self.roots, time);
         if self.selected(&ranges) != Some(true) {
             return None;
         }
@@ -294,6 +306,24 @@ impl<'a> Ready<'a> {
     }
 }
 
+/// The parts of a claim, each ready to be looked at along a motion; or why there is nothing to look at.
+pub(super) type Parts<'a> = Result<Vec<Result<Ready<'a>, String>>, String>;
+
+/// Tells a motion what a claim will ask for.
+pub(super) fn prepare<'a>(claim: &Claim, program: &'a Program, along: &mut Along, outcome: Outcome) -> Parts<'a> {
+    if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Independent { .. })) {
+        return Err("claims of this form are not enclosed".to_owned());
+    }
+    if program.at.is_some() {
+        return Err("claims at events are not enclosed".to_owned());
+    }
+    let fails = matches!(outcome, Outcome::Fails(_));
+    if let (false, Some(reason)) = (fails, along.incomplete()) {
+        return Err(reason);
+    }
+    Ok(program.groups.iter().map(|(how, group)| Ready::new(program, (how, group), along, claim)).collect())
+}
+
 /// Strengthens one verdict.
 ///
 /// # Errors
@@ -301,6 +331,7 @@ impl<'a> Ready<'a> {
 pub(super) fn strengthen(
     claim: &Claim,
     program: &Program,
+    parts: Parts,
     along: &mut Along,
     sampled: Sampled,
     verdict: &mut Verdict,
@@ -309,28 +340,25 @@ pub(super) fn strengthen(
     if matches!(outcome, Outcome::NotApplicable | Outcome::Holds(Strength::Enclosed | Strength::Proved)) {
         return Ok(());
     }
-    let refuses = |reason: &str, verdict: &mut Verdict| remark(verdict, reason);
-    if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Independent { .. })) {
-        refuses("claims of this form are not enclosed", verdict);
-        return Ok(());
-    }
-    if program.at.is_some() {
-        refuses("claims at events are not enclosed", verdict);
-        return Ok(());
-    }
+    let parts = match parts {
+        Ok(parts) => parts,
+        Err(reason) => {
+            remark(verdict, &reason);
+            return Ok(());
+        }
+    };
     if let Outcome::Fails(_) = outcome {
-        certify(claim, program, along, verdict);
-        return Ok(());
-    }
-    if let Some(reason) = along.incomplete() {
-        refuses(&reason, verdict);
+        certify(program, parts, along, verdict);
         return Ok(());
     }
     along.refill();
     let mut reasons = Vec::new();
-    for (how, group) in &program.groups {
-        let shown = match Ready::new(program, (how, group), along, claim) {
-            Ok(ready) => part(claim, how, &ready, along)?,
+    for ((how, group), ready) in program.groups.iter().zip(parts) {
+        let shown = match ready {
+            Ok(mut ready) => {
+                ready.weigh(along);
+                part(claim, how, &ready, along)?
+            }
             Err(reason) => Shown::Nothing(reason),
         };
         match shown {
@@ -372,15 +400,15 @@ pub(super) fn strengthen(
 }
 
 /// Looks for a time at which a claim that fails on samples fails for certain.
-fn certify(claim: &Claim, program: &Program, along: &mut Along, verdict: &mut Verdict) {
+fn certify(program: &Program, parts: Vec<Result<Ready, String>>, along: &mut Along, verdict: &mut Verdict) {
     let Some(sampled) = verdict.evidence().witness.clone() else { return };
     along.refill();
     let mut why = "no part of it is refuted at the witness".to_owned();
-    for (how, group) in &program.groups {
+    for ((how, _), ready) in program.groups.iter().zip(parts) {
         if !matches!(how, Use::Always | Use::Never(_)) {
             continue;
         }
-        let found = Ready::new(program, (how, group), along, claim).and_then(|ready| {
+        let found = ready.and_then(|ready| {
             ready.presupposed(along)?;
             match how {
                 Use::Never(_) => occurs(&ready, along, &sampled),
@@ -410,7 +438,7 @@ fn occurs(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness
     if ready.signs > 1 {
         return Err("relations with ± are not refuted".to_owned());
     }
-    let here = along.over(&ready.compiled, Interval::point(sampled.t));
+    let here = along.over(&ready.roots, Interval::point(sampled.t));
     let place = ready.place(0, 0);
     let certainly = |r: &Ranges| match &r[place] {
         Ok(reach) => certain(comparison.kind, reach.range()) == Some(true) && ready.selected(r) == Some(true),
@@ -426,7 +454,7 @@ fn occurs(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness
     for part in [1e-9, 1e-7, 1e-5, 1e-3] {
         let (a, b) = ((sampled.t - part * (to - from)).max(from), (sampled.t + part * (to - from)).min(to));
         let Ok(time) = Interval::new(a, b) else { continue };
-        let ranges = along.over(&ready.compiled, time);
+        let ranges = along.over(&ready.roots, time);
         if ready.selected(&ranges) == Some(true)
             && let Ok(reach) = &ranges[place]
             && changes_sign(reach, time)
@@ -439,7 +467,7 @@ fn occurs(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness
 
 /// Whether a quantity, continuous on a stretch, has opposite signs at its ends: then it vanishes between them.
 fn changes_sign(reach: &Reach, time: Interval) -> bool {
-    let (a, b) = (reach.at(Interval::point(time.lo())), reach.at(Interval::point(time.hi())));
+    let (a, b) = (reach.at(time.lo()), reach.at(time.hi()));
     (a.hi() < 0.0 && b.lo() > 0.0) || (a.lo() > 0.0 && b.hi() < 0.0)
 }
 
@@ -461,7 +489,7 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
     let (mut largest, mut counted) = (0.0_f64, 0);
     let mut serves = vec![true; ready.signs];
     let mut apart: Option<(f64, usize)> = None;
-    let found = along.cover(&ready.compiled, |time, ranges| {
+    let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
         if selected == Some(false) || (0..ready.signs).all(|s| ready.nowhere_defined(ranges, s)) {
             return Judgement::Settled;
@@ -484,17 +512,16 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
         let now: Vec<bool> = each.iter().map(Result::is_ok).collect();
         let best = each.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         if !now.contains(&true) {
-            let why = each.into_iter().find_map(Result::err).unwrap_or_default();
-            if selected == Some(true) && (0..ready.signs).all(|s| ready.hopeless(ranges, s)) {
-                return Judgement::Stop(format!("at t = {:.6} {why}: the enclosure is too wide there", time.mid()));
-            }
-            return Judgement::Open(why);
+            return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
         }
         serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
         largest = largest.max(best);
         counted += 1;
         Judgement::Settled
-    });
+    };
+    let hopeless =
+        |ranges: &Ranges| ready.selected(ranges) == Some(true) && (0..ready.signs).all(|s| ready.hopeless(ranges, s));
+    let found = along.cover(&ready.roots, judge, hopeless);
     match (found, apart) {
         (Err(_), Some((t, 1))) => Ok(match ready.witness(along, t, Vec::new()) {
             Some(witness) => Shown::Fails(witness, format!("certified at t = {t}")),
@@ -520,7 +547,7 @@ fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, Stri
 
 fn defined(ready: &Ready, along: &mut Along) -> Shown {
     // The conditions among the comparisons say the same in other words.
-    let found = along.cover(&ready.compiled, |_, ranges| {
+    let judge = |_: Interval, ranges: &Ranges| {
         if ready.selected(ranges) == Some(false) {
             return Judgement::Settled;
         }
@@ -532,8 +559,8 @@ fn defined(ready: &Ready, along: &mut Along) -> Shown {
             }
         }
         Judgement::Settled
-    });
-    match found {
+    };
+    match along.cover(&ready.roots, judge, |_| false) {
         Ok(looked) => {
             let (from, to) = along.span;
             Shown::Holds(format!("for every t in [{from}, {to}], by {looked} stretches"))
@@ -543,14 +570,14 @@ fn defined(ready: &Ready, along: &mut Along) -> Shown {
 }
 
 fn never(ready: &Ready, along: &mut Along) -> Shown {
-    let found = along.cover(&ready.compiled, |_, ranges| {
+    let judge = |_: Interval, ranges: &Ranges| {
         let gone = |s: usize| ready.violated(ranges, s).is_some() || ready.nowhere_defined(ranges, s);
         if ready.selected(ranges) == Some(false) || (0..ready.signs).all(gone) {
             return Judgement::Settled;
         }
         Judgement::Open("it cannot be excluded".to_owned())
-    });
-    match found {
+    };
+    match along.cover(&ready.roots, judge, |_| false) {
         Ok(looked) => {
             let (from, to) = along.span;
             Shown::Holds(format!("excluded for every t in [{from}, {to}], by {looked} stretches"))
@@ -568,9 +595,9 @@ fn eventually(ready: &Ready, along: &mut Along) -> Shown {
     }
     let place = ready.place(0, 0);
     if *kind != RelationKind::Equal {
-        for time in along.pieces() {
+        for time in along.pieces().to_vec() {
             for t in [time.lo(), time.mid(), time.hi()] {
-                let ranges = along.over(&ready.compiled, Interval::point(t));
+                let ranges = along.over(&ready.roots, Interval::point(t));
                 if let Ok(reach) = &ranges[place]
                     && certain(*kind, reach.range()) == Some(true)
                     && ready.selected(&ranges) == Some(true)
@@ -584,15 +611,15 @@ fn eventually(ready: &Ready, along: &mut Along) -> Shown {
     // Stretches without a zero, and stretches on which the difference is monotone and changes its sign: one zero each.
     let mut zeros: Vec<Interval> = Vec::new();
     let mut unselected = false;
-    let found = along.cover(&ready.compiled, |time, ranges| {
+    let judge = |time: Interval, ranges: &Ranges| {
         let Ok(reach) = &ranges[place] else { return Judgement::Open("it has no value".to_owned()) };
         let selected = ready.selected(ranges);
         if selected == Some(false) || certain(RelationKind::Equal, reach.range()) == Some(false) {
             return Judgement::Settled;
         }
-        let slope = reach.derivative(1, time);
+        let slope = ready.slope.and_then(|at| ranges[at].as_ref().ok()).map(Reach::range);
         if slope.is_some_and(|s| !s.contains(0.0)) {
-            let (a, b) = (reach.at(Interval::point(time.lo())), reach.at(Interval::point(time.hi())));
+            let (a, b) = (reach.at(time.lo()), reach.at(time.hi()));
             if !a.contains(0.0) && !b.contains(0.0) {
                 if changes_sign(reach, time) {
                     unselected |= selected != Some(true);
@@ -602,7 +629,8 @@ fn eventually(ready: &Ready, along: &mut Along) -> Shown {
             }
         }
         Judgement::Open("whether it happens cannot be told".to_owned())
-    });
+    };
+    let found = along.cover(&ready.roots, judge, |_| false);
     let listed = || {
         let shown: Vec<String> = zeros.iter().take(4).map(|z| format!("[{:.6}, {:.6}]", z.lo(), z.hi())).collect();
         shown.join(", ")
@@ -613,7 +641,7 @@ fn eventually(ready: &Ready, along: &mut Along) -> Shown {
         (Err(_), false) => Shown::Holds(format!("happens, in {}", listed())),
         (Ok(_), true) => {
             let t = along.span.0;
-            let ranges = along.over(&ready.compiled, Interval::point(t));
+            let ranges = along.over(&ready.roots, Interval::point(t));
             match (&ranges[place], ready.sides_at(along, t, place)) {
                 (Ok(reach), Some((left, right))) => {
                     let formula = ready.group.comparisons[0].label.clone();

@@ -18,7 +18,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::core::fresh;
 use crate::flow::error::{FlowError, leaf_name};
 use crate::flow::taylor::Flow;
-use crate::number::{Interval, Jet, NoValue, Scalar};
+use crate::number::{Interval, Jet, NoValue, Number, Scalar, TaylorModel};
 use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
@@ -33,7 +33,9 @@ const WIDEST: f64 = 0.5;
 /// Number of parts of a step over which its remainder is sharpened.
 const PARTS: usize = 4;
 /// Largest number of steps in one direction.
-const MAX_STEPS: usize = 20_000;
+const MAX_STEPS: usize = 2_000;
+/// After so many steps it is asked whether the end is within reach.
+const OUTLOOK: usize = 100;
 
 /// A vector field compiled for enclosures.
 #[derive(Clone, Debug)]
@@ -68,14 +70,15 @@ pub enum Stop {
         /// What failed in the last attempt.
         reason: String,
     },
-    /// More steps than the limit.
+    /// More steps than the limit, or as it seems twice as many as that.
     #[error(
-        "t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide"
+        "t = {time} is reached after {steps} validated steps, and the limit of {MAX_STEPS} is too few for the span; the \
+         enclosure is {width:.1e} wide there"
     )]
     TooManySteps {
         /// The time that was reached.
         time: f64,
-        /// The limit.
+        /// The number of steps.
         steps: usize,
         /// Largest width of a state there.
         width: f64,
@@ -113,6 +116,21 @@ impl Piece {
         let (shift, jacobian) = self.map(s);
         let centred = self.set.hull_of_image(&shift, &jacobian);
         direct.zip(centred).map(|(d, c)| d.intersection(c).unwrap_or(d)).collect()
+    }
+
+    /// The states over an interval of times that lies in the step, as models over it.
+    pub(super) fn models(&self, middle: f64, half: f64) -> Result<Vec<TaylorModel>, NoValue> {
+        let s = TaylorModel::variable(Interval::point(middle) - Interval::point(self.from), half);
+        let of = |c: &[Interval]| {
+            let mut sum = TaylorModel::ZERO;
+            for &c in c.iter().rev() {
+                let mut product = TaylorModel::ZERO;
+                product.mul(&(), &sum, &s)?;
+                sum.add(&(), &product, &TaylorModel::constant(c))?;
+            }
+            Ok(sum)
+        };
+        self.coefficients.chunks_exact(ORDER + 2).map(of).collect()
     }
 
     /// The map from the states at the start to those s later, as [`Set::image`] takes it.
@@ -236,8 +254,10 @@ impl Field {
         let (mut time, mut set) = (start, Set::new(state));
         while time != end {
             let width = set.hull().iter().map(Interval::width).fold(0.0, f64::max);
-            if pieces.len() >= MAX_STEPS {
-                return (pieces, Some(Stop::TooManySteps { time, steps: MAX_STEPS, width }));
+            let steps = pieces.len();
+            let far = |part: f64| (time - start).abs() < part * (end - start).abs();
+            if steps >= MAX_STEPS || (steps == OUTLOOK && far(OUTLOOK as f64 / (2 * MAX_STEPS) as f64)) {
+                return (pieces, Some(Stop::TooManySteps { time, steps, width }));
             }
             match self.step(&mut bench, &set, time, start, end) {
                 Ok((piece, next)) => {
