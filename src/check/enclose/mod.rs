@@ -24,6 +24,9 @@
 
 mod claim;
 mod cover;
+mod ready;
+mod refute;
+mod span;
 
 use super::Prepared;
 use super::account::ClaimAccount;
