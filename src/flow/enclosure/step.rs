@@ -1,8 +1,8 @@
 //! One validated step, and the sequence of them.
 //!
 //! **A step.** Let x̂ be the centre of the set of states at t₀, e₀ a difference of one of its states from x̂, p the Taylor
-//! polynomial of the motion through x̂ in binary64, and Φ that of the variational equation Φ′ = Df·Φ, Φ(t₀) = I. Nothing is
-//! assumed of p and Φ. A box E is guessed, and with [`TaylorModel`]s over the step one finds
+//! polynomial of the motion through x̂, nearly, and Φ that of the variational equation Φ′ = Df·Φ, Φ(t₀) = I. Both are
+//! polynomials with binary64 coefficients around the middle of the step, and nothing is assumed of them. A box E is guessed, and with [`TaylorModel`]s over the step one finds
 //!
 //! - r ≥ |x̂ + ∫f(p) − p|, what p misses of being a solution;
 //! - A ∋ Df(p + e) for all |e| ≤ E, and R ≥ |I + ∫AΦ − Φ|.
@@ -105,10 +105,12 @@ pub(super) struct Piece {
     /// Time at the start, and at the end (which is earlier for a step back).
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The states at the start, the coefficients of p (but the first) and of Φ.
+    /// Half of the step, or a little more: p and Φ are polynomials in s, t = from + half·(1 + s).
+    half: f64,
+    /// The states at the start, p and Φ.
     set: Set,
-    of_centre: Vec<f64>,
-    of_derivatives: Vec<f64>,
+    centre: Vec<TaylorModel>,
+    derivatives: Vec<TaylorModel>,
     /// Row and column of every derivative.
     entries: Arc<[(usize, usize)]>,
     /// W, and E: bounds of w, and of the distance of all motions from p.
@@ -137,34 +139,31 @@ impl Piece {
 
     /// The states over an interval of times that lies in the step, as models over it.
     pub(super) fn models(&self, middle: f64, half: f64) -> Result<Vec<TaylorModel>, NoValue> {
-        let s = TaylorModel::variable(Interval::point(middle) - Interval::point(self.from), half);
-        let of = |(i, c): (usize, &[f64])| {
-            let (mut sum, mut product) = (TaylorModel::ZERO, TaylorModel::ZERO);
-            for c in c.iter().rev().chain([&self.set.centre[i]]) {
-                product.mul(&(), &sum, &s)?;
-                sum.add(&(), &product, &TaylorModel::constant(Interval::point(*c)))?;
-            }
-            Ok(sum.widened(self.spread[i]))
-        };
-        self.of_centre.chunks_exact(ORDER).enumerate().map(of).collect()
+        let place = self.place(Interval::point(middle) - Interval::point(self.from));
+        let (mut s, mut scaled) = (TaylorModel::ZERO, TaylorModel::ZERO);
+        scaled.div(&(), &TaylorModel::variable(Interval::ZERO, half), &TaylorModel::constant(Interval::point(self.half)))?;
+        s.add(&(), &TaylorModel::constant(place), &scaled)?;
+        let states = self.centre.iter().zip(&self.spread);
+        states.map(|(x, &spread)| Ok(x.after(&s)?.widened(spread))).collect()
     }
 
-    /// The map from the states at the start to those s later, as [`Set::image`] takes it.
-    fn map(&self, s: Interval) -> (Vec<Interval>, Vec<Interval>) {
+    /// The s of a time after the start.
+    fn place(&self, after: Interval) -> Interval {
+        after / Interval::point(self.half) - Interval::point(1.0)
+    }
+
+    /// The map from the states at the start to those some time later, as [`Set::image`] takes it.
+    fn map(&self, after: Interval) -> (Vec<Interval>, Vec<Interval>) {
         let n = self.set.centre.len();
-        let moved = self.of_centre.chunks_exact(ORDER).map(|c| s * polynomial(c, s));
-        let shift = moved.zip(&self.errors).map(|(m, &w)| m + Interval::ball(0.0, w)).collect();
+        let s = self.place(after);
+        let all = self.centre.iter().zip(&self.set.centre).zip(&self.errors);
+        let shift = all.map(|((p, &x), &w)| (p.at(s) - Interval::point(x)) + Interval::ball(0.0, w)).collect();
         let mut jacobian = vec![Interval::ZERO; n * n];
-        for (c, &(i, j)) in self.of_derivatives.chunks_exact(ORDER + 1).zip(self.entries.iter()) {
-            jacobian[i * n + j] = polynomial(c, s);
+        for (phi, &(i, j)) in self.derivatives.iter().zip(self.entries.iter()) {
+            jacobian[i * n + j] = phi.at(s);
         }
         (shift, jacobian)
     }
-}
-
-/// c₀ + c₁s + …
-fn polynomial(c: &[f64], s: Interval) -> Interval {
-    c.iter().rev().fold(Interval::ZERO, |sum, &c| sum * s + Interval::point(c))
 }
 
 /// Memory of the steps.
@@ -176,8 +175,11 @@ struct Bench {
     slopes: Slots<TaylorModel>,
 }
 
-/// What is known of all motions of a step: W, E, and their hull.
+/// What is known of all motions of a step: p, Φ, W, E, and their hull.
 struct Tube {
+    half: f64,
+    centre: Vec<TaylorModel>,
+    derivatives: Vec<TaylorModel>,
     errors: Vec<f64>,
     spread: Vec<f64>,
     hull: Vec<Interval>,
@@ -357,14 +359,13 @@ impl Field {
             step *= 0.5;
         }
         let Some((to, tube)) = found else { return Err(reason) };
-        let mut of_centre = Vec::with_capacity(n * ORDER);
-        (0..n).for_each(|i| of_centre.extend_from_slice(&bench.coefficients[i * row + 1..(i + 1) * row]));
         let piece = Piece {
             from: time,
             to,
+            half: tube.half,
             set: set.clone(),
-            of_centre,
-            of_derivatives: bench.coefficients[n * row..].to_vec(),
+            centre: tube.centre,
+            derivatives: tube.derivatives,
             entries: Arc::clone(&self.entries),
             errors: if faults::no_remainder() { vec![0.0; n] } else { tube.errors },
             spread: tube.spread,
@@ -411,24 +412,10 @@ impl Field {
         let h = if to > time { exact.hi() } else { exact.lo() };
         let half = 0.5 * h;
         let now = TaylorModel::variable(Interval::point(time) + Interval::point(half), half);
-        // Without their first coefficients, which are numbers: what is subtracted from an integral is small then.
-        let from_zero = |c: &[f64]| TaylorModel::polynomial(&c[1..], h).map_err(shape);
+        let polynomial = |c: &[f64]| TaylorModel::close_to(c, h).map_err(shape);
         let rows = bench.coefficients.chunks_exact(row);
-        let moved: Vec<TaylorModel> = rows.clone().take(n).map(from_zero).collect::<Result<_, _>>()?;
-        let turned: Vec<TaylorModel> = rows.skip(n).map(from_zero).collect::<Result<_, _>>()?;
-        let plus = |model: &TaylorModel, number: f64| {
-            let mut sum = TaylorModel::ZERO;
-            sum.add(&(), model, &TaylorModel::constant(Interval::point(number))).map(|()| sum)
-        };
-        let states: Vec<TaylorModel> =
-            moved.iter().zip(centre).map(|(m, &c)| plus(m, c)).collect::<Result<_, _>>().map_err(shape)?;
-        let unit = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 0.0 };
-        let phi: Vec<TaylorModel> = turned
-            .iter()
-            .zip(self.entries.iter())
-            .map(|(m, e)| plus(m, unit(e)))
-            .collect::<Result<_, _>>()
-            .map_err(shape)?;
+        let states: Vec<TaylorModel> = rows.clone().take(n).map(polynomial).collect::<Result<_, _>>()?;
+        let phi: Vec<TaylorModel> = rows.skip(n).map(polynomial).collect::<Result<_, _>>()?;
         let mut carried = vec![0.0; n];
         for (model, &(i, j)) in phi.iter().zip(self.entries.iter()) {
             carried[i] += model.bound() * starts[j] * UP;
@@ -437,10 +424,8 @@ impl Field {
         let no_rate = |(i, reason)| self.no_rate(i, reason);
         let rates = self.run(&self.rates, &mut bench.rates, now, states.iter().copied()).map_err(no_rate)?;
         let mut defects = vec![0.0; n];
-        for ((defect, rate), moved) in defects.iter_mut().zip(&rates).zip(&moved) {
-            let mut left = TaylorModel::ZERO;
-            left.sub(&(), &rate.integral(half), moved).map_err(shape)?;
-            *defect = left.bound();
+        for (i, defect) in defects.iter_mut().enumerate() {
+            *defect = defect_of(&rates[i], half, &states[i], centre[i]).map_err(shape)?;
         }
         let size = states.iter().map(TaylorModel::bound).fold(0.0, f64::max);
         let mut spread: Vec<f64> =
@@ -451,10 +436,10 @@ impl Field {
             self.run(&self.rates, &mut bench.rates, now, tube()).map_err(no_rate)?;
             let slopes = self.run(&self.slopes, &mut bench.slopes, now, tube());
             let slopes = slopes.map_err(|(_, reason)| self.no_rate(n, reason))?;
-            let errors = self.errors(&slopes, &phi, &turned, &defects, starts, half).map_err(shape)?;
+            let errors = self.errors(&slopes, &phi, &defects, starts, half).map_err(shape)?;
             if errors.iter().zip(&carried).zip(&spread).all(|((w, c), e)| (w + c) * UP <= *e) {
                 let hull = states.iter().zip(&spread).map(|(x, &e)| x.widened(e).range()).collect();
-                return Ok(Tube { errors, spread, hull });
+                return Ok(Tube { half, centre: states, derivatives: phi, errors, spread, hull });
             }
             spread = errors.iter().zip(&carried).map(|(w, c)| 1.5 * (w + c)).collect();
             if spread.iter().any(|e| !e.is_finite()) {
@@ -469,7 +454,6 @@ impl Field {
         &self,
         slopes: &[TaylorModel],
         phi: &[TaylorModel],
-        turned: &[TaylorModel],
         defects: &[f64],
         starts: &[f64],
         half: f64,
@@ -487,10 +471,9 @@ impl Field {
             }
         }
         let mut total = defects.to_vec();
-        for ((sum, turned), &(i, j)) in sums.iter().zip(turned).zip(self.entries.iter()) {
-            let mut left = TaylorModel::ZERO;
-            left.sub(&(), &sum.integral(half), turned)?;
-            total[i] += left.bound() * starts[j] * UP;
+        for ((sum, phi), &(i, j)) in sums.iter().zip(phi).zip(self.entries.iter()) {
+            let start = if i == j { 1.0 } else { 0.0 };
+            total[i] += defect_of(sum, half, phi, start)? * starts[j] * UP;
         }
         total.iter_mut().for_each(|t| *t *= UP);
         // The series of the exponential; of its terms, from some on, each is at most half of the one before.
@@ -536,4 +519,13 @@ impl Field {
 /// What the remainder of a step shall be, as a part of the largest state.
 fn remainder_of_step() -> f64 {
     if faults::long_steps() { 1e-9 } else { REMAINDER }
+}
+
+/// A bound of |x₀ + ∫rate − x| over a step.
+fn defect_of(rate: &TaylorModel, half: f64, x: &TaylorModel, start: f64) -> Result<f64, NoValue> {
+    let (mut moved, mut left) = (TaylorModel::ZERO, TaylorModel::ZERO);
+    // First what nearly cancels, so that little is lost to rounding.
+    moved.sub(&(), x, &TaylorModel::constant(Interval::point(start)))?;
+    left.sub(&(), &rate.integral(half), &moved)?;
+    Ok(left.bound())
 }

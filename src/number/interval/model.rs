@@ -159,37 +159,45 @@ impl TaylorModel {
         }
     }
 
-    /// Σₖ cₖ₋₁·σᵏ, k ≥ 1, for σ from 0 to h; s = −1 is σ = 0. At most 21 coefficients are taken.
+    /// A polynomial without a remainder, close to Σₖ cₖ·σᵏ for σ from 0 to h, where s = −1 is σ = 0. How close is not said.
+    /// At most 22 coefficients are taken.
     ///
     /// # Errors
     /// [`NoValue::Indeterminate`] when a coefficient is not finite, or there are too many.
-    pub fn polynomial(coefficients: &[f64], h: f64) -> Result<TaylorModel, NoValue> {
-        if coefficients.len() > MOST_TERMS {
+    pub fn close_to(coefficients: &[f64], h: f64) -> Result<TaylorModel, NoValue> {
+        if coefficients.len() > MOST_TERMS + 1 {
             return Err(NoValue::Indeterminate);
         }
         let mut scaled = [0.0; MOST_TERMS + 1];
         let mut power = 1.0;
-        let mut rounding = 0.0;
-        for (k, &c) in coefficients.iter().enumerate() {
+        for (d, &c) in scaled.iter_mut().zip(coefficients) {
+            *d = c * power;
             power *= h;
-            scaled[k + 1] = c * power;
-            // k + 1 roundings here, one in the product below, and at most k + 2 in the sum, which begins with the last.
-            rounding += (2 * k + 6) as f64 * scaled[k + 1].abs();
         }
         let mut new = TaylorModel::ZERO;
-        let mut beyond = 0.0;
-        // ((1 + s)/2)ᵏ; these coefficients are exact.
         for (d, weights) in scaled.iter().zip(&POWERS).rev() {
             for (sum, w) in new.coefficients.iter_mut().zip(weights) {
                 *sum += d * w;
             }
-            beyond += d.abs() * weights[ROOM..].iter().sum::<f64>();
         }
         new.length = ROOM;
-        new.rest = unit() * rounding + if faults::no_tail() { 0.0 } else { beyond } + TINY;
         let size = new.norm(0);
         new.finish(size)?;
-        Ok(new)
+        new.rest = 0.0;
+        if size < f64::MAX { Ok(new) } else { Err(NoValue::Indeterminate) }
+    }
+
+    /// What is contained, as a function of what another model contains.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] when a bound is not finite.
+    pub fn after(&self, s: &TaylorModel) -> Result<TaylorModel, NoValue> {
+        let (mut sum, mut product) = (TaylorModel::ZERO, TaylorModel::ZERO);
+        for &c in self.coefficients[..self.length].iter().rev() {
+            product.product(&sum, s)?;
+            sum.combine(&product, &TaylorModel::constant(Interval::point(c)), |x, y| x + y)?;
+        }
+        Ok(sum.widened(self.rest))
     }
 
     /// ∫ from −1 to s, times `half`: the integral over time from the start of a stretch on.
@@ -210,8 +218,9 @@ impl TaylorModel {
         }
         new.coefficients[0] = -start;
         new.length = (self.length + 1).min(ROOM);
-        // Two roundings in each coefficient, which is used twice.
-        new.rest = (new.rest + 2.0 * half.abs() * self.rest + unit() * (4.0 * size + slips) + TINY) * GROW;
+        // Two roundings in each coefficient, which is used twice; in the first there is one.
+        let slips = slips + 4.0 * size - 2.0 * new.coefficients[1].abs();
+        new.rest = (new.rest + 2.0 * half.abs() * self.rest + unit() * slips + TINY) * GROW;
         new
     }
 
@@ -225,7 +234,7 @@ impl TaylorModel {
         (self.norm(0) + self.rest) * GROW
     }
 
-    /// All values at some s in [−1, 1].
+    /// All values at some s in [−1, 1]; those of the polynomial alone, if there is no remainder, also elsewhere.
     pub fn at(&self, s: Interval) -> Interval {
         let mut sum = Interval::ZERO;
         for &c in self.coefficients[..self.length].iter().rev() {
