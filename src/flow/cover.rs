@@ -55,7 +55,7 @@ impl<'a> Explorer<'a> {
         Explorer {
             core,
             program,
-            series: program.bench(core, degree),
+            series: program.bench_of_steps(core, degree),
             values: program.bench(core, 0),
             plain: program.bench(core, 0),
             angles: Vec::new(),

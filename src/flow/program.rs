@@ -3,6 +3,7 @@
 use num_dual::Dual;
 
 use super::core::Core;
+use super::trajectory::ORDER;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Bounded, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
@@ -57,6 +58,8 @@ impl Base for Interval {
 pub(super) struct Bench<B> {
     degree: usize,
     field: Option<Slots<Jet<B>>>,
+    /// Whether states are the polynomials of the steps, not grown anew.
+    of_steps: bool,
     slots: Slots<Jet<B>>,
     state: Vec<B>,
     coefficients: Vec<B>,
@@ -144,7 +147,13 @@ impl Program {
             o.flow.slots(degree, &constants)
         });
         let n = orbit.map_or(0, |o| o.states.len());
-        Bench { degree, field, slots, state: vec![B::ZERO; n], coefficients: vec![B::ZERO; n * (degree + 1)] }
+        let coefficients = vec![B::ZERO; n * (degree + 1)];
+        Bench { degree, field, of_steps: false, slots, state: vec![B::ZERO; n], coefficients }
+    }
+
+    /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
+    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+        Bench { field: None, of_steps: true, ..self.bench(core, degree) }
     }
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
@@ -168,6 +177,15 @@ impl Program {
                 let time = B::from_bounded(Bounded::exact(t));
                 let grown = orbit.flow.expand(field, bench.degree, time, &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
+            } else if bench.of_steps {
+                let mut polynomial = [0.0; ORDER + 1];
+                let polynomial = &mut polynomial[..row.min(ORDER + 1)];
+                for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
+                    orbit.trajectory.around(place, i, polynomial);
+                    for (to, &from) in bench.coefficients[i * row..].iter_mut().zip(polynomial.iter()) {
+                        *to = B::from_bounded(Bounded::exact(from));
+                    }
+                }
             } else {
                 bench.coefficients.copy_from_slice(&bench.state);
             }
