@@ -83,7 +83,7 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
         s.fails.len(),
         listed(&s.fails, style)
     );
-    let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
+    let tried = format!("{} tried, {} that might explain it undecided somewhere", count(s.tried, "condition"), s.undecided);
     match &s.explanation {
         Some(e) => {
             out.push(format!("On these trajectories it holds exactly where {}.", explanation(e, style)));

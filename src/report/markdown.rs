@@ -18,6 +18,7 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     out.push_str("Pictures, curves and every pair: `index.html`. All numbers: `report.json`.\n\n");
     out.push_str(&super::overview::section(derivation, account));
     out.push_str(&matrix(account));
+    out.push_str(&super::alone::section(account));
     let graph = DerivationGraph::new(derivation, account);
     out.push_str(&graph.section());
     out.push_str(&conventions(derivation));
@@ -255,7 +256,7 @@ fn evidence(claim: &ClaimAccount, graph: &DerivationGraph) -> String {
     }
     if let Some(identity) = &claim.identity {
         if identity.generic {
-            out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+            out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
         }
         for (title, lines) in identity.terms() {
             let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();

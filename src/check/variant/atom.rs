@@ -93,9 +93,8 @@ impl Collected<'_> {
             let (Some((word, own)), Some((other, _))) = (self.vocabulary.word(s), self.vocabulary.word(t)) else {
                 continue;
             };
-            let digits = |s: &SymbolNode| {
-                matches!(s.sub.as_deref().and_then(|sub| sub.get(own..)), Some([SubItem::Digit(_)]))
-            };
+            let digits =
+                |s: &SymbolNode| matches!(s.sub.as_deref().and_then(|sub| sub.get(own..)), Some([SubItem::Digit(_)]));
             if word == other && digits(s) && digits(t) {
                 let count = extent(word);
                 for (i, j) in (1..=count).flat_map(|i| (i + 1..=count).map(move |j| (i, j))) {
@@ -143,15 +142,22 @@ impl Collected<'_> {
         }
     }
 
-    /// Rates of the scalars that move.
+    /// Rates of the scalars that move, of every order that occurs.
     fn rates(&mut self, nodes: &[&Node]) {
+        let dots = |node: &&Node| match &node.kind {
+            NodeKind::Symbol(s) if s.dots > 0 => Some(s.dots),
+            _ => None,
+        };
+        let mut orders: Vec<u8> = std::iter::once(1).chain(nodes.iter().filter_map(dots)).collect();
+        orders.sort_unstable();
+        orders.dedup();
         for node in nodes {
             if let NodeKind::Symbol(s) = &node.kind
                 && s.arguments.is_none()
                 && s.dots == 0
                 && self.vocabulary.word(s).is_some_and(|(w, _)| w.moves && w.rank == 0)
             {
-                self.put(symbol(SymbolNode { dots: 1, ..bare(s) }));
+                orders.iter().for_each(|&dots| self.put(symbol(SymbolNode { dots, ..bare(s) })));
             }
         }
     }

@@ -32,9 +32,9 @@ use crate::check::trial::{Course, Trial, Values};
 use crate::check::verdict::Outcome;
 use crate::check::{CheckError, one_pair};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Graph, Leaf, Rational};
+use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::latex::syntax::{Chain, Node, to_latex};
-use crate::latex::{self, RelationKind};
+use crate::latex::{self, RelationKind, Role};
 
 /// Most candidates of one formula that are handed to the checker.
 const MOST_CANDIDATES: usize = 12;
@@ -293,8 +293,12 @@ impl Search<'_> {
         let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
         let mut kept = Vec::new();
         for (classes, tree) in made {
-            // What is multiplied and divided again was never there.
-            let tree = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree };
+            // What is multiplied and divided again was never there; an addition that only undoes what is printed is none.
+            let plain = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree.clone() };
+            if plain != tree && classes == [EditClass::Missing] {
+                continue;
+            }
+            let tree = plain;
             let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
             // Both sides are one expression, or nothing is left that could be compared.
             let says_nothing = altered
@@ -319,6 +323,11 @@ impl Search<'_> {
         let sights = group.sights(self.derivation, setting.claim, graph, true);
         let by_algebra = group.sights(self.derivation, setting.claim, graph, false);
         let sights = sights.into_iter().zip(by_algebra);
+        // What is made of parameters alone can only be true by algebra.
+        let scope = &setting.claim.scope;
+        let residuals: Vec<Expr> = formula.parts.iter().flat_map(|p| p.difference.iter().copied()).collect();
+        let leaves = graph.leaves(residuals);
+        let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
         let mut out: Vec<Candidate> = Vec::new();
         for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
             group.variants.into_iter().zip(sights).zip(rest)
@@ -329,7 +338,7 @@ impl Search<'_> {
             // What does not move anyway says nothing by being constant, and what was added only to make both sides one
             // expression says nothing either.
             let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
-            let made_up = alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
+            let made_up = moves && alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
             if trivial || made_up {
                 continue;
             }
@@ -438,11 +447,8 @@ impl Search<'_> {
 /// A formula of which nothing is known but its tree, so that nothing is compared with its print: every part says 0 = 0.
 fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
     let zero = graph.integer(0);
-    let nothing = |part: &Part| Part {
-        difference: vec![zero; part.difference.len()],
-        sides: (zero, zero),
-        ..part.clone()
-    };
+    let nothing =
+        |part: &Part| Part { difference: vec![zero; part.difference.len()], sides: (zero, zero), ..part.clone() };
     Formula { parts: formula.parts.iter().map(nothing).collect(), ..formula.clone() }
 }
 

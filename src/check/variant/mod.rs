@@ -12,6 +12,7 @@
 //! not tried, and why, is counted and reported.
 
 mod account;
+mod alone;
 mod atom;
 mod battery;
 mod completion;
@@ -29,6 +30,7 @@ mod rejection;
 mod tree;
 mod vocabulary;
 
+pub use alone::Alone;
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
 pub use edit::EditClass;
 pub use equivalence::SEED;
@@ -166,20 +168,21 @@ impl Altered {
     /// be anything that is given, a state, or its rate.
     pub fn leaves(&self, derivation: &Derivation, starts: usize, sign: Leaf) -> Vec<Leaf> {
         let mut out = Vec::new();
-        for symbol in derivation.symbols.iter().map(|s| s.symbol) {
-            let rates: &[u8] = match derivation.scope.role(symbol) {
-                Some(Role::Parameter) => &[0],
-                Some(Role::State) => &[0, 1],
-                _ => continue,
-            };
-            let count = derivation.graph.component_count(symbol) as u16;
-            let leaf = |(component, &rate): (u16, &u8)| Leaf { symbol, component, rate, instant: None };
-            out.extend((0..count).flat_map(|c| rates.iter().map(move |r| (c, r))).map(leaf));
-        }
         for (k, claim) in self.claims.iter().enumerate().filter(|(_, c)| !c.variants.is_empty()) {
             for start in 0..starts {
                 out.extend(self.graphs[k / TOGETHER].leaves(claim.roots(start)));
             }
+        }
+        let highest = out.iter().map(|l: &Leaf| l.rate).max().unwrap_or(0).max(1);
+        for symbol in derivation.symbols.iter().map(|s| s.symbol) {
+            let rates = match derivation.scope.role(symbol) {
+                Some(Role::Parameter) => 0,
+                Some(Role::State) => highest,
+                _ => continue,
+            };
+            let count = derivation.graph.component_count(symbol) as u16;
+            let leaf = |(component, rate): (u16, u8)| Leaf { symbol, component, rate, instant: None };
+            out.extend((0..count).flat_map(|c| (0..=rates).map(move |r| (c, r))).map(leaf));
         }
         out.sort_unstable();
         out.dedup();
@@ -317,8 +320,11 @@ impl Altered {
         }
         let sets: Vec<Vec<bool>> = holds.iter().map(|(_, r)| (*r).clone()).collect();
         let (cover, cover_is_least) = cover::least_cover(&sets);
+        let of = |v: usize| &variants.formulas[variants.variants[v].formula];
         let survivor = |&v: &usize| Survivor {
             class: variants.variants[v].class,
+            printed: of(v).text.clone(),
+            place: of(v).place.clone(),
             formula: variants.variants[v].text(),
             everywhere: holds.iter().all(|(_, r)| !r[v]),
         };
