@@ -147,7 +147,7 @@ fn motions() {
         ("unproved", r"|x|=|x(0)|+1", "x: state", r"\dot x=0"),
         ("unrefuted", r"x=|x|", "x: state", r"\dot x=0; x(0)=|x(0)|; x^2=1"),
         ("unproved", r"\frac{1}{x}=\frac{1}{x(0)}+t", "x: state", r"\dot x=x^2"),
-        ("proved", r"\frac{1}{x}=\frac{1}{x(0)}-t", "x: state", r"\dot x=x^2"),
+        ("except", r"\frac{1}{x}=\frac{1}{x(0)}-t", "x: state", r"\dot x=x^2"),
         ("proved", r"\arctan x=t+\arctan x(0)", "x: state", r"\dot x=1+x^2"),
         ("unproved", r"x=\tan t", "x: state", r"\dot x=1+x^2; x(0)=0"),
         ("unproved", r"x=t^3", "x: state", r"\dot x^3=27x^2; x(0)=0"),

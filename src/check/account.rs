@@ -89,7 +89,7 @@ pub struct IdentityAccount {
     pub conditions: Vec<String>,
     /// What the proof does not reach: special cases, and what it takes for granted of motions.
     pub exceptions: Vec<String>,
-    /// Where alone what is given can hold.
+    /// Where alone what is given can hold, special cases aside.
     pub given_only_where: Vec<String>,
     /// Of the claim's assumptions, those that the proof uses; `None` where that was not looked at.
     pub assumptions: Option<AssumptionsUsed>,
@@ -111,7 +111,7 @@ impl IdentityAccount {
         let mut out = vec![
             ("It holds where", self.conditions.clone()),
             ("The proof does not reach", self.exceptions.clone()),
-            ("What is given can hold only where", self.given_only_where.clone()),
+            ("What is given holds, special cases aside, only where", self.given_only_where.clone()),
             ("What is given assumes", self.presupposed.clone()),
         ];
         if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {

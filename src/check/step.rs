@@ -229,13 +229,14 @@ impl<'a> Step<'a> {
         };
         let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
-        if account.verdict == "proved"
-            && moved
-            && let Some(&leaping) = self.leaps(&equations).first()
-        {
+        let leaping = match account.verdict {
+            "proved" => self.leaping(&gathered, &equations, moved),
+            _ => Vec::new(),
+        };
+        if let (true, Some(&one)) = (moved, leaping.first()) {
             let reason = format!(
                 "both sides agree at one time and have the same rates, but {} may leap to another of its values between",
-                self.shown(leaping)
+                self.shown(one)
             );
             account = IdentityAccount { reason: Some(reason), ..self.open(&gathered, ONLY_RATES) };
         }
@@ -243,9 +244,30 @@ impl<'a> Step<'a> {
             account.assumptions = self.assumptions_used(&equations, moved);
             account.generic |= !gathered.inherited.is_empty();
             account.presupposed.clone_from(&gathered.inherited);
-            account.exceptions.extend(self.continuation(&equations, moved));
+            account.exceptions.extend(self.continuation(&equations, moved, &leaping));
         }
         Some(Ok(account))
+    }
+
+    /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
+    fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
+        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut out = self.leaps(equations);
+        let (proved_at, settled) = (self.proved_at, self.settled.take());
+        out.retain(|&e| {
+            let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+            let zero = self.graph.integer(0);
+            let rates: Option<Pairs> = arguments
+                .into_iter()
+                .map(|a| self.graph.time_derivative(a, time, moves).ok().map(|rate| (rate, zero)))
+                .collect();
+            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false)))
+        });
+        (self.proved_at, self.settled) = (proved_at, settled);
+        out
     }
 
     /// The account of a step that stays open, for a reason.

@@ -86,7 +86,7 @@ pub fn schema() -> Value {
         ("from", texts("What was given: ids of claims and systems")),
         ("conditions", texts("What has to hold for the formulas to have values")),
         ("exceptions", texts("What the proof does not reach")),
-        ("given_only_where", texts("Where alone what is given can hold")),
+        ("given_only_where", texts("Where alone what is given can hold, special cases aside")),
         (
             "assumptions",
             or_null(object(&[

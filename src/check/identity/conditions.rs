@@ -82,7 +82,9 @@ pub(super) fn conditions(
     let generators = &lowered.generators;
     let mut out = domains(graph, formulas);
     let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
-    for case in cases {
+    // Of several cases none restricts the premises.
+    let possible: Vec<&Resolved> = cases.iter().filter(|c| !c.empty).collect();
+    for case in possible.iter().filter(|_| possible.len() == 1) {
         from_cases.extend(case.radicands.iter().map(|&e| Condition::Discriminant(e)));
     }
     let unknown = |graph: &Graph, c: &Condition| match *c {

@@ -103,7 +103,10 @@ fn simple_factors(graph: &mut Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
             let k = k.saturating_mul(sign);
             match *graph.node(base) {
                 // Neither vanishes but where its argument does; and both are not negative.
-                Node::Unary(Op::Sqrt | Op::Abs, a) => put(&mut out, a, k.saturating_mul(2)),
+                Node::Unary(Op::Sqrt | Op::Abs, a) => {
+                    let (_, parts) = without_content(graph, a);
+                    parts.into_iter().for_each(|(b, n)| put(&mut out, b, n.saturating_mul(k).saturating_mul(2)));
+                }
                 _ => {
                     let (sign, parts) = without_content(graph, base);
                     if sign && k % 2 != 0 {

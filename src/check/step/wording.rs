@@ -26,13 +26,13 @@ impl Step<'_> {
     }
 
     /// What a proof that goes along a motion does not reach, in words.
-    pub(super) fn continuation(&self, equations: &Pairs, moved: bool) -> Vec<String> {
+    pub(super) fn continuation(&self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<String> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
         if !(moved || integral) {
             return Vec::new();
         }
         let mut out: Vec<String> =
-            self.leaps(equations).iter().map(|&e| format!("beyond a time at which {} leaps", self.shown(e))).collect();
+            leaping.iter().map(|&e| format!("beyond a time at which {} leaps", self.shown(e))).collect();
         let divided = self.divided_by_systems();
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
@@ -192,6 +192,9 @@ impl Step<'_> {
             let mut names: Vec<String> = self.graph.leaves([e]).iter().map(|&l| self.graph.leaf_latex(l)).collect();
             names.retain(|n| !n.contains('\u{2063}'));
             names.dedup();
+            if names.is_empty() {
+                names.push("auxiliary numbers".to_owned());
+            }
             let more = names.len().saturating_sub(MOST_NAMES);
             names.truncate(MOST_NAMES);
             let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
