@@ -174,9 +174,21 @@ impl Core {
         if !program.needs_turns() {
             return Vec::new();
         }
+        // The definition of an angle may need the turns of those before it.
+        let mut needed = vec![false; self.angles.len()];
+        program.turns().for_each(|i| needed[i] = true);
+        for i in (0..needed.len()).rev() {
+            if needed[i] {
+                self.angles[i].raw.turns().for_each(|before| needed[before] = true);
+            }
+        }
         let mut turns = Vec::with_capacity(self.angles.len());
         benches.resize(self.angles.len(), None);
-        for (angle, bench) in self.angles.iter().zip(benches) {
+        for ((angle, bench), needed) in self.angles.iter().zip(benches).zip(needed) {
+            if !needed {
+                turns.push(Err(NoValue::Indeterminate));
+                continue;
+            }
             let bench = bench.get_or_insert_with(|| angle.raw.bench(self, 0));
             let n = angle.turns_at(self, t, &turns, bench);
             turns.push(n);

@@ -128,7 +128,15 @@ impl Program {
 
     /// Whether an angle's turns are among the inputs.
     pub(super) fn needs_turns(&self) -> bool {
-        self.inputs.iter().any(|i| matches!(i, Input::Turns(_)))
+        self.turns().next().is_some()
+    }
+
+    /// The angles whose turns are among the inputs.
+    pub(super) fn turns(&self) -> impl Iterator<Item = usize> + '_ {
+        self.inputs.iter().filter_map(|i| match i {
+            Input::Turns(angle) => Some(*angle),
+            _ => None,
+        })
     }
 
     /// Memory for series up to `degree`.

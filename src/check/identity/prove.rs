@@ -135,7 +135,7 @@ fn decide(
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
     }
-    let probe = Probe::new(&mut draws);
+    let probe = Probe::new(&mut draws, std::rc::Rc::clone(&memory.structure));
     let parameters: FastSet<Leaf> =
         given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
     lowered.frozen.extend(given.time);

@@ -263,11 +263,12 @@ impl Solver<'_> {
         let mut split = None;
         let mut seen = FastSet::default();
         while let Some(one) = pending.pop() {
-            let top = match self.probe.tops.get(&one.e) {
-                Some(&top) => top,
+            let known = self.probe.structure.borrow().tops.get(&one.e).copied();
+            let top = match known {
+                Some(top) => top,
                 None => {
                     let (top, _) = fraction(self.graph, one.e);
-                    self.probe.tops.insert(one.e, top);
+                    self.probe.structure.borrow_mut().tops.insert(one.e, top);
                     top
                 }
             };
@@ -434,7 +435,7 @@ impl Solver<'_> {
             return known.clone();
         }
         let mut found = None;
-        if let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) {
+        if let Some(mut all) = self.written_in_powers(e, unknown) {
             let mut vanishing = Vec::new();
             while let Some(&last) = all.last()
                 && all.len() > 1
@@ -448,6 +449,15 @@ impl Solver<'_> {
             }
         }
         self.probe.solvable.insert((e, unknown), found.clone());
+        found
+    }
+
+    fn written_in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<Vec<Expr>> {
+        if let Some(known) = self.probe.structure.borrow().powers.get(&(e, unknown)) {
+            return known.clone();
+        }
+        let found = coefficients(self.graph, e, unknown, HIGHEST);
+        self.probe.structure.borrow_mut().powers.insert((e, unknown), found.clone());
         found
     }
 

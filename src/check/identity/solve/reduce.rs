@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::{Candidate, Case, HIGHEST, Next, Solver};
-use crate::check::identity::linear::{Combinations, Monomial, expression};
+use crate::check::identity::linear::{Monomial, expression};
 use crate::check::identity::polynomial::{coefficients, factors, product};
 use crate::check::identity::probe::Sight;
 use crate::expr::{Expr, Leaf, Node, Op, Rational};
@@ -19,7 +19,7 @@ impl Solver<'_> {
             self.probe.squares.insert(e, Some(terms.clone()));
             return Some(terms);
         }
-        let sum = Combinations::default().of(self.graph, e);
+        let sum = self.probe.structure.borrow_mut().combinations.of(self.graph, e);
         let positive = sum.values().next().is_some_and(|q| *q > Rational::ZERO);
         let even = |(m, q): (&Monomial, &Rational)| {
             (*q > Rational::ZERO) == positive && m.iter().all(|&(_, k)| k > 0 && k % 2 == 0)
