@@ -80,17 +80,8 @@ impl Filler<'_> {
                 NodeKind::Group(..) if self.gap == Gap::Term && !matches!(child.kind, NodeKind::Sum(_)) => Place::Whole,
                 _ => place_of(node, at, child, self.vocabulary),
             };
-            for filled in self.within(child, place) {
-                // Where an argument has no parentheses, more than was there would not be read as the argument.
-                let bare = matches!(node.kind, NodeKind::Function(..)) && !matches!(child.kind, NodeKind::Product(_));
-                let filled = match (&filled.kind, bare) {
-                    (NodeKind::Product(_), true) => {
-                        let span = filled.span.clone();
-                        Node::new(NodeKind::Group(Box::new(filled), Bracket::Round), span)
-                    }
-                    _ => filled,
-                };
-                out.push(with_part(node, at, filled));
+            for child in self.within(child, place) {
+                out.push(with_part(node, at, child));
             }
         }
         out
