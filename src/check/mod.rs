@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod met;
 mod occurrence;
 mod picture;
 mod program;
@@ -108,10 +109,20 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, true, progress)?;
+    let mut account = check_and(derivation, options, &[], true, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
+}
+
+/// The accounts of the claims that are asked for, beside others that are known from before: these are premises as if they
+/// had been tried again.
+fn check_beside(
+    derivation: &mut Derivation,
+    options: &Options,
+    known: &[ClaimAccount],
+) -> Result<Vec<ClaimAccount>, CheckError> {
+    Ok(check_and(derivation, options, known, true, &|_, _| {})?.claims)
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -120,13 +131,14 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, false, progress)
+    check_and(derivation, options, &[], false, progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
 fn check_and(
     derivation: &mut Derivation,
     options: &Options,
+    known: &[ClaimAccount],
     separating: bool,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
@@ -252,7 +264,7 @@ fn check_and(
         .map(|k| {
             let claim = &derivation.claims[claimed[k]];
             let step = Step::of(derivation, claim)?;
-            match counterexample(derivation, claim, k, &claimed, &tried, &columns) {
+            match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
                 None => step.decide(),
             }
@@ -263,7 +275,7 @@ fn check_and(
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     let mut courses: Vec<Course> = courses.into_iter().flatten().collect();
     probes.separate(derivation, &gradients, &start_of, &mut courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
@@ -283,6 +295,7 @@ fn counterexample<'a>(
     claim: &Claim,
     k: usize,
     claimed: &[usize],
+    known: &[ClaimAccount],
     tried: &[usize],
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
@@ -291,16 +304,28 @@ fn counterexample<'a>(
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
-            Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
+            Premise::Claim(premise) => {
+                let of_this_run = claimed.iter().position(|&c| c == premise).and_then(|k| verdicts[k].as_ref());
+                let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
-                let throughout =
-                    |v: &Verdict| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty();
-                verdicts[k].as_ref().is_some_and(throughout)
-            }),
+                verdict.is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty())
+            }
             Premise::Definition => true,
         };
         if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
     })
+}
+
+/// The verdict on a claim, by its position, that is known from before.
+fn known_verdict<'a>(
+    derivation: &Derivation,
+    known: &'a [ClaimAccount],
+    claim: usize,
+    trajectory: usize,
+) -> Option<&'a Verdict> {
+    let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
+    let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
+    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
 }
 
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
@@ -360,6 +385,7 @@ fn strengthen(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     claimed: &[usize],
+    known: &[ClaimAccount],
     tried: &[usize],
 ) -> Result<(), String> {
     // Each round may prove claims that follow from those of the round before.
@@ -379,10 +405,14 @@ fn strengthen(
                 };
                 let given = |name: &String| match derivation.premise(name) {
                     Premise::System(system) => is_integrated_from(derivation, t, system),
-                    Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
-                        let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory);
-                        pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
-                    }),
+                    Premise::Claim(premise) => {
+                        let here = claimed.iter().position(|&c| c == premise).and_then(|k| {
+                            let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory)?;
+                            Some(&pair.verdict)
+                        });
+                        let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                        verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
+                    }
                     Premise::Definition => true,
                 };
                 if !identity.from.iter().all(given) {

@@ -256,7 +256,7 @@ fn evidence(claim: &ClaimAccount, graph: &DerivationGraph) -> String {
     }
     if let Some(identity) = &claim.identity {
         if identity.generic {
-            out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
+            out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
         }
         for (title, lines) in identity.terms() {
             let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();

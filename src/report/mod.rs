@@ -36,6 +36,7 @@ mod tally;
 mod tex;
 mod text;
 mod units;
+mod wording;
 mod write;
 
 pub use certificates::{CERTIFICATES, certificate_text, certificates};

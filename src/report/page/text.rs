@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
+use super::super::wording::{self, Part};
 use crate::latex::Scope;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
@@ -10,22 +11,13 @@ const LONG: usize = 40;
 
 /// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
 pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
-    // A space at an end is kept: texts are put together.
-    let edge = |at: Option<char>| if at.is_some_and(char::is_whitespace) { " " } else { "" };
-    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let inner = if words.is_empty() { "" } else { edge(text.chars().next_back()) };
-    let text = format!("{}{words}{inner}", edge(text.chars().next()));
     let mut out = String::new();
-    let mut rest = text.as_str();
-    while let Some(start) = rest.find(['$', '`']) {
-        let mark = &rest[start..=start];
-        let after = &rest[start + 1..];
-        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
-        out.push_str(&mathml::escaped(&rest[..start]));
-        out.push_str(&formula(&after[..end], scope).into_string());
-        rest = &after[end + 1..];
+    for part in wording::parts(&wording::one_line(text)) {
+        match part {
+            Part::Words(words) => out.push_str(&mathml::escaped(words)),
+            Part::Formula(text) => out.push_str(&formula(text, scope).into_string()),
+        }
     }
-    out.push_str(&mathml::escaped(rest));
     PreEscaped(out)
 }
 
@@ -88,19 +80,12 @@ pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
     }
 }
 
-/// What a comparison is called: a formula, then perhaps its component in brackets, or words.
+/// What a comparison is called: a formula, then perhaps its component, or words.
 pub(super) fn label(text: &str, scope: &Scope) -> Markup {
-    let (head, component) = match text.split_once("   [") {
-        Some((head, component)) => (head, Some(component.trim_end_matches(']'))),
-        None => (text, None),
-    };
-    let words = ["rank of the gradients of ", "for the system "].iter().find_map(|w| Some((*w, head.strip_prefix(w)?)));
-    let tail = [" has a value", " of both motions"].iter().find_map(|w| Some((head.strip_suffix(w)?, *w)));
+    let label = wording::label(text);
     html! {
-        @if let Some((words, formula_text)) = words { (words) (formula(formula_text, scope)) }
-        @else if let Some((formula_text, words)) = tail { (formula(formula_text, scope)) (words) }
-        @else { (formula(head, scope)) }
-        @if let Some(component) = component {
+        (label.before) (formula(label.formula, scope)) (label.after)
+        @if let Some(component) = label.component {
             ", component " (formula(component, scope))
         }
     }
