@@ -195,7 +195,7 @@ function open(row) {
   const link = element(element(box, "p"), "a", { href: "#/trajectory/" + motions[numbers(row.id)[1]] });
   link.textContent = "The trajectory";
   if (pair[0]) curves(box, pair, addressOf(row.id));
-  else element(box, "p", { class: "quiet" }, "No curve: no two sides were compared along this motion. The row above says what was found, and how.");
+  else element(box, "p", { class: "quiet" }, "No curve: two sides were not compared at more than one time. The row above says what was found, and how.");
   if (pair[2]) witness(box, pair[2]);
 }
 // A line through samples; events are points, each with its time marked below.
