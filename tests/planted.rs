@@ -117,7 +117,8 @@ fn plant_all(path: &str, each: usize) -> Vec<Outcome> {
         let mut all = altered_formulas(&original, c);
         // An inequality with one edit is often as true as before.
         let inequality = |f: &str| {
-            let after = |sign: &str| f.split(sign).skip(1).any(|rest| !rest.starts_with(|c: char| c.is_ascii_alphabetic()));
+            let after =
+                |sign: &str| f.split(sign).skip(1).any(|rest| !rest.starts_with(|c: char| c.is_ascii_alphabetic()));
             f.contains(['<', '>']) || [r"\le", r"\ge", r"\ne"].iter().any(|sign| after(sign))
         };
         all.retain(|a| !inequality(&a.formula));

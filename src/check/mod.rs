@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod met;
 mod occurrence;
 mod picture;
 mod program;
@@ -49,7 +50,7 @@ pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{
-    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor, VariantAccount,
+    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor, VariantAccount,
     WEAK, altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};

@@ -229,7 +229,16 @@ impl<'a> Step<'a> {
         };
         let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
-        account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
+        if account.verdict == "proved"
+            && moved
+            && let Some(&leaping) = self.leaps(&equations).first()
+        {
+            let reason = format!(
+                "both sides agree at one time and have the same rates, but {} may leap to another of its values between",
+                self.shown(leaping)
+            );
+            account = IdentityAccount { reason: Some(reason), ..self.open(&gathered, ONLY_RATES) };
+        }
         if account.verdict == "proved" {
             account.assumptions = self.assumptions_used(&equations, moved);
             account.generic |= !gathered.inherited.is_empty();

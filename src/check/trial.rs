@@ -11,6 +11,7 @@ use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
+use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
@@ -130,8 +131,8 @@ pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option
         let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
         match along {
             Some(along) => {
-                let (floors, mute) = (along.floors.clone(), along.mute.clone());
-                MeasuredGroup { group, signs, definedness, floors, mute }
+                let (floors, mute, equal) = (along.floors.clone(), along.mute.clone(), along.equal.clone());
+                MeasuredGroup { group, signs, definedness, floors, mute, equal }
             }
             None => MeasuredGroup::new(group, signs, definedness),
         }
@@ -157,9 +158,10 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
         }
         (Some(_), zeros) => return no_event(trial, zeros),
     };
-    let (times, points) = match &at_events {
+    let samples = || (course.times.as_slice(), course.points.as_slice());
+    let (mut times, mut points) = match &at_events {
         Some((t, p)) => (t.as_slice(), p.as_slice()),
-        None => (course.times.as_slice(), course.points.as_slice()),
+        None => samples(),
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
@@ -169,12 +171,16 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
             return not_applicable(reason);
         }
     }
+    let met = if at_events.is_none() { met::look(trial) } else { met::Search::default() };
+    if let Some(more) = &met.more {
+        (times, points) = (&more.times, &more.points);
+    }
     let describer = Describer::new(trial, times, points);
     let mut measured = measure(program, points, None);
     silence(trial.graph, program, course.leaves, points, &mut measured);
     let left = match apply(trial, &measured, &describer).conclude() {
         Ok(left) => left,
-        Err(verdict) => return *verdict,
+        Err(verdict) => return unless_met_elsewhere(&met, *verdict),
     };
     let setting = || describer.setting(left.clone());
 
@@ -198,7 +204,20 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
             None => between_samples(trial, &measured, look_closer(trial, &measured, verdict)),
         });
     }
-    all_of(verdicts)
+    unless_met_elsewhere(&met, all_of(verdicts))
+}
+
+/// The verdict of a claim whose assumptions may be met at other times than those at which it was tried.
+fn unless_met_elsewhere(met: &met::Search, verdict: Verdict) -> Verdict {
+    let reason = match verdict.outcome() {
+        Outcome::Holds(_) => met.open.clone(),
+        Outcome::NotApplicable => met.open.clone().or(met.touches.clone()),
+        Outcome::Fails(_) | Outcome::Undecided => None,
+    };
+    match reason {
+        Some(_) => Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() }),
+        None => verdict,
+    }
 }
 
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.

@@ -46,6 +46,9 @@ pub(super) struct MeasuredGroup<'a> {
     pub floors: Vec<f64>,
     /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
     pub mute: Vec<Vec<bool>>,
+    /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
+    /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
+    pub equal: Vec<Vec<bool>>,
 }
 
 impl<'a> MeasuredGroup<'a> {
@@ -53,13 +56,27 @@ impl<'a> MeasuredGroup<'a> {
     pub fn new(group: &'a Group, signs: Vec<Vec<Series>>, definedness: bool) -> MeasuredGroup<'a> {
         let floors = signs.iter().map(|s| floor(s)).collect();
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
-        MeasuredGroup { group, signs, definedness, floors, mute }
+        let along = |series: &Series| {
+            let within = |m: &Measured| m.difference.contains_zero();
+            series.iter().any(Result::is_ok) && series.iter().flatten().all(within)
+        };
+        let equal = signs.iter().map(|s| s.iter().map(along).collect()).collect();
+        MeasuredGroup { group, signs, definedness, floors, mute, equal }
     }
 
     /// What a residual must be small against: the size of the terms at that time, or what is typical of the group along
     /// the motion, whichever is larger.
     fn scale(&self, sign: usize, m: &Measured) -> f64 {
         m.magnitude.max(self.floors[sign])
+    }
+
+    /// Whether the sides are equal within an error, where that does not refute a strict relation.
+    fn is_open(&self, sign: usize, comparison: usize, m: &Measured) -> bool {
+        let strict = match self.group.comparisons[comparison].kind {
+            RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => true,
+            RelationKind::Equal | RelationKind::LessEqual | RelationKind::GreaterEqual => false,
+        };
+        strict && m.difference.error > 0.0 && m.difference.contains_zero() && !self.equal[sign][comparison]
     }
 
     /// How a comparison stands at a time.
@@ -71,7 +88,10 @@ impl<'a> MeasuredGroup<'a> {
             Ok(_) if exists => Standing::Satisfied,
             // No bound is small enough for what cannot be seen.
             Ok(m) if self.mute[sign][comparison] => judge(kind, m.difference, 0.0, precision),
-            Ok(m) => judge(kind, m.difference, self.scale(sign, m), precision),
+            Ok(m) => match judge(kind, m.difference, self.scale(sign, m), precision) {
+                Standing::Violated if self.is_open(sign, comparison, m) => Standing::Inconclusive,
+                standing => standing,
+            },
             Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
             Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
             // A value may exist: this is a bound that is too large, not a formula that says nothing.
@@ -84,7 +104,14 @@ impl<'a> MeasuredGroup<'a> {
 /// not make its rounding significant.
 fn floor(group: &[Series]) -> f64 {
     let typical = group.iter().map(typical).fold(0.0, f64::max);
-    if typical > 0.0 { typical } else { 1.0 }
+    if typical > 0.0 {
+        return typical;
+    }
+    // Terms that are 0 most of the time are of the size that they have at other times.
+    let all = || group.iter().flatten().flatten();
+    let largest = all().map(|m| m.magnitude).fold(0.0, f64::max);
+    // Terms that are 0 with an error are not 0, but too small for a number: nothing is small against them.
+    if largest > 0.0 || all().any(|m| m.difference.error > 0.0) { largest } else { 1.0 }
 }
 
 /// The median size of the terms of a comparison along the motion.

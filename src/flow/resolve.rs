@@ -8,6 +8,8 @@
 //!
 //! **In:** the formulas of a motion. **Out:** the cuts, and what could not be resolved.
 
+use std::cell::RefCell;
+
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
 use super::program::{Bench, Program};
@@ -26,8 +28,10 @@ const FINE: f64 = 1e-13;
 const FLOOR: f64 = 1e-100;
 /// A gap of up to this share of the span is one time.
 const INSTANT: f64 = 1e-9;
+/// Most cuts of a gap that is not one time.
+const MOST_CUTS: usize = 200;
 /// Up to this share of its size a state may change in a gap that is one time: it is continuous there.
-const STEP: f64 = 1e-9;
+const STEP: f64 = 1e-6;
 
 /// The times that cut the span of a motion, and the stretches on which its formulas are not known from samples.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,8 +63,14 @@ impl Prober<'_> {
         left.iter().all(|&i| resolved(self.program, &self.low, piece, i))
     }
 
-    /// All values of every output over an interval of times.
-    fn values(&mut self, time: Interval) -> Vec<Result<Interval, NoValue>> {
+    /// Whether some output certainly has no value at any time of a stretch.
+    fn nowhere(&mut self, start: f64, end: f64) -> bool {
+        self.values(start, end).contains(&Err(NoValue::OutOfDomain))
+    }
+
+    /// All values of every output over a stretch.
+    fn values(&mut self, start: f64, end: f64) -> Vec<Result<Interval, NoValue>> {
+        let time = Interval::point(start).hull(Interval::point(end));
         self.program.run_over(self.core, &mut self.plain, time);
         let output = |i: usize| self.program.output(&self.plain, i).and_then(|x| x.coefficient(0).checked());
         (0..self.program.output_count()).map(output).collect()
@@ -93,35 +103,42 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
     times.sort_by(f64::total_cmp);
     times.dedup();
     // The turns of an angle belong to single times.
-    let mut prober = (!program.needs_turns()).then(|| Prober {
+    let prober = RefCell::new((!program.needs_turns()).then(|| Prober {
         core,
         program,
         high: program.bench(core, DEGREE),
         low: program.bench(core, LOW),
         plain: program.bench(core, 0),
-    });
+    }));
     let mut explorer = Explorer::new(core, program, DEGREE);
     let mut sizes = vec![0.0_f64; program.output_count()];
-    let stretches = explorer.cover(&times, |_, piece| {
+    let accept = |_: &mut Explorer, piece: &Piece| {
         let fine = |(c, x): (&Vec<f64>, &Bounded)| {
             let size = x.value.abs().max(c.get(1).map_or(0.0, |c| c.abs() * piece.radius()));
             tail(c, DEGREE, piece.radius()) <= 1e-12 * size + 16.0 * x.error
         };
-        let accepted =
-            piece.outputs.iter().zip(&piece.values).all(fine) && prober.as_mut().is_none_or(|p| p.resolves(piece));
+        let accepted = piece.outputs.iter().zip(&piece.values).all(fine)
+            && prober.borrow_mut().as_mut().is_none_or(|p| p.resolves(piece));
         if accepted {
             for (size, x) in sizes.iter_mut().zip(&piece.values) {
                 *size = size.max(x.value.abs());
             }
         }
         accepted
+    };
+    let stretches = explorer.cover_unless(&times, accept, |explorer, start, end| match prober.borrow_mut().as_mut() {
+        Some(prober) => prober.nowhere(start, end),
+        None => !explorer.somewhere(start, end),
     });
+    let mut prober = prober.into_inner();
     let mut out = Resolution::default();
     for stretch in &stretches {
         let (start, end) = match *stretch {
             Stretch::Piece(ref p) => (p.start, p.end),
             Stretch::Gap { start, end, .. } => {
-                out.gaps.extend(prober.as_mut().and_then(|p| gap(p, &sizes, (start, end), b - a)));
+                if let Some(prober) = &mut prober {
+                    gaps(prober, &sizes, (start, end), b - a, &mut out.gaps);
+                }
                 (start, end)
             }
         };
@@ -132,24 +149,41 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
     out
 }
 
-/// What a gap in the cover is; `None` for a kink, across which all states are continuous.
-fn gap(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f64) -> Option<Incomplete> {
-    let values = prober.values(Interval::point(start).hull(Interval::point(end)));
-    let instant = end - start <= INSTANT * length;
-    let mut undefined = None;
-    let mut steps = false;
-    for (value, size) in values.into_iter().zip(sizes) {
-        match value {
-            Ok(all) => steps |= all.width() > STEP * size + FLOOR,
-            // That there is no value at any of the times is certain; that there may be none says something of one time.
-            Err(NoValue::OutOfDomain) => undefined = Some(NoValue::OutOfDomain),
-            Err(reason) if instant => undefined = undefined.or(Some(reason)),
-            Err(_) => steps = true,
+/// What the gaps in the cover are. A kink, across which all states are continuous, is none.
+fn gaps(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f64, out: &mut Vec<Incomplete>) {
+    // Where values end lies in a gap with the times at which there are none: it is cut until the two are apart.
+    let mut stack = vec![(start, end)];
+    let mut budget = MOST_CUTS;
+    while let Some((start, end)) = stack.pop() {
+        let values = prober.values(start, end);
+        let instant = end - start <= INSTANT * length;
+        let nowhere = values.iter().any(|x| *x == Err(NoValue::OutOfDomain));
+        let unclear = values.iter().find_map(|x| x.err().filter(|_| !nowhere));
+        let steps = values.iter().zip(sizes).any(|(x, size)| x.is_ok_and(|all| all.width() > STEP * size + FLOOR));
+        let what = match unclear {
+            _ if nowhere => Some(Incomplete::NoValue { start, end, reason: NoValue::OutOfDomain }),
+            Some(reason) if instant => Some(Incomplete::NoValue { start, end, reason }),
+            None if instant && !steps => None,
+            None if instant => Some(Incomplete::Unresolved { start, end }),
+            _ if budget > 0 => {
+                budget -= 1;
+                let middle = start + 0.5 * (end - start);
+                stack.extend([(middle, end), (start, middle)]);
+                continue;
+            }
+            _ => Some(Incomplete::Unresolved { start, end }),
+        };
+        match (out.last_mut(), what) {
+            (Some(Incomplete::Unresolved { end: last, .. }), Some(Incomplete::Unresolved { start, end }))
+                if *last == start =>
+            {
+                *last = end;
+            }
+            (
+                Some(Incomplete::NoValue { end: last, reason: before, .. }),
+                Some(Incomplete::NoValue { start, end, reason }),
+            ) if *last == start && *before == reason => *last = end,
+            (_, what) => out.extend(what),
         }
-    }
-    match undefined {
-        Some(reason) => Some(Incomplete::NoValue { start, end, reason }),
-        None if steps || !instant => Some(Incomplete::Unresolved { start, end }),
-        None => None,
     }
 }

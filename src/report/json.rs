@@ -76,6 +76,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "reason": m.reason,
         })).collect::<Vec<_>>(),
         "units": super::units::json(&account.units),
+        "alone": super::alone::json(account),
         "summary": {
             "holds": summary.holds,
             "fails": summary.fails,

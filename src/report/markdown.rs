@@ -18,6 +18,7 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     out.push_str("Pictures, curves and every pair: `index.html`. All numbers: `report.json`.\n\n");
     out.push_str(&super::overview::section(derivation, account));
     out.push_str(&matrix(account));
+    out.push_str(&super::alone::section(account));
     let graph = DerivationGraph::new(derivation, account);
     out.push_str(&graph.section());
     out.push_str(&conventions(derivation));

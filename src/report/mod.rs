@@ -9,6 +9,7 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+mod alone;
 mod certificates;
 mod conditions;
 mod diff;

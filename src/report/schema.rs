@@ -184,7 +184,7 @@ pub fn schema() -> Value {
         ("graph", graph()),
         ("summary", summary),
     ]);
-    let report = with_optional(report, &[("paper", paper())]);
+    let report = with_optional(report, &[("paper", paper()), ("alone", list(alone()))]);
     let mut out = Map::new();
     out.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));
     out.insert("title".to_owned(), json!("A report of rederive"));
@@ -192,6 +192,21 @@ pub fn schema() -> Value {
         out.append(&mut fields);
     }
     Value::Object(out)
+}
+
+/// What one motion alone could have decided.
+fn alone() -> Value {
+    object(&[
+        ("trajectory", text("Its id")),
+        ("tried", whole("Claims that were tried on it")),
+        ("not_applicable", whole("Claims that do not apply to it")),
+        ("holds", whole("Claims that hold on it")),
+        ("misleading", texts("Claims that hold on it and fail on others")),
+        ("weak", whole("Claims that hold on it weakly")),
+        ("rejected", whole("Altered formulas of the claims that hold on it which it rejects")),
+        ("of", whole("Altered formulas of the claims that hold on it")),
+        ("sentence", text("The same in words")),
+    ])
 }
 
 /// The random test of an identity.

@@ -100,6 +100,34 @@ impl Tape {
         Ok(Tape { inputs: inputs.to_vec(), presets, instructions, outputs })
     }
 
+    /// The same for some of the outputs, in the order of `outputs`: only what they need is computed. Inputs stay as they are.
+    pub fn part(&self, outputs: &[usize]) -> Tape {
+        let first = self.inputs.len() + self.presets.len();
+        let mut needed = vec![false; self.instructions.len()];
+        let need = |needed: &mut Vec<bool>, slot: u32| {
+            if let Some(n) = (slot as usize).checked_sub(first).and_then(|i| needed.get_mut(i)) {
+                *n = true;
+            }
+        };
+        outputs.iter().for_each(|&o| need(&mut needed, self.outputs[o]));
+        let mut slot: Vec<u32> = (0..self.slot_count() as u32).collect();
+        for (i, step) in self.instructions.iter().enumerate().rev() {
+            if needed[i] {
+                need(&mut needed, step.a);
+                need(&mut needed, step.b);
+            }
+        }
+        let mut instructions = Vec::new();
+        for (step, _) in self.instructions.iter().zip(&needed).filter(|(_, n)| **n) {
+            let out = (first + instructions.len()) as u32;
+            slot[step.out as usize] = out;
+            let (a, b) = (slot[step.a as usize], slot[step.b as usize]);
+            instructions.push(Instruction { op: step.op, a, b, out });
+        }
+        let outputs = outputs.iter().map(|&o| slot[self.outputs[o] as usize]).collect();
+        Tape { inputs: self.inputs.clone(), presets: self.presets.clone(), instructions, outputs }
+    }
+
     /// The leaves that must be given, in order.
     pub fn inputs(&self) -> &[Leaf] {
         &self.inputs

@@ -1,33 +1,80 @@
 //! A span of time, covered by stretches that are halved until something is known of each.
 
-use std::collections::HashMap;
-use std::sync::Arc;
+use std::cell::OnceCell;
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use crate::expr::{Expr, Graph};
 use crate::flow::{Compiled, Enclosure, Reach, Stretch};
 use crate::number::{Interval, NoValue};
 
-/// Degree of the polynomials in time.
-const DEGREE: usize = 10;
 /// Stretches are halved down to this part of the span.
 const SHORTEST: f64 = 1e-6;
-/// Most operations on series that are spent on one claim along one motion, and on its presuppositions.
+/// Most operations on models that are spent on one claim along one motion, and on a set of its presuppositions.
 const MOST: usize = 400_000;
+/// Most operations that are spent on all claims along one motion, beyond what they all share.
+const MOST_OF_ALL: usize = 8_000_000;
 
-/// An enclosed motion, with the stretches that were looked at before.
+/// Expressions of all claims, as one tape on which they share what they have in common.
+#[derive(Default)]
+struct Sheet {
+    roots: Vec<Expr>,
+    place: HashMap<Expr, usize>,
+    compiled: Option<Compiled>,
+}
+
+impl Sheet {
+    fn add(&mut self, e: Expr) -> usize {
+        *self.place.entry(e).or_insert_with(|| {
+            self.roots.push(e);
+            self.roots.len() - 1
+        })
+    }
+}
+
+/// Some of the roots of all claims.
+pub(super) struct Selection {
+    roots: Vec<usize>,
+    /// What they need of the tape, and nothing else.
+    part: OnceCell<Compiled>,
+}
+
+impl Selection {
+    pub fn new(roots: Vec<usize>) -> Selection {
+        Selection { roots, part: OnceCell::new() }
+    }
+}
+
+/// Times, as bits.
+type Times = (u64, u64);
+
+fn key(time: Interval) -> Times {
+    (time.lo().to_bits(), time.hi().to_bits())
+}
+
+/// An enclosed motion, with what was found out about it before.
 pub(super) struct Along {
     pub enclosure: Enclosure,
     pub graph: Graph,
     pub span: (f64, f64),
-    stretches: HashMap<(u64, u64), Arc<Stretch>>,
-    /// Operations that may still be spent.
+    /// What is looked at over stretches, and what at times.
+    differences: Sheet,
+    sides: Sheet,
+    /// The stretches to begin with: on them all claims are evaluated at once.
+    pieces: Vec<Interval>,
+    first: HashSet<Times>,
+    stretches: HashMap<Times, Rc<Stretch>>,
+    shared: HashMap<Times, Rc<Vec<Result<Reach, NoValue>>>>,
+    middles: HashMap<Times, Rc<Vec<Result<Interval, NoValue>>>>,
+    /// Operations that may still be spent: on this claim, and on all.
     left: usize,
+    left_of_all: usize,
     /// Whether sets of equations hold to a precision, which is the same for every claim that presupposes them.
     presupposed: HashMap<Presupposed, Result<(), String>>,
 }
 
 /// Differences of equations with the sizes of their terms, and the bits of the precision.
-pub(super) type Presupposed = (Vec<Expr>, u64);
+pub(super) type Presupposed = (Vec<(usize, usize)>, u64);
 
 /// What is known of one stretch.
 pub(super) enum Judgement {
@@ -44,8 +91,52 @@ pub(super) type Ranges = [Result<Reach, NoValue>];
 
 impl Along {
     pub fn new(enclosure: Enclosure, graph: Graph, span: (f64, f64)) -> Along {
-        let (stretches, presupposed) = (HashMap::new(), HashMap::new());
-        Along { enclosure, graph, span, stretches, left: MOST, presupposed }
+        let pieces = pieces(&enclosure, span);
+        Along {
+            enclosure,
+            graph,
+            span,
+            differences: Sheet::default(),
+            sides: Sheet::default(),
+            first: pieces.iter().map(|&time| key(time)).collect(),
+            pieces,
+            stretches: HashMap::new(),
+            shared: HashMap::new(),
+            middles: HashMap::new(),
+            left: MOST,
+            left_of_all: MOST_OF_ALL,
+            presupposed: HashMap::new(),
+        }
+    }
+
+    /// The place of an expression among those that are looked at over stretches.
+    ///
+    /// # Errors
+    /// Why the motion does not know it.
+    pub fn difference(&mut self, e: Expr) -> Result<usize, String> {
+        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(|e| e.to_string())?;
+        Ok(self.differences.add(resolved))
+    }
+
+    /// The place of an expression among those that are looked at at times.
+    ///
+    /// # Errors
+    /// Why the motion does not know it.
+    pub fn side(&mut self, e: Expr) -> Result<usize, String> {
+        let resolved = self.enclosure.resolved(&mut self.graph, e).map_err(|e| e.to_string())?;
+        Ok(self.sides.add(resolved))
+    }
+
+    /// Compiles what was asked for so far.
+    ///
+    /// # Errors
+    /// What the motion does not know.
+    pub fn compile(&mut self) -> Result<(), String> {
+        for sheet in [&mut self.differences, &mut self.sides] {
+            let compiled = self.enclosure.compile_resolved(&self.graph, &sheet.roots);
+            sheet.compiled = Some(compiled.map_err(|e| e.to_string())?);
+        }
+        Ok(())
     }
 
     /// Another claim: the work may begin anew.
@@ -81,67 +172,97 @@ impl Along {
         })
     }
 
-    /// The stretches to begin with: steps of the enclosure, and of the angles.
-    pub fn pieces(&self) -> Vec<Interval> {
-        let (from, to) = self.span;
-        let mut times = self.enclosure.boundaries();
-        times.extend(self.enclosure.angle_boundaries());
-        times.retain(|t| from < *t && *t < to);
-        times.extend([from, to]);
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times.windows(2).filter_map(|w| Interval::new(w[0], w[1]).ok()).collect()
+    /// The stretches to begin with.
+    pub fn pieces(&self) -> &[Interval] {
+        &self.pieces
     }
 
-    /// The ranges of the roots over a stretch.
-    pub fn over(&mut self, compiled: &Compiled, time: Interval) -> Vec<Result<Reach, NoValue>> {
-        self.left = self.left.saturating_sub(2 * compiled.operations());
-        let stretch = self.stretch(time);
-        self.enclosure.over(compiled, &stretch)
+    /// The ranges of some roots over a stretch.
+    pub fn over(&mut self, selection: &Selection, time: Interval) -> Vec<Result<Reach, NoValue>> {
+        let Some(all) = &self.differences.compiled else { return vec![Err(NoValue::Unsupported); selection.roots.len()] };
+        let part = selection.part.get_or_init(|| all.part(&selection.roots));
+        let key = key(time);
+        if !self.first.contains(&key) {
+            self.left = self.left.saturating_sub(part.operations());
+            self.left_of_all = self.left_of_all.saturating_sub(part.operations());
+            let stretch = self.stretch(time);
+            return self.enclosure.over(part, &stretch);
+        }
+        let known = self.shared.get(&key).cloned();
+        let ranges = known.unwrap_or_else(|| {
+            let stretch = Rc::new(self.enclosure.stretch(time));
+            self.stretches.insert(key, Rc::clone(&stretch));
+            let new = Rc::new(self.enclosure.over(all, &stretch));
+            self.shared.insert(key, Rc::clone(&new));
+            new
+        });
+        selection.roots.iter().map(|&root| ranges[root]).collect()
     }
 
-    /// The values of the roots at the middle of a stretch.
-    pub fn at_middle(&mut self, compiled: &Compiled, time: Interval) -> Vec<Result<Interval, NoValue>> {
+    /// The values of all sides at the middle of a stretch.
+    pub fn at_middle(&mut self, time: Interval) -> Rc<Vec<Result<Interval, NoValue>>> {
+        let key = key(time);
+        if let Some(known) = self.middles.get(&key) {
+            return Rc::clone(known);
+        }
         let stretch = self.stretch(time);
-        self.enclosure.value_at_middle(compiled, &stretch)
+        let all = self.sides.compiled.as_ref();
+        let new = Rc::new(all.map_or(Vec::new(), |all| self.enclosure.value_at_middle(all, &stretch)));
+        self.middles.insert(key, Rc::clone(&new));
+        new
+    }
+
+    /// The values of some sides at a time.
+    pub fn sides_at(&self, places: &[usize], t: f64) -> Vec<Result<Interval, NoValue>> {
+        let Some(all) = &self.sides.compiled else { return vec![Err(NoValue::Unsupported); places.len()] };
+        self.enclosure.value(&all.part(places), Interval::point(t))
     }
 
     /// The states over a stretch: expanded once for all claims.
-    fn stretch(&mut self, time: Interval) -> Arc<Stretch> {
-        let key = (time.lo().to_bits(), time.hi().to_bits());
+    fn stretch(&mut self, time: Interval) -> Rc<Stretch> {
+        let key = key(time);
         let known = self.stretches.get(&key).cloned();
         known.unwrap_or_else(|| {
-            let new = Arc::new(self.enclosure.stretch(time, DEGREE));
-            self.stretches.insert(key, Arc::clone(&new));
+            let new = Rc::new(self.enclosure.stretch(time));
+            self.stretches.insert(key, Rc::clone(&new));
             new
         })
     }
 
-    /// Looks at stretches until each is settled: how many there were.
+    /// Looks at stretches until each is settled: how many there were. `hopeless` is asked at a single time of a stretch that
+    /// is open: if it is true even there, no shorter stretch could help.
     ///
     /// # Errors
     /// The first stretch that could not be settled, and why.
     pub fn cover(
         &mut self,
-        compiled: &Compiled,
+        selection: &Selection,
         mut judge: impl FnMut(Interval, &Ranges) -> Judgement,
+        hopeless: impl Fn(&Ranges) -> bool,
     ) -> Result<usize, String> {
         let shortest = SHORTEST * (self.span.1 - self.span.0);
-        let mut todo = self.pieces();
+        let mut todo = self.pieces.clone();
         todo.reverse();
         let mut looked = 0;
         while let Some(time) = todo.pop() {
             if self.left == 0 {
                 return Err(format!("the work limit of {MOST} operations was reached at t = {:.6}", time.lo()));
             }
+            if self.left_of_all == 0 {
+                let most = MOST_OF_ALL;
+                return Err(format!("the work limit of {most} operations for the motion was reached"));
+            }
             looked += 1;
-            let ranges = self.over(compiled, time);
+            let ranges = self.over(selection, time);
             let why = match judge(time, &ranges) {
                 Judgement::Settled => continue,
                 Judgement::Stop(reason) => return Err(reason),
                 Judgement::Open(why) => why,
             };
             let middle = time.mid();
+            if self.first.contains(&key(time)) && hopeless(&self.over(selection, Interval::point(middle))) {
+                return Err(format!("at t = {middle:.6} {why}: the enclosure is too wide there"));
+            }
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.hi() - time.lo() < shortest || middle <= time.lo() || middle >= time.hi();
             let (false, Ok(first), Ok(second)) = (short, first, second) else {
@@ -151,4 +272,17 @@ impl Along {
         }
         Ok(looked)
     }
+}
+
+/// Steps of the enclosure, and of the angles, as far as they go.
+fn pieces(enclosure: &Enclosure, span: (f64, f64)) -> Vec<Interval> {
+    let reach = enclosure.reach();
+    let (from, to) = (span.0.max(reach.0), span.1.min(reach.1));
+    let mut times = enclosure.boundaries();
+    times.extend(enclosure.angle_boundaries());
+    times.retain(|t| from < *t && *t < to);
+    times.extend([from, to]);
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times.windows(2).filter_map(|w| Interval::new(w[0], w[1]).ok()).collect()
 }

@@ -24,6 +24,9 @@
 
 mod claim;
 mod cover;
+mod ready;
+mod refute;
+mod span;
 
 use super::Prepared;
 use super::account::ClaimAccount;
@@ -108,15 +111,25 @@ fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Ve
             return Ok(changes);
         }
     };
-    for (k, _, verdict) in &mut changes {
-        let prepared = &request.prepared[*k][request.start_of[t]];
+    let program = |k: usize| &request.prepared[k][request.start_of[t]];
+    let mut parts = Vec::new();
+    for (k, _, verdict) in &changes {
+        let prepared = program(*k);
+        parts.push(claim::prepare(prepared.claim, &prepared.program, &mut along, verdict.outcome()));
+    }
+    if let Err(reason) = along.compile() {
+        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
+        return Ok(changes);
+    }
+    for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
+        let prepared = program(*k);
         let program = &prepared.program;
         let sampled = |comparison: &Comparison, time: f64| {
             let at = program.position(comparison)?;
             let values = request.stage.values(t, time);
             program.measure(&[values], 1.0).get(at)?.first()?.as_ref().ok().map(|m| m.difference)
         };
-        claim::strengthen(prepared.claim, program, &mut along, &sampled, verdict)
+        claim::strengthen(prepared.claim, program, parts, &mut along, &sampled, verdict)
             .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;
     }
     Ok(changes)

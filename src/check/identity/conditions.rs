@@ -107,16 +107,13 @@ pub(super) fn conditions(
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
     }
-    let mut out: Vec<Condition> =
-        out.into_iter().flat_map(|c| restated(graph, generators, &facts, c)).collect();
+    let mut out: Vec<Condition> = out.into_iter().flat_map(|c| restated(graph, generators, &facts, c)).collect();
     // What a formula needs anyway need not be said of the proof.
     let own: Vec<Condition> = out.clone();
     let mut seen = FastSet::default();
     out.retain(|c| {
         let known = match *c {
-            Condition::Pivot(e) => {
-                own.contains(&Condition::Denominator(e)) || facts.sign(graph, generators, e).nonzero
-            }
+            Condition::Pivot(e) => own.contains(&Condition::Denominator(e)) || facts.sign(graph, generators, e).nonzero,
             Condition::Denominator(e) => facts.sign(graph, generators, e).nonzero,
             Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,
             Condition::Radicand(e) | Condition::Discriminant(e) => facts.sign(graph, generators, e).not_negative,

@@ -218,9 +218,9 @@ impl std::fmt::Display for Reason {
             Reason::Boundary(_) => {
                 f.write_str("the premises hold at most where the base of a power is 0, which was not decided")
             }
-            Reason::OnlyWhere(_) => {
-                f.write_str("the premises hold at most where something vanishes that was divided by; that was not decided")
-            }
+            Reason::OnlyWhere(_) => f.write_str(
+                "the premises hold at most where something vanishes that was divided by; that was not decided",
+            ),
             Reason::Branches { failing, of } => write!(
                 f,
                 "it depends on the signs of roots: false for {failing} of {of} choices, and no real point decides"

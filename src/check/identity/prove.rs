@@ -1,41 +1,26 @@
 //! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
 
-use super::absolute::AbsoluteValues;
+mod cases;
+
 use super::conditions::{conditions, raised};
-use super::field::{Bound, Question, Trials, sum_log2, trials};
-use super::lower::{Generator, Generators, Lowering, TooLarge};
+use super::field::{Trials, trials};
+use super::lower::{Generator, TooLarge};
+use super::lowered::question;
 use super::memory::{Asked, Memory};
-use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Refutation};
-use super::polynomial::factors;
-use super::prepare::{Premise, argument_leaves, explicit, with_rates};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason};
+use super::prepare::{explicit, with_rates};
 use super::probe::Probe;
-use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::expr::{FastMap, FastSet};
+use cases::{Outcome, Pivots, Stop, merge};
+
+pub(super) use super::lowered::{Lowered, lower};
 use crate::number::Draws;
 
 type Pairs = Vec<(Expr, Expr)>;
-
-/// The problem after lowering.
-pub(super) struct Lowered {
-    pub(super) generators: Generators,
-    /// Residuals of the premises that are not definitions, and whether they are derivatives of others.
-    pub(super) premises: Vec<(Expr, bool)>,
-    pub(super) claim: Pairs,
-    pub(super) facts: Facts,
-    /// The same without what only the formulas' having a value implies.
-    pub(super) given_facts: Facts,
-    pub(super) denominators: Vec<Expr>,
-    /// Given as ≠ 0.
-    pub(super) assumed: Vec<Expr>,
-    frozen: FastSet<Leaf>,
-    /// Orthogonal matrices among the premises.
-    orthogonal: Orthogonal,
-}
 
 /// Whether the equations hold wherever the premises do and both sides have a value.
 ///
@@ -168,6 +153,7 @@ fn decide(
         options,
         examples: options.attempts,
         strategy: Strategy::AsGiven,
+        special: false,
         seeded: true,
         limit,
     };
@@ -178,24 +164,29 @@ fn decide(
         }
     })?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
-    let mut pivots = Pivots::of(&examination, &resolved);
+    let mut pivots = Pivots::of(&mut examination, &resolved);
     let limit = examination.graph.len() + MOST_SPECIAL_NODES;
     examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
     for at in 0..pivots.list.len().min(options.special_cases as usize) {
-        if !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
+        // Where an equation of motion loses its highest rate, a point need not belong to a motion.
+        let singular = own.iter().any(|&(_, derived)| derived) && pivots.rooted.contains(&pivots.list[at]);
+        if singular || !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
             continue;
         }
         let mut with_pivot = vec![(pivots.list[at], false)];
         with_pivot.extend(&own);
-        let Ok(outcomes) = examination.run(&with_pivot) else { continue };
+        examination.special = true;
+        let outcomes = examination.run(&with_pivot);
+        examination.special = false;
+        let Ok(outcomes) = outcomes else { continue };
         match merge(outcomes) {
             Ok((special, resolved)) => {
                 proof.absorb(special);
-                pivots.nested[at] = Some(Pivots::of(&examination, &resolved).list);
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &resolved).list);
             }
             Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
             Err(Stop::Empty(Reason::Contradiction, cases)) => {
-                pivots.nested[at] = Some(Pivots::of(&examination, &cases).list);
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &cases).list);
             }
             Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
             Err(Stop::Undecided(_) | Stop::Empty(..)) => {}
@@ -231,151 +222,6 @@ fn is_simple(graph: &Graph, pivot: Expr) -> bool {
     nodes.len() <= 48 && !nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt, _)))
 }
 
-/// What becomes of one case.
-enum Outcome {
-    Holds(Box<Proof>),
-    Refuted(Box<Refutation>),
-    Open(Reason),
-    /// The premises rule the case out, or it was not reached.
-    Empty(Reason),
-    /// Some formula has no value wherever the premises hold.
-    Void(Bound),
-}
-
-/// Why a list of cases does not amount to a proof.
-enum Stop {
-    Refuted(Box<Refutation>),
-    /// No case is possible, where the pivots of these are not 0.
-    Empty(Reason, Vec<Resolved>),
-    Undecided(Reason),
-}
-
-impl From<Reason> for Stop {
-    fn from(reason: Reason) -> Stop {
-        Stop::Undecided(reason)
-    }
-}
-
-/// One proof from all cases, with the resolutions it rests on.
-fn merge(outcomes: Vec<(Resolved, Outcome)>) -> Result<(Proof, Vec<Resolved>), Stop> {
-    let mut proof: Option<Proof> = None;
-    let (mut open, mut resolved) = (None, Vec::new());
-    let (mut void, mut empty): (Option<Bound>, Option<Reason>) = (None, None);
-    for (mut case, outcome) in outcomes {
-        match outcome {
-            Outcome::Refuted(refutation) => return Err(Stop::Refuted(refutation)),
-            Outcome::Open(reason) => drop(open.get_or_insert(reason)),
-            Outcome::Empty(reason) => {
-                // Only where all cases contradict themselves the premises do.
-                let weight = |r: &Reason| match r {
-                    Reason::Contradiction => 0,
-                    Reason::NoValue => 1,
-                    _ => 2,
-                };
-                if empty.as_ref().is_none_or(|e| weight(e) < weight(&reason)) {
-                    empty = Some(reason);
-                }
-                case.empty = true;
-                resolved.push(case);
-            }
-            Outcome::Void(bound) => {
-                case.empty = true;
-                resolved.push(case);
-                match &mut void {
-                    None => void = Some(bound),
-                    Some(all) => all.absorb(bound),
-                }
-            }
-            Outcome::Holds(one) => {
-                resolved.push(case);
-                match &mut proof {
-                    None => proof = Some(*one),
-                    Some(all) => all.absorb(*one),
-                }
-            }
-        }
-    }
-    match (open, proof) {
-        (Some(reason), _) => Err(Stop::Undecided(reason)),
-        (None, Some(mut proof)) => {
-            if let Some(bound) = void {
-                proof.log2_error = sum_log2(proof.log2_error, bound.log2_error);
-                proof.degree_bound = proof.degree_bound.max(bound.degree);
-                proof.height_bound = proof.height_bound.max(bound.height);
-                proof.primes.extend(bound.primes);
-            }
-            Ok((proof, resolved))
-        }
-        (None, None) => {
-            let reason = match (empty, void) {
-                (Some(Reason::Degenerate), _) => Reason::Degenerate,
-                (_, Some(_)) => Reason::NoValue,
-                (empty, None) => empty.unwrap_or(Reason::Contradiction),
-            };
-            Err(Stop::Empty(reason, resolved))
-        }
-    }
-}
-
-impl Proof {
-    /// Both proofs together.
-    pub(in crate::check) fn absorb(&mut self, other: Proof) {
-        self.log2_error = sum_log2(self.log2_error, other.log2_error);
-        self.degree_bound = self.degree_bound.max(other.degree_bound);
-        self.height_bound = self.height_bound.max(other.height_bound);
-        self.trials = self.trials.max(other.trials);
-        self.primes.extend(other.primes);
-        self.signs = self.signs.max(other.signs);
-        self.cases += other.cases;
-        for condition in other.conditions {
-            if !self.conditions.contains(&condition) {
-                self.conditions.push(condition);
-            }
-        }
-        self.example = self.example.take().or(other.example);
-    }
-}
-
-/// What was divided by, and which of it a special case has dealt with.
-struct Pivots {
-    list: Vec<Expr>,
-    /// The pivots of the proof for the case that this one vanishes; `None` when there is no such proof.
-    nested: Vec<Option<Vec<Expr>>>,
-}
-
-impl Pivots {
-    /// The factors of the pivots that are not known to be ≠ 0.
-    fn of(examination: &Examination<'_>, cases: &[Resolved]) -> Pivots {
-        let Examination { graph, lowered, .. } = examination;
-        let mut list: Vec<Expr> = Vec::new();
-        let claim = lowered.claim.iter().flat_map(|&(l, r)| [l, r]);
-        let roots: Vec<Expr> = claim.chain(lowered.assumed.iter().copied()).collect();
-        for pivot in cases.iter().flat_map(|c| c.pivots_for(graph, roots.iter().copied())) {
-            for (base, _) in factors(graph, pivot).1 {
-                if !lowered.facts.sign(graph, &lowered.generators, base).nonzero && !list.contains(&base) {
-                    list.push(base);
-                }
-            }
-        }
-        let nested = vec![None; list.len()];
-        Pivots { list, nested }
-    }
-
-    /// Pivots that must not vanish: all but those whose special case is proved from the remaining ones.
-    fn needed(&self) -> Vec<Expr> {
-        let mut needed = self.list.clone();
-        let mut relied_on: Vec<Expr> = Vec::new();
-        for (pivot, nested) in self.list.iter().zip(&self.nested) {
-            let Some(nested) = nested else { continue };
-            if !relied_on.contains(pivot) && nested.iter().all(|n| n != pivot && needed.contains(n)) {
-                needed.retain(|n| n != pivot);
-                relied_on.extend(nested);
-            }
-        }
-        needed
-    }
-}
-
 /// Everything that the cases of one test share.
 struct Examination<'a> {
     graph: &'a mut Graph,
@@ -391,6 +237,8 @@ struct Examination<'a> {
     /// Real points tried for an example of something proved.
     examples: u32,
     strategy: Strategy,
+    /// Whether the first premise says that something was divided by is 0: it is solved first.
+    special: bool,
     /// Whether orthogonal matrices are parametrised.
     seeded: bool,
     /// The size of the graph at which solving is given up.
@@ -408,7 +256,7 @@ impl Examination<'_> {
                 break;
             }
             (self.strategy, self.seeded) = (strategy, seeded);
-            match self.run(premises).map_err(Stop::from).and_then(merge).map_err(|s| self.emptiness(premises, s)) {
+            match self.run(premises).map_err(Stop::from).and_then(merge).or_else(|s| self.emptiness(premises, s)) {
                 Err(Stop::Undecided(reason)) if reason.is_about_solving() => drop(first.get_or_insert(reason)),
                 Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
                     first.get_or_insert(reason);
@@ -419,35 +267,51 @@ impl Examination<'_> {
         Err(Stop::Undecided(first.unwrap_or(Reason::Degenerate)))
     }
 
-    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either.
-    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Stop {
-        let Stop::Empty(mut reason, cases) = stop else { return stop };
+    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either. If they can, everything is
+    /// decided there.
+    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let Stop::Empty(mut reason, cases) = stop else { return Err(stop) };
         let is_empty = |r: &Reason| matches!(r, Reason::Contradiction | Reason::NoValue);
         if !is_empty(&reason) {
-            return Stop::Undecided(reason);
+            return Err(Stop::Undecided(reason));
         }
-        let mut open = None;
+        let (mut open, mut proof): (Option<Expr>, Option<(Proof, Vec<Resolved>)>) = (None, None);
         for pivot in Pivots::of(self, &cases).list {
             let mut special = vec![(pivot, false)];
             special.extend(premises);
-            match self.run(&special).map_err(Stop::from).and_then(merge) {
+            self.special = true;
+            let found = self.run(&special).map_err(Stop::from).and_then(merge);
+            self.special = false;
+            match found {
                 // A point that satisfies all premises refutes, wherever it was found.
-                Err(refuted @ Stop::Refuted(_)) => return refuted,
+                Err(refuted @ Stop::Refuted(_)) if !premises.iter().any(|&(_, derived)| derived) => {
+                    return Err(refuted);
+                }
+                Ok((one, cases)) => match &mut proof {
+                    None => proof = Some((one, cases)),
+                    Some((all, list)) => {
+                        all.absorb(one);
+                        list.extend(cases);
+                    }
+                },
                 Err(Stop::Empty(special, cases)) if is_empty(&special) && Pivots::of(self, &cases).list.is_empty() => {
                     if special == Reason::NoValue {
                         reason = special;
                     }
                 }
-                _ => drop(open.get_or_insert(pivot)),
+                _ => open = Some(open.map_or(pivot, |all| self.graph.mul(all, pivot))),
             }
         }
-        if let Some(pivot) = open {
-            return Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivot)));
+        match (open, proof) {
+            (Some(pivots), _) => {
+                Err(Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivots))))
+            }
+            (None, Some(proof)) => Ok(proof),
+            (None, None) => Err(Stop::Undecided(match self.boundary() {
+                Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
+                _ => reason,
+            })),
         }
-        Stop::Undecided(match self.boundary() {
-            Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
-            _ => reason,
-        })
     }
 
     /// The base of a power in the premises that is not known to be positive: where it is 0, the power has a value, and is
@@ -479,6 +343,7 @@ impl Examination<'_> {
             frozen: &self.lowered.frozen,
             parameters: &self.parameters,
             strategy: self.strategy,
+            special: self.special,
             limit: self.limit,
         }
         .solve(premises, seeds)?;
@@ -620,6 +485,15 @@ impl Examination<'_> {
 
     /// Whether something given as positive is not, by its structure, once the definitions are inserted.
     fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
+        // An exponential that is solved for is positive, whatever it is solved as.
+        let solved: Vec<Expr> = map
+            .iter()
+            .filter(|(l, _)| matches!(self.lowered.generators.get(**l), Some(Generator::Exponential(_))))
+            .map(|(_, &e)| e)
+            .collect();
+        if solved.iter().any(|&e| self.lowered.facts.sign(self.graph, &self.lowered.generators, e).not_positive) {
+            return true;
+        }
         let Facts { positive, not_negative, .. } = self.lowered.given_facts.clone();
         let mut facts: Vec<(Expr, bool)> = positive.into_iter().map(|e| (e, true)).collect();
         facts.extend(not_negative.into_iter().map(|e| (e, false)));
@@ -640,173 +514,6 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     match graph.node(e) {
         Node::Leaf(leaf) => Some(*leaf),
         _ => None,
-    }
-}
-
-/// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
-/// [`AbsoluteValues`].
-pub(super) fn lower(
-    graph: &mut Graph,
-    premises: &[Premise],
-    claim: &[(Expr, Expr)],
-    [nonzero, positive, not_negative]: [&[Expr]; 3],
-    definitions: &[Expr],
-    with_signs: bool,
-) -> Result<Lowered, Reason> {
-    let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
-    let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-    roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
-    let mut lowering = Lowering::new(graph, &roots);
-    let mut images = Vec::new();
-    for (&e, premise) in residuals.iter().zip(premises) {
-        images.push((lowering.lower(e)?, premise.derived));
-    }
-    let mut sides = Vec::new();
-    for &(l, r) in claim {
-        sides.push((lowering.lower(l)?, lowering.lower(r)?));
-    }
-    let mut facts = Facts::default();
-    for &e in positive {
-        let image = lowering.lower(e)?;
-        facts.note_positive(lowering.graph, image);
-    }
-    for &e in not_negative {
-        let image = lowering.lower(e)?;
-        facts.note_not_negative(lowering.graph, image);
-    }
-    let mut not_zero = Vec::new();
-    for &e in nonzero {
-        not_zero.push(lowering.lower(e)?);
-    }
-    // Nor are their radicands negative.
-    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
-    for node in lowering.graph.reachable(formulas) {
-        if let Node::Unary(Op::Sqrt, a) = *lowering.graph.node(node) {
-            let image = lowering.lower(a)?;
-            facts.note_not_negative(lowering.graph, image);
-        }
-    }
-    let mut of_definitions = Vec::new();
-    for &e in definitions {
-        of_definitions.push(lowering.lower(e)?);
-    }
-    let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
-    let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
-    let mut absolute = AbsoluteValues::of(graph, &mut generators, &mut facts, &premises)?;
-    let mut put = |e: &mut Expr| *e = absolute.put_into(graph, *e);
-    images.iter_mut().for_each(|(e, _)| put(e));
-    sides.iter_mut().for_each(|(l, r)| [l, r].into_iter().for_each(&mut put));
-    not_zero.iter_mut().chain(&mut of_definitions).for_each(&mut put);
-    // Formulas are claimed where they have a value, so their denominators are not 0 there.
-    let mut lowered_roots: Vec<Expr> = images.iter().map(|&(e, _)| e).collect();
-    lowered_roots.extend(sides.iter().flat_map(|&(l, r)| [l, r]));
-    lowered_roots.extend(&of_definitions);
-    let mut denominators = Vec::new();
-    for node in graph.reachable(lowered_roots) {
-        match *graph.node(node) {
-            Node::Binary(Op::Div, _, b) => denominators.push(b),
-            Node::Unary(Op::Powi(n), a) if n < 0 => denominators.push(a),
-            _ => {}
-        }
-    }
-    denominators.retain(|&e| graph.as_constant(e).is_none());
-    let note = |facts: &mut Facts, e: Expr| {
-        facts.nonzero.insert(e);
-        facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
-    };
-    not_zero.iter().for_each(|&e| note(&mut facts, e));
-    let mut given_facts = facts.clone();
-    denominators.iter().for_each(|&e| note(&mut facts, e));
-    // What still stands in arguments after lowering must stay free.
-    let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
-    let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
-    let given: Vec<Expr> = images.iter().filter(|(_, derived)| !derived).map(|&(e, _)| e).collect();
-    let all = images.iter().map(|&(e, _)| e).chain(sides.iter().flat_map(|&(l, r)| [l, r]));
-    let occurring = graph.leaves(all);
-    let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
-    facts.positive.extend(orthogonal.norms.iter().copied());
-    given_facts.positive.extend(orthogonal.norms.iter().copied());
-    Ok(Lowered {
-        given_facts,
-        orthogonal,
-        generators,
-        premises: images,
-        claim: sides,
-        facts,
-        denominators,
-        assumed: not_zero,
-        frozen,
-    })
-}
-
-/// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
-fn question(
-    graph: &mut Graph,
-    lowered: &mut Lowered,
-    probe: &mut Probe,
-    (case, map): (&Resolved, &FastMap<Leaf, Expr>),
-    residuals: Vec<Expr>,
-    with_pivots: bool,
-) -> Question {
-    let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
-        list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
-    };
-    let pivots = with_pivots.then(|| {
-        let roots: Vec<Expr> = residuals.iter().chain(&lowered.assumed).chain(&lowered.denominators).copied().collect();
-        let pivots = case.pivots_for(graph, roots);
-        inserted(graph, &pivots)
-    });
-    let residuals = inserted(graph, &residuals);
-    let filters = inserted(graph, &case.unsolved);
-    let mut zeros = inserted(graph, &case.taken_as_zero);
-    let mut assumed = inserted(graph, &lowered.assumed);
-    let mut nonzeros = inserted(graph, &lowered.denominators);
-    let mut facts = lowered.facts.clone();
-    for set in [&mut facts.positive, &mut facts.not_negative, &mut facts.not_positive, &mut facts.nonzero] {
-        let mut list: Vec<Expr> = set.iter().copied().collect();
-        list.sort_unstable();
-        set.extend(inserted(graph, &list));
-    }
-    let mut all = residuals.clone();
-    all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
-    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
-    roots.prepare(&all);
-    let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
-    let (residuals, filters) = (normal(residuals), normal(filters));
-    zeros = normal(zeros);
-    assumed = normal(assumed);
-    nonzeros = normal(nonzeros);
-    let pivots = pivots.map(normal);
-    let taken = std::mem::take(&mut roots.taken_as_zero);
-    zeros.extend(taken.into_iter().map(|e| roots.normal(e)).collect::<Vec<_>>());
-    let mut out = Question { residuals, filters, zeros, assumed, nonzeros, pivots };
-    parametrise(graph, &mut lowered.generators, &mut out);
-    out
-}
-
-/// c = (1 − t²)/(1 + t²), s = 2t/(1 + t²) for every pair that is not solved for.
-fn parametrise(graph: &mut Graph, generators: &mut Generators, question: &mut Question) {
-    let Question { residuals, filters, zeros, assumed, nonzeros, pivots } = question;
-    let lists: Vec<&mut Vec<Expr>> =
-        [residuals, filters, zeros, assumed, nonzeros].into_iter().chain(pivots).collect();
-    let leaves = graph.leaves(lists.iter().flat_map(|l| l.iter().copied()));
-    let mut map: FastMap<Leaf, Expr> = FastMap::default();
-    for leaf in leaves {
-        let Some((c, s)) = generators.circle(leaf) else { continue };
-        if map.contains_key(&leaf) {
-            continue;
-        }
-        let Some(t) = generators.add(Generator::Half) else { continue };
-        let t = graph.leaf(t);
-        let (one, two, square) = (graph.integer(1), graph.integer(2), graph.powi(t, 2));
-        let (above, below, twice) = (graph.sub(one, square), graph.add(one, square), graph.mul(two, t));
-        map.insert(c, graph.div(above, below));
-        map.insert(s, graph.div(twice, below));
-    }
-    for list in lists {
-        for e in list {
-            *e = insert_definitions(graph, &map, *e);
-        }
     }
 }
 

@@ -65,7 +65,11 @@ pub(super) fn restated(
                 Some(rest) if negative => graph.neg(rest),
                 Some(rest) => rest,
             };
-            vec![if matches!(condition, Condition::Radicand(_)) { Condition::Radicand(e) } else { Condition::Discriminant(e) }]
+            vec![if matches!(condition, Condition::Radicand(_)) {
+                Condition::Radicand(e)
+            } else {
+                Condition::Discriminant(e)
+            }]
         }
         // |√u| ≤ 1
         Condition::Unit(e) => match *graph.node(e) {

@@ -105,7 +105,10 @@ impl Ask<'_> {
 fn few(course: &Course) -> Vec<Values> {
     let count = course.points.len();
     let used = count.min(FIRST);
-    (0..used).filter_map(|i| course.points.get(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).cloned().collect()
+    (0..used)
+        .filter_map(|i| course.points.get(i * count.saturating_sub(1) / used.max(2).saturating_sub(1)))
+        .cloned()
+        .collect()
 }
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.
@@ -123,7 +126,8 @@ fn is_refuted(program: &Program, points: &[Values]) -> bool {
         }
         for point in 0..points.len() {
             // Where one of them has no value, none counts.
-            let all = of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.get(point)?.as_ref().ok()?)));
+            let all =
+                of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.get(point)?.as_ref().ok()?)));
             let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
             // With a size of 0 nothing is small: what is violated then is so for every size.
             let violated = |(kind, m): &(_, &crate::check::weigh::Measured)| {
@@ -142,7 +146,11 @@ impl Stands {
         self.all[k][column]
     }
 
-    fn open<'s>(&'s self, k: usize, columns: impl Iterator<Item = &'s usize> + 's) -> impl Iterator<Item = (usize, usize)> + 's {
+    fn open<'s>(
+        &'s self,
+        k: usize,
+        columns: impl Iterator<Item = &'s usize> + 's,
+    ) -> impl Iterator<Item = (usize, usize)> + 's {
         columns.filter(move |c| self.at(k, **c) == Stand::Open).map(move |c| (k, *c))
     }
 

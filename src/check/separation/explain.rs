@@ -1,8 +1,8 @@
 //! From how conditions and a claim stand on the trajectories to an explanation.
 
 use super::Truth;
-use super::ask::Sides;
 use super::account::{ConditionName, Explanation, Join, Rival, Separation};
+use super::ask::Sides;
 use super::candidates::Candidate;
 use crate::check::account::ClaimAccount;
 use crate::check::verdict::Outcome;

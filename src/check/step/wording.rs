@@ -52,7 +52,9 @@ impl Step<'_> {
             }
             let line = match under == e {
                 true => format!("beyond a pole of {}, unless the motion is analytic there", self.shown(e)),
-                false => format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base)),
+                false => {
+                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base))
+                }
             };
             if !out.contains(&line) {
                 out.push(line);
@@ -71,7 +73,7 @@ impl Step<'_> {
     }
 
     /// The functions with several branches in what is claimed along a motion.
-    fn leaps(&self, equations: &Pairs) -> Vec<Expr> {
+    pub(super) fn leaps(&self, equations: &Pairs) -> Vec<Expr> {
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
         let divided = self.divided_by_systems();
@@ -180,7 +182,7 @@ impl Step<'_> {
         }
     }
 
-    fn shown(&self, e: Expr) -> String {
+    pub(super) fn shown(&self, e: Expr) -> String {
         let text = self.graph.to_latex(e);
         // Names of auxiliary numbers begin with an invisible character.
         let auxiliary = text.contains('\u{2063}');
@@ -218,11 +220,7 @@ impl Step<'_> {
     pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
         let integrals: Pairs = Vec::new();
         let jumps = self.jumps(&integrals);
-        let mut out = IdentityAccount {
-            verdict: identity.word(),
-            from,
-            ..IdentityAccount::default()
-        };
+        let mut out = IdentityAccount { verdict: identity.word(), from, ..IdentityAccount::default() };
         match identity {
             Identity::Proved(proof) => {
                 out.log2_error = Some(proof.log2_error);

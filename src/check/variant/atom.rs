@@ -93,9 +93,8 @@ impl Collected<'_> {
             let (Some((word, own)), Some((other, _))) = (self.vocabulary.word(s), self.vocabulary.word(t)) else {
                 continue;
             };
-            let digits = |s: &SymbolNode| {
-                matches!(s.sub.as_deref().and_then(|sub| sub.get(own..)), Some([SubItem::Digit(_)]))
-            };
+            let digits =
+                |s: &SymbolNode| matches!(s.sub.as_deref().and_then(|sub| sub.get(own..)), Some([SubItem::Digit(_)]));
             if word == other && digits(s) && digits(t) {
                 let count = extent(word);
                 for (i, j) in (1..=count).flat_map(|i| (i + 1..=count).map(move |j| (i, j))) {

@@ -113,15 +113,22 @@ fn change(a: Option<&f64>, b: Option<&f64>) -> f64 {
 /// The monomials c·∏ aⁿ that make the residual vanish, the simplest first.
 fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     let mut out = Vec::new();
-    // How the logarithms change from the first point to the second rules out almost everything, at the cost of a sum.
-    let changes: Vec<f64> = values.iter().map(|v| change(v.first(), v.get(1))).collect();
+    // How the logarithms change from the first point to the second, and to the last, which is of another motion where there
+    // are several, rules out almost everything at the cost of two sums.
+    let others = [1, line.at.len().saturating_sub(1)];
+    let changes: Vec<[f64; 2]> = values.iter().map(|v| others.map(|p| change(v.first(), v.get(p)))).collect();
     let factor = |p: usize| line.coefficient(p, |_| 1.0);
-    let wanted = (!line.constant && line.at.len() > 1).then(|| change(factor(0).as_ref(), factor(1).as_ref()));
+    let wanted = match line.constant || line.at.len() < 2 {
+        true => [f64::NAN; 2],
+        false => others.map(|p| change(factor(0).as_ref(), factor(p).as_ref())),
+    };
     let near = |powers: &[(usize, i32)]| {
-        let Some(wanted) = wanted.filter(|w| w.is_finite()) else { return true };
-        let found: f64 = powers.iter().map(|&(a, n)| f64::from(n) * changes[a]).sum();
-        // A looser bound than that of the values: this only chooses what is looked at.
-        !((found - wanted).abs() > 1e-5)
+        (0..2).all(|k| {
+            let found: f64 = powers.iter().map(|&(a, n)| f64::from(n) * changes[a][k]).sum();
+            // A looser bound than that of the values: this only chooses what is looked at. What is not known excludes nothing.
+            let apart = (found - wanted[k]).abs();
+            apart.is_nan() || apart <= 1e-5
+        })
     };
     let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
         if !near(powers) {

@@ -9,7 +9,7 @@
 //! what is taken for proportional by rounding is so to thirteen digits.
 
 use super::battery::{Battery, Outputs};
-use super::generate::{ClaimVariants, Manner, Part};
+use super::generate::{ClaimVariants, Manner, Part, Variant};
 use super::point::{self, Point, assumes_equations, draw};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{FastSet, Graph};
@@ -93,64 +93,49 @@ impl ClaimVariants {
     /// What random points say of each variant. `defined`: observables are what they are defined to be, and what the claim
     /// assumes holds; otherwise they are independent, too, and only what algebra makes true is true.
     pub fn sights(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph, defined: bool) -> Vec<Sight> {
-        if !defined {
-            return self.sights_of(derivation, claim, graph, point::Manner::default());
-        }
-        let mut out = self.sights_defined(derivation, claim, graph);
-        if assumes_equations(claim) {
-            let assumed = self.sights_given(derivation, claim, graph);
-            out.iter_mut().zip(assumed).filter(|(one, _)| **one == Sight::New).for_each(|(one, given)| *one = given);
-        }
-        out
-    }
-
-    /// The same, whatever the claim assumes.
-    pub fn sights_defined(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
-        self.sights_of(derivation, claim, graph, point::Manner { defined: true, ..Default::default() })
-    }
-
-    /// The same, given the equations that the claim assumes; of a constant, which may be any function of the parameters, these
-    /// say nothing here.
-    fn sights_given(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
-        if self.formulas.iter().all(|f| f.manner == Manner::Constant) {
-            return vec![Sight::New; self.variants.len()];
-        }
-        let manner = point::Manner { defined: true, assumed: true, steady: false };
-        let mut out = self.sights_of(derivation, claim, graph, manner);
-        for (variant, sight) in self.variants.iter().zip(&mut out) {
-            if self.formulas[variant.formula].manner == Manner::Constant {
-                *sight = Sight::New;
+        let Some(battery) = self.battery(claim, graph) else { return vec![Sight::New; self.variants.len()] };
+        let mut look = |manner| self.sights_at(derivation, claim, graph, &battery, manner);
+        let mut out = look(point::Manner { defined, ..Default::default() });
+        // A constant may be any function of the parameters: of it, assumptions say nothing here.
+        let relation = |v: &Variant| self.formulas[v.formula].manner == Manner::Relation;
+        if defined && assumes_equations(claim) && self.variants.iter().any(relation) {
+            let assumed = look(point::Manner { defined: true, assumed: true, steady: false });
+            for ((variant, sight), assumed) in self.variants.iter().zip(&mut out).zip(assumed) {
+                if *sight == Sight::New && relation(variant) {
+                    *sight = assumed;
+                }
             }
         }
         out
     }
 
-    fn sights_of(
+    /// The same by the definitions, whatever the claim assumes.
+    pub fn sights_defined(&self, derivation: &Derivation, claim: &Claim, graph: &mut Graph) -> Vec<Sight> {
+        let Some(battery) = self.battery(claim, graph) else { return vec![Sight::New; self.variants.len()] };
+        let manner = point::Manner { defined: true, ..Default::default() };
+        self.sights_at(derivation, claim, graph, &battery, manner)
+    }
+
+    fn battery(&self, claim: &Claim, graph: &Graph) -> Option<Battery> {
+        Battery::new(graph, self, 0, (0..self.variants.len()).collect(), claim.scope.branch_sign())
+    }
+
+    fn sights_at(
         &self,
         derivation: &Derivation,
         claim: &Claim,
         graph: &mut Graph,
+        battery: &Battery,
         manner: point::Manner,
     ) -> Vec<Sight> {
-        let sign = claim.scope.branch_sign();
-        let all = (0..self.variants.len()).collect();
-        let Some(battery) = Battery::new(graph, self, 0, all, sign) else {
-            return vec![Sight::New; self.variants.len()];
-        };
-        let free = draw(derivation, claim, graph, &battery, manner);
+        let free = draw(derivation, claim, graph, battery, manner);
         // A factor made of parameters makes no difference, and a constant may be any function of them: so they stay what they are.
-        let fixed = draw(derivation, claim, graph, &battery, point::Manner { steady: true, ..manner });
+        let fixed = draw(derivation, claim, graph, battery, point::Manner { steady: true, ..manner });
         let mut seen: FastSet<(usize, Fingerprint)> = FastSet::default();
         (0..self.variants.len()).map(|v| self.sight(v, &free, &fixed, &mut seen)).collect()
     }
 
-    fn sight(
-        &self,
-        v: usize,
-        free: &[Point],
-        fixed: &[Point],
-        seen: &mut FastSet<(usize, Fingerprint)>,
-    ) -> Sight {
+    fn sight(&self, v: usize, free: &[Point], fixed: &[Point], seen: &mut FastSet<(usize, Fingerprint)>) -> Sight {
         let variant = &self.variants[v];
         let formula = &self.formulas[variant.formula];
         let constant = formula.manner == Manner::Constant;
@@ -195,9 +180,9 @@ impl ClaimVariants {
             g != variant.formula
                 && self.formulas[g].manner == formula.manner
                 && self.formulas[g].parts.iter().all(|p| p.kind == RelationKind::Equal)
-                && rows.iter().all(|row| {
-                    zero(row) || (0..parts).any(|p| proportional(&altered(row), &sibling(row, g, p), false))
-                })
+                && rows
+                    .iter()
+                    .all(|row| zero(row) || (0..parts).any(|p| proportional(&altered(row), &sibling(row, g, p), false)))
         };
         if equations && whole && (0..self.formulas.len()).any(said) {
             return Sight::Said;
@@ -272,8 +257,7 @@ fn varies(v: &[Bounded]) -> bool {
 
 /// Whether one is a constant times a power of the other, so that both vanish together.
 fn is_power(v: &[Bounded], r: &[Bounded]) -> bool {
-    let raised = |v: &[Bounded], n: usize| -> Vec<Bounded> {
-        v.iter().map(|x| (1..n).fold(*x, |p, _| p * *x)).collect()
-    };
+    let raised =
+        |v: &[Bounded], n: usize| -> Vec<Bounded> { v.iter().map(|x| (1..n).fold(*x, |p, _| p * *x)).collect() };
     (2..=3).any(|n| proportional(v, &raised(r, n), false) || proportional(&raised(v, n), r, false))
 }

@@ -447,11 +447,8 @@ impl Search<'_> {
 /// A formula of which nothing is known but its tree, so that nothing is compared with its print: every part says 0 = 0.
 fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
     let zero = graph.integer(0);
-    let nothing = |part: &Part| Part {
-        difference: vec![zero; part.difference.len()],
-        sides: (zero, zero),
-        ..part.clone()
-    };
+    let nothing =
+        |part: &Part| Part { difference: vec![zero; part.difference.len()], sides: (zero, zero), ..part.clone() };
     Formula { parts: formula.parts.iter().map(nothing).collect(), ..formula.clone() }
 }
 

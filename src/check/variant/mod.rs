@@ -12,6 +12,7 @@
 //! not tried, and why, is counted and reported.
 
 mod account;
+mod alone;
 mod atom;
 mod battery;
 mod completion;
@@ -29,6 +30,7 @@ mod rejection;
 mod tree;
 mod vocabulary;
 
+pub use alone::Alone;
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
 pub use edit::EditClass;
 pub use equivalence::SEED;
@@ -318,8 +320,11 @@ impl Altered {
         }
         let sets: Vec<Vec<bool>> = holds.iter().map(|(_, r)| (*r).clone()).collect();
         let (cover, cover_is_least) = cover::least_cover(&sets);
+        let of = |v: usize| &variants.formulas[variants.variants[v].formula];
         let survivor = |&v: &usize| Survivor {
             class: variants.variants[v].class,
+            printed: of(v).text.clone(),
+            place: of(v).place.clone(),
             formula: variants.variants[v].text(),
             everywhere: holds.iter().all(|(_, r)| !r[v]),
         };

@@ -22,7 +22,9 @@ const POINTS: usize = 5;
 /// Points that are drawn at most: at some a formula may have no real value.
 const DRAWN: usize = 40;
 /// Most steps towards the equations that are assumed.
-const STEPS: usize = 40;
+const STEPS: usize = 25;
+/// Points that are drawn at most where equations shall hold: what is not met after so many is hard to meet.
+const DRAWN_ASSUMED: usize = 12;
 /// The step of the difference quotients: the derivatives only choose the way, not the goal.
 const NEARBY: f64 = 1e-7;
 /// How well the equations are met in the end, and how well the point is then known.
@@ -112,7 +114,7 @@ pub(super) fn draw<'a>(
     let mut run = battery.slots();
     let mut points: Vec<Point> = Vec::new();
     let mut first: Option<Vec<f64>> = None;
-    for _ in 0..DRAWN {
+    for _ in 0..if conditions.is_empty() { DRAWN } else { DRAWN_ASSUMED } {
         let mut at: Vec<f64> = positive.iter().map(&mut random).collect();
         if let (true, Some(first)) = (manner.steady, &first) {
             for (i, leaf) in basic.iter().enumerate() {
@@ -123,7 +125,10 @@ pub(super) fn draw<'a>(
         }
         let mut error = 0.0;
         if !conditions.is_empty() {
-            let Some(moved) = moved_to(&met, at) else { continue };
+            let may_move =
+                |l: &Leaf| !manner.steady || first.is_none() || scope.role(l.symbol) != Some(Role::Parameter);
+            let may_move: Vec<bool> = basic.iter().map(may_move).collect();
+            let Some(moved) = moved_to(&met, at, &may_move) else { continue };
             at = moved;
             if at.iter().zip(&positive).any(|(x, positive)| *positive && *x <= 0.0) {
                 continue;
@@ -148,12 +153,17 @@ pub(super) fn draw<'a>(
     points
 }
 
-/// The nearest point at which all outputs of a tape vanish; `None` where the way there does not end.
-fn moved_to(tape: &Tape, start: Vec<f64>) -> Option<Vec<f64>> {
+/// The nearest point at which all outputs of a tape vanish, if only some of the inputs move; `None` where the way there does not
+/// end.
+fn moved_to(tape: &Tape, start: Vec<f64>, may_move: &[bool]) -> Option<Vec<f64>> {
     let mut slots = tape.slots::<Bounded>(&());
     let mut values = |at: &[f64]| -> Option<DVector<f64>> {
         let inputs: Vec<Value> = at.iter().map(|x| Ok(Bounded::exact(*x))).collect();
-        let out: Vec<f64> = tape.evaluate(&(), &inputs, &mut slots).into_iter().map(|v| v.ok().map(|v| v.value)).collect::<Option<_>>()?;
+        let out: Vec<f64> = tape
+            .evaluate(&(), &inputs, &mut slots)
+            .into_iter()
+            .map(|v| v.ok().map(|v| v.value))
+            .collect::<Option<_>>()?;
         Some(DVector::from_vec(out))
     };
     let mut at = start;
@@ -164,7 +174,7 @@ fn moved_to(tape: &Tape, start: Vec<f64>) -> Option<Vec<f64>> {
             return Some(at);
         }
         let mut slope = DMatrix::zeros(here.len(), at.len());
-        for k in 0..at.len() {
+        for k in (0..at.len()).filter(|k| may_move[*k]) {
             let mut beside = at.clone();
             beside[k] += NEARBY;
             slope.set_column(k, &((values(&beside)? - &here) / NEARBY));

@@ -149,7 +149,8 @@ impl Vocabulary {
     /// The scalars of a formula's language: everything without indices that is not a function. What is given comes first, the
     /// time before all, and what is computed last.
     pub fn scalars(&self) -> Vec<&Word> {
-        let mut out: Vec<&Word> = self.words.iter().filter(|w| w.rank == 0 && !w.is_function && !w.has_places).collect();
+        let mut out: Vec<&Word> =
+            self.words.iter().filter(|w| w.rank == 0 && !w.is_function && !w.has_places).collect();
         out.sort_by_key(|w| match w.role {
             Role::Time => 0,
             Role::Parameter => 1,

@@ -11,8 +11,6 @@ use crate::flow::core::fresh;
 use crate::flow::error::FlowError;
 use crate::number::{Interval, NoValue, Number, Scalar};
 
-/// Degree of the polynomials that the sides of an angle are followed by.
-const DEGREE: usize = 8;
 /// Shortest stretch that is tried, as a part of the span.
 const SHORTEST: f64 = 1e-7;
 
@@ -91,7 +89,7 @@ impl Enclosure {
     /// Whether an angle is continuous on a stretch, and for which σ.
     fn sort(&self, compiled: &super::Compiled, stretch: Interval, two_sided: bool) -> Option<(bool, Vec<Reach>)> {
         let reach: Vec<Reach> =
-            self.over(compiled, &self.stretch(stretch, DEGREE)).into_iter().collect::<Result<_, _>>().ok()?;
+            self.over(compiled, &self.stretch(stretch)).into_iter().collect::<Result<_, _>>().ok()?;
         if !two_sided {
             return Some((false, reach));
         }
@@ -140,7 +138,7 @@ impl Enclosure {
                 continue;
             };
             let value = |t: f64| {
-                let here = |i: usize| reach[i].at(Interval::point(t));
+                let here = |i: usize| reach[i].at(t);
                 if two_sided { representative(flipped, here(0), here(1)) } else { Ok(here(0)) }
             };
             let (Ok(first), Ok(last)) = (value(at), value(next)) else { return cells };
@@ -149,7 +147,7 @@ impl Enclosure {
                 // At the start the angle is the principal value.
                 None if !flipped => Some(0),
                 None => {
-                    let Ok(y) = reach[0].at(Interval::point(at)).checked() else { return cells };
+                    let Ok(y) = reach[0].at(at).checked() else { return cells };
                     // atan2(y, x) = atan2(−y, −x) ± π, with + above the axis and on it.
                     if y.lo() >= 0.0 {
                         Some(1)

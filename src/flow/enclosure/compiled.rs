@@ -1,11 +1,11 @@
 //! Expressions along an enclosed motion, compiled, and their ranges over stretches of time.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 
 use super::Enclosure;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
-use crate::number::{Interval, Jet, NoValue, Orders, Scalar};
+use crate::number::{Interval, NoValue, Number, TaylorModel};
 use crate::tape::{Slots, Tape};
 
 /// Where an input comes from.
@@ -24,8 +24,9 @@ pub struct Compiled {
     tape: Tape,
     inputs: Vec<Input>,
     moving: bool,
-    /// For every degree that was asked for, the memory of its evaluations: nothing is allocated twice.
-    memory: RefCell<Vec<(usize, Slots<Jet<Interval>>)>>,
+    /// Memory of evaluations over stretches and at times: nothing is allocated twice.
+    models: RefCell<Option<Slots<TaylorModel>>>,
+    values: RefCell<Option<Slots<Interval>>>,
 }
 
 impl Compiled {
@@ -33,30 +34,33 @@ impl Compiled {
     pub fn operations(&self) -> usize {
         self.tape.instructions().len()
     }
+
+    /// The same for some of the roots, in the order of `roots`.
+    pub fn part(&self, roots: &[usize]) -> Compiled {
+        let (models, values) = Default::default();
+        Compiled { tape: self.tape.part(roots), inputs: self.inputs.clone(), moving: self.moving, models, values }
+    }
 }
 
-/// What a quantity does over a stretch of time: a polynomial with a remainder.
-///
-/// By Taylor's theorem with Lagrange's remainder, f(t) = Σₖ≤ₘ fₖ(τ)·(t − τ)ᵏ + fₘ₊₁(ξ)·(t − τ)ᵐ⁺¹, where fₖ are the normalised
-/// derivatives along the motion: the coefficients at the middle τ are narrow, since the states there are; only the last one
-/// is taken over the whole stretch.
-#[derive(Clone, Debug)]
+/// What a quantity does over a stretch of time: a polynomial with a remainder, see [`TaylorModel`].
+#[derive(Clone, Copy, Debug)]
 pub struct Reach {
     stretch: Interval,
     middle: f64,
-    narrow: Vec<Interval>,
-    /// Coefficients over the stretch; those from `narrow.len()` on are used.
-    wide: Vec<Interval>,
+    half: f64,
+    model: TaylorModel,
+    range: Interval,
 }
 
-/// The states over a stretch of time, expanded: around its middle, and over all of it.
+/// The states over a stretch of time, for any number of calls of [`Enclosure::over`].
 #[derive(Clone, Debug)]
 pub struct Stretch {
     time: Interval,
-    degree: usize,
-    wide: Result<Vec<Interval>, NoValue>,
-    narrow: Result<Vec<Interval>, NoValue>,
-    plain: Result<Vec<Interval>, NoValue>,
+    middle: f64,
+    half: f64,
+    models: Result<Vec<TaylorModel>, NoValue>,
+    plain: OnceCell<Result<Vec<Interval>, NoValue>>,
+    at_middle: OnceCell<Result<Vec<Interval>, NoValue>>,
 }
 
 impl Stretch {
@@ -72,34 +76,24 @@ impl Reach {
         self.stretch
     }
 
-    /// All values over the part of the stretch that `time` is.
-    pub fn at(&self, time: Interval) -> Interval {
-        let Some(direct) = self.wide.first().copied() else { return Interval::INVALID };
-        let s = time - Interval::point(self.middle);
-        let m = self.narrow.len();
-        let Some(&last) = self.wide.get(m).filter(|_| m > 0) else { return direct };
-        let found = self.narrow.iter().rev().fold(last, |sum, &c| sum * s + c);
-        // First order alone: where a quantity is monotone, its ends are.
-        found.intersection(direct).unwrap_or(direct)
+    /// All values at a time of the stretch.
+    pub fn at(&self, time: f64) -> Interval {
+        let s = match self.half > 0.0 {
+            true => (Interval::point(time) - Interval::point(self.middle)) / Interval::point(self.half),
+            false => Interval::point(0.0),
+        };
+        let found = Interval::new(-1.0, 1.0).ok().and_then(|all| all.intersection(s)).map(|s| self.model.at(s));
+        found.and_then(|f| f.intersection(self.range)).unwrap_or(self.range)
     }
 
     /// All values over the stretch.
     pub fn range(&self) -> Interval {
-        self.at(self.stretch)
+        self.range
     }
 
-    /// All values of the derivative of order n over a part of the stretch; `None` where too few orders are known.
-    pub fn derivative(&self, n: usize, time: Interval) -> Option<Interval> {
-        let weight = |k: usize| (k + 1 - n..=k).fold(Interval::point(1.0), |w, j| w * Interval::integer(j as i32));
-        let direct = self.wide.get(n).copied()? * weight(n);
-        let m = self.narrow.len();
-        if n >= m {
-            return Some(direct);
-        }
-        let s = time - Interval::point(self.middle);
-        let last = self.wide.get(m).copied()? * weight(m);
-        let found = (n..m).rev().fold(last, |sum, k| sum * s + self.narrow[k] * weight(k));
-        Some(found.intersection(direct).unwrap_or(direct))
+    /// How much of the range is not known to be a polynomial in time.
+    pub fn remainder(&self) -> f64 {
+        self.model.remainder()
     }
 }
 
@@ -116,7 +110,11 @@ impl Enclosure {
         self.compile_resolved(graph, &resolved)
     }
 
-    pub(super) fn compile_resolved(&self, graph: &Graph, roots: &[Expr]) -> Result<Compiled, FlowError> {
+    /// Compiles expressions that are resolved.
+    ///
+    /// # Errors
+    /// [`FlowError::UnknownLeaf`].
+    pub fn compile_resolved(&self, graph: &Graph, roots: &[Expr]) -> Result<Compiled, FlowError> {
         let leaves = graph.leaves(roots.iter().copied());
         let input = |&leaf: &Leaf| {
             if leaf == self.time {
@@ -137,82 +135,72 @@ impl Enclosure {
         let moving = inputs.iter().any(|i| matches!(i, Input::State(_)));
         let tape = Tape::compile(graph, &leaves, roots)
             .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
-        Ok(Compiled { tape, inputs, moving, memory: RefCell::default() })
+        let (models, values) = Default::default();
+        Ok(Compiled { tape, inputs, moving, models, values })
     }
 
-    /// The series of the states around all times of an interval.
-    fn states(&self, time: Interval, degree: usize) -> Result<Vec<Interval>, NoValue> {
-        let Some(tube) = self.tube.as_deref() else { return Ok(Vec::new()) };
-        let state = self.state(time).ok_or(NoValue::Indeterminate)?;
-        if degree == 0 {
-            return Ok(state);
-        }
-        let mut coefficients = vec![Interval::ZERO; state.len() * (degree + 1)];
-        let flow = &tube.field.flow;
-        let mut field = flow.slots(degree, &tube.field.constants);
-        flow.expand(&mut field, degree, time, &state, &mut coefficients).map_err(|(_, reason)| reason)?;
-        Ok(coefficients)
-    }
-
-    /// The series of all roots around the times of an interval, of which `of` is the stretch that decides on angles.
-    fn series(
+    /// Runs a tape over one number type.
+    fn evaluate<N: Number<Context = ()>>(
         &self,
         compiled: &Compiled,
-        time: Interval,
-        degree: usize,
+        memory: &RefCell<Option<Slots<N>>>,
         of: Interval,
-        states: &Result<Vec<Interval>, NoValue>,
-    ) -> Vec<Result<Vec<Interval>, NoValue>> {
-        let orders = Orders::all(degree);
-        let row = degree + 1;
-        let mut memory = compiled.memory.borrow_mut();
-        let known = memory.iter().position(|m| m.0 == degree);
-        let at = known.unwrap_or_else(|| {
-            memory.push((degree, compiled.tape.slots(&orders)));
-            memory.len() - 1
-        });
-        let slots = &mut memory[at].1;
+        (time, states): (N, &Result<Vec<N>, NoValue>),
+        constant: impl Fn(Interval) -> N,
+    ) -> Vec<Result<N, NoValue>> {
+        let mut memory = memory.borrow_mut();
+        let slots = memory.get_or_insert_with(|| compiled.tape.slots(&()));
         for (at, input) in compiled.inputs.iter().enumerate() {
             let value = match *input {
-                Input::Time => Ok(Jet::variable(time, Interval::point(1.0), &orders)),
-                Input::Constant(i) => self.constants[i].1.map(|c| Jet::constant(c, &orders)),
-                Input::Turns(i) => self.angles[i].turns(of).map(|(turns, _)| Jet::constant(turns, &orders)),
-                Input::Side(i) => self.angles[i].turns(of).map(|(_, side)| Jet::constant(side, &orders)),
-                Input::State(i) => states.as_ref().map_err(|&reason| reason).map(|coefficients| {
-                    let mut jet = Jet::constant(coefficients[i * row], &orders);
-                    (1..row).for_each(|k| jet.set_coefficient(k, coefficients[i * row + k]));
-                    jet
-                }),
+                Input::Time => Ok(time.clone()),
+                Input::Constant(i) => self.constants[i].1.map(&constant),
+                Input::Turns(i) => self.angles[i].turns(of).map(|(turns, _)| constant(turns)),
+                Input::Side(i) => self.angles[i].turns(of).map(|(_, side)| constant(side)),
+                Input::State(i) => states.as_ref().map_err(|&reason| reason).map(|all| all[i].clone()),
             };
             slots.set(at, value);
         }
-        compiled.tape.run(&orders, slots);
-        let output = |i: usize| {
-            let jet = compiled.tape.output(i, slots)?;
-            Ok((0..row).map(|k| jet.coefficient(k)).collect())
-        };
-        (0..compiled.tape.output_count()).map(output).collect()
+        compiled.tape.run(&(), slots);
+        (0..compiled.tape.output_count()).map(|i| compiled.tape.output(i, slots).cloned()).collect()
+    }
+
+    /// The states over an interval of times, for a tape that needs them.
+    fn states(&self, time: Interval) -> Result<Vec<Interval>, NoValue> {
+        match self.tube {
+            Some(_) => self.state(time).ok_or(NoValue::Indeterminate),
+            None => Ok(Vec::new()),
+        }
     }
 
     /// All values of the roots over an interval of times.
     pub fn value(&self, compiled: &Compiled, time: Interval) -> Vec<Result<Interval, NoValue>> {
-        let states = if compiled.moving { self.states(time, 0) } else { Ok(Vec::new()) };
-        self.series(compiled, time, 0, time, &states).into_iter().map(|s| s.map(|s| s[0])).collect()
+        let states = if compiled.moving { self.states(time) } else { Ok(Vec::new()) };
+        self.evaluate(compiled, &compiled.values, time, (time, &states), |c| c)
     }
 
-    /// All values of the roots at the middle of a stretch, by what is known of the states there.
+    /// All values of the roots at the middle of a stretch.
     pub fn value_at_middle(&self, compiled: &Compiled, stretch: &Stretch) -> Vec<Result<Interval, NoValue>> {
-        let middle = Interval::point(stretch.time.mid());
-        let Ok(narrow) = &stretch.narrow else { return self.value(compiled, middle) };
-        let states = Ok(narrow.iter().step_by(stretch.degree + 1).copied().collect());
-        self.series(compiled, middle, 0, stretch.time, &states).into_iter().map(|s| s.map(|s| s[0])).collect()
+        let middle = Interval::point(stretch.middle);
+        let states = stretch.at_middle.get_or_init(|| self.states(middle));
+        self.evaluate(compiled, &compiled.values, stretch.time, (middle, states), |c| c)
     }
 
-    /// The states over a stretch of time, for any number of calls of [`Enclosure::over`], by polynomials of a degree.
-    pub fn stretch(&self, time: Interval, degree: usize) -> Stretch {
-        let middle = Interval::point(time.mid());
-        let (wide, narrow) = (self.states(time, degree + 1), self.states(middle, degree));
-        Stretch { time, degree, wide, narrow, plain: self.states(time, 0) }
+    /// The states over a stretch of time.
+    pub fn stretch(&self, time: Interval) -> Stretch {
+        let middle = time.mid();
+        let half = if time.is_point() { 0.0 } else { time.radius() };
+        let models = match self.tube.as_deref() {
+            None => Ok(Vec::new()),
+            Some(_) if time.is_point() => {
+                self.states(time).map(|all| all.into_iter().map(TaylorModel::constant).collect())
+            }
+            Some(tube) => match tube.step(time) {
+                Some(piece) => piece.models(middle, half),
+                // It reaches over several steps.
+                None => self.states(time).map(|all| all.into_iter().map(TaylorModel::constant).collect()),
+            },
+        };
+        Stretch { time, middle, half, models, plain: OnceCell::new(), at_middle: OnceCell::new() }
     }
 
     /// What the roots do over a stretch of time.
@@ -220,20 +208,21 @@ impl Enclosure {
     /// # Errors
     /// For each root, why it has no value at some of the times, or may have none.
     pub fn over(&self, compiled: &Compiled, stretch: &Stretch) -> Vec<Result<Reach, NoValue>> {
-        let Stretch { time, degree, .. } = *stretch;
-        let middle = time.mid();
-        let wide = self.series(compiled, time, degree + 1, time, &stretch.wide);
-        let narrow = self.series(compiled, Interval::point(middle), degree, time, &stretch.narrow);
-        // A value exists also where a derivative does not.
-        let failed = wide.iter().chain(&narrow).any(Result::is_err);
-        let plain = failed.then(|| self.series(compiled, time, 0, time, &stretch.plain));
-        let all = wide.into_iter().zip(narrow).enumerate();
-        all.map(|(i, (wide, narrow))| match (wide, narrow) {
-            (Ok(wide), Ok(narrow)) => Ok(Reach { stretch: time, middle, narrow, wide }),
-            (wide, _) => {
-                let fallback = plain.as_ref().map_or(wide, |p| p[i].clone());
-                fallback.map(|wide| Reach { stretch: time, middle, narrow: Vec::new(), wide })
-            }
+        let Stretch { time, middle, half, .. } = *stretch;
+        let now = TaylorModel::variable(Interval::point(middle), half);
+        let found = self.evaluate(compiled, &compiled.models, time, (now, &stretch.models), TaylorModel::constant);
+        // Bounds without polynomials know that squares are not negative.
+        let plain = found.iter().any(Result::is_err).then(|| {
+            let states = stretch.plain.get_or_init(|| self.states(time));
+            self.evaluate(compiled, &compiled.values, time, (time, states), |c| c)
+        });
+        let all = found.into_iter().enumerate();
+        all.map(|(i, model)| {
+            let model = match (model, &plain) {
+                (Err(_), Some(plain)) => TaylorModel::constant(plain[i]?),
+                (model, _) => model?,
+            };
+            Ok(Reach { stretch: time, middle, half, model, range: model.range() })
         })
         .collect()
     }

@@ -46,6 +46,17 @@ struct Tube {
     stops: [Option<Stop>; 2],
 }
 
+impl Tube {
+    /// The step that an interval of times lies in.
+    fn step(&self, time: Interval) -> Option<&Piece> {
+        let ahead = self.forward.partition_point(|p| p.to < time.hi());
+        let behind = self.backward.partition_point(|p| p.to > time.lo());
+        let within = |p: &&Piece| p.from.min(p.to) <= time.lo() && time.hi() <= p.from.max(p.to);
+        let ahead = self.forward.get(ahead).filter(within);
+        ahead.or_else(|| self.backward.get(behind).filter(within))
+    }
+}
+
 /// See the module.
 #[derive(Clone, Debug)]
 pub struct Enclosure {
@@ -314,6 +325,24 @@ impl Enclosure {
         };
         self.definitions.insert(leaf, found);
         Ok(found)
+    }
+
+    /// An expression in the leaves of the motion, in those that [`Enclosure::compile_resolved`] knows.
+    ///
+    /// # Errors
+    /// As [`Enclosure::compile`].
+    pub fn resolved(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
+        self.resolve(graph, e)
+    }
+
+    /// The derivative along the motion of an expression in its leaves.
+    ///
+    /// # Errors
+    /// As [`Enclosure::compile`].
+    pub fn rate(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
+        let resolved = self.resolve(graph, e)?;
+        let name = "an expression".to_owned();
+        self.derivative(graph, resolved).map_err(|reason| FlowError::NoDerivative { leaf: name, reason })
     }
 
     fn is_basic(&self, leaf: Leaf) -> bool {

@@ -1,45 +1,61 @@
 //! One validated step, and the sequence of them.
 //!
-//! **A step.** Let X be a box around the states at t, x⁽ᵏ⁾ the k-th Taylor coefficient of the motion as a function of the
-//! state, and p the order. (1) A box E is found with Σₖ≤ₚ x⁽ᵏ⁾(X)·[0, h]ᵏ + x⁽ᵖ⁺¹⁾(E)·[0, h]ᵖ⁺¹ inside E. Then every motion
-//! from X exists on [t, t + h], is unique and stays in E (high-order enclosure: [Nedialkov, Jackson & Pryce 2001, Theorem 4.1],
-//! [Corliss & Rihm 1996]). (2) By Taylor's theorem with Lagrange's remainder the state at t + h is T(x) + e with
-//! T(x) = Σₖ≤ₚ x⁽ᵏ⁾(x)·hᵏ and e ∈ x⁽ᵖ⁺¹⁾(E)·hᵖ⁺¹. (3) T is evaluated at the centre of the set, and its derivative, which is
-//! the Taylor polynomial of the variational equation V′ = Df·V, V(t) = I, over X; the set then moves by the mean value
-//! theorem, see `set`.
+//! **A step.** Let x̂ be the centre of the set of states at t₀, e₀ a difference of one of its states from x̂, p the Taylor
+//! polynomial of the motion through x̂, nearly, and Φ that of the variational equation Φ′ = Df·Φ, Φ(t₀) = I. Both are
+//! polynomials with binary64 coefficients around the middle of the step, and nothing is assumed of them. A box E is guessed, and with [`TaylorModel`]s over the step one finds
 //!
-//! All coefficients come from the tape of the system, and from that tape with its partial derivatives, over intervals.
+//! - r ≥ |x̂ + ∫f(p) − p|, what p misses of being a solution;
+//! - A ∋ Df(p + e) for all |e| ≤ E, and R ≥ |I + ∫AΦ − Φ|.
 //!
-//! [Nedialkov, Jackson & Pryce 2001, Theorem 4.1]: https://doi.org/10.1023/A:1014798618404
-//! [Corliss & Rihm 1996]: https://doi.org/10.1007/978-3-322-91233-9
+//! *Then every motion from x̂ + e₀ exists on the step, is unique, and is p + Φe₀ + w with |w| ≤ W := exp(h|A|)(r + R|e₀|),
+//! if |Φ||e₀| + W ≤ E.* For f(p + e) − f(p) = Ae for some A of these matrices (mean value theorem), so that the Picard
+//! operator takes p + Φe₀ + w to p + Φe₀ + w̃ with |w̃(t)| ≤ r + R|e₀| + ∫|A||w|. It maps the continuous w with
+//! |w(t)| ≤ exp((t − t₀)|A|)(r + R|e₀|) into themselves, and has a fixed point there (Schauder); f is Lipschitz on the convex
+//! tube, so that there is one only (Picard, Lindelöf). This is the a-posteriori bound by defect and Gronwall's inequality
+//! ([Walter 1970, ch. III]; [Hairer, Nørsett & Wanner 1993, §I.10]), with Φ to carry what was there before: nothing but w is
+//! estimated by absolute values, and w is of the size of rounding.
+//!
+//! The set then moves by e₀ ↦ Φ(t₀ + h)e₀ + w, see `set`.
+//!
+//! [Walter 1970, ch. III]: https://doi.org/10.1007/978-3-642-86405-6
+//! [Hairer, Nørsett & Wanner 1993, §I.10]: https://doi.org/10.1007/978-3-540-78862-1
 
 use super::set::{Set, faults};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::core::fresh;
 use crate::flow::error::{FlowError, leaf_name};
 use crate::flow::taylor::Flow;
-use crate::number::{Interval, Jet, NoValue, Scalar};
+use crate::number::{Interval, Jet, NoValue, Number, Scalar, TaylorModel};
 use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
 /// Order of the Taylor polynomials.
 pub(super) const ORDER: usize = 20;
-/// The remainder of a step shall be below this part of the largest state.
+/// The last terms of the series shall be below this part of the largest state.
 const REMAINDER: f64 = 1e-17;
-/// Or below this part of the width of the set: what a step adds would otherwise decide on its directions.
-const REMAINDER_OF_WIDTH: f64 = 1e-8;
+/// A step is made shorter, if that helps, when it adds more than this part of the largest state.
+const ADDED: f64 = 2e-15;
+/// Or more than this part of the width of the set.
+const ADDED_TO_WIDTH: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
 const WIDEST: f64 = 0.5;
-/// Number of parts of a step over which its remainder is sharpened.
-const PARTS: usize = 4;
+/// More than all roundings of a sum of a few hundred terms that are not negative, as a factor.
+const UP: f64 = 1.0 + 1e-12;
 /// Largest number of steps in one direction.
-const MAX_STEPS: usize = 20_000;
+const MAX_STEPS: usize = 2_000;
+/// After so many steps it is asked whether the end is within reach.
+const OUTLOOK: usize = 100;
 
 /// A vector field compiled for enclosures.
 #[derive(Clone, Debug)]
 pub(super) struct Field {
-    pub(super) flow: Flow,
-    /// The field and its variational equations, as one field whose further states are the entries of V.
+    /// Names of the states.
+    names: Vec<String>,
+    /// The field, and its partial derivatives that do not vanish, each with its row and column.
+    rates: Tape,
+    slopes: Tape,
+    partial: Vec<(usize, usize)>,
+    /// The field and its variational equations, as one field whose further states are the entries of Φ.
     variation: Flow,
     /// Row and column of every further state.
     entries: Arc<[(usize, usize)]>,
@@ -68,14 +84,15 @@ pub enum Stop {
         /// What failed in the last attempt.
         reason: String,
     },
-    /// More steps than the limit.
+    /// More steps than the limit, or as it seems twice as many as that.
     #[error(
-        "t = {time} is reached after {steps} validated steps, which is the limit; the enclosure is {width:.1e} wide"
+        "t = {time} is reached after {steps} validated steps, and the limit of {MAX_STEPS} is too few for the span; the \
+         enclosure is {width:.1e} wide there"
     )]
     TooManySteps {
         /// The time that was reached.
         time: f64,
-        /// The limit.
+        /// The number of steps.
         steps: usize,
         /// Largest width of a state there.
         width: f64,
@@ -88,62 +105,84 @@ pub(super) struct Piece {
     /// Time at the start, and at the end (which is earlier for a step back).
     pub(super) from: f64,
     pub(super) to: f64,
-    /// `ORDER + 2` coefficients for every state, over all states at the start; the last one holds throughout.
-    coefficients: Vec<Interval>,
-    /// The states at the start, the coefficients at their centre (but the first) and those of the derivatives.
+    /// Half of the step, or a little more: p and Φ are polynomials in s, t = from + half·(1 + s).
+    half: f64,
+    /// The states at the start, p and Φ.
     set: Set,
-    of_centre: Vec<Interval>,
-    of_derivatives: Vec<Interval>,
+    centre: Vec<TaylorModel>,
+    derivatives: Vec<TaylorModel>,
     /// Row and column of every derivative.
     entries: Arc<[(usize, usize)]>,
+    /// W, and E: bounds of w, and of the distance of all motions from p.
+    errors: Vec<f64>,
+    spread: Vec<f64>,
     /// All states of the step.
     pub(super) hull: Vec<Interval>,
 }
 
 impl Piece {
-    /// The states at all times of an interval that lies in the step: at one time, by the mean value form.
+    /// The states at all times of an interval that lies in the step.
     pub(super) fn at(&self, time: Interval) -> Vec<Interval> {
-        let s = time - Interval::point(self.from);
-        let row = ORDER + 2;
-        let all = self.coefficients.chunks_exact(row).zip(&self.hull);
-        let direct = all.map(|(c, &hull)| polynomial(c, s).intersection(hull).unwrap_or(hull));
-        if !time.is_point() {
-            return direct.collect();
+        let within = |found: Vec<Interval>| {
+            let both = found.into_iter().zip(&self.hull);
+            both.map(|(f, &hull)| f.intersection(hull).unwrap_or(hull)).collect()
+        };
+        if time.is_point() {
+            let (shift, jacobian) = self.map(time - Interval::point(self.from));
+            return within(self.set.hull_of_image(&shift, &jacobian));
         }
-        let (shift, jacobian) = self.map(s);
-        let centred = self.set.hull_of_image(&shift, &jacobian);
-        direct.zip(centred).map(|(d, c)| d.intersection(c).unwrap_or(d)).collect()
+        match self.models(time.mid(), time.radius()) {
+            Ok(models) => within(models.iter().map(TaylorModel::range).collect()),
+            Err(_) => self.hull.clone(),
+        }
     }
 
-    /// The map from the states at the start to those s later, as [`Set::image`] takes it.
-    fn map(&self, s: Interval) -> (Vec<Interval>, Vec<Interval>) {
+    /// The states over an interval of times that lies in the step, as models over it.
+    pub(super) fn models(&self, middle: f64, half: f64) -> Result<Vec<TaylorModel>, NoValue> {
+        let place = self.place(Interval::point(middle) - Interval::point(self.from));
+        let (mut s, mut scaled) = (TaylorModel::ZERO, TaylorModel::ZERO);
+        scaled.div(&(), &TaylorModel::variable(Interval::ZERO, half), &TaylorModel::constant(Interval::point(self.half)))?;
+        s.add(&(), &TaylorModel::constant(place), &scaled)?;
+        let states = self.centre.iter().zip(&self.spread);
+        states.map(|(x, &spread)| Ok(x.after(&s)?.widened(spread))).collect()
+    }
+
+    /// The s of a time after the start.
+    fn place(&self, after: Interval) -> Interval {
+        after / Interval::point(self.half) - Interval::point(1.0)
+    }
+
+    /// The map from the states at the start to those some time later, as [`Set::image`] takes it.
+    fn map(&self, after: Interval) -> (Vec<Interval>, Vec<Interval>) {
         let n = self.set.centre.len();
-        let mut last = s;
-        (0..ORDER).for_each(|_| last = last * s);
-        let remainder = self.coefficients.chunks_exact(ORDER + 2).map(|c| c[ORDER + 1] * last);
-        let moved = self.of_centre.chunks_exact(ORDER).map(|c| s * polynomial(c, s));
-        let shift = moved.zip(remainder).map(|(m, r)| m + r).collect();
+        let s = self.place(after);
+        let all = self.centre.iter().zip(&self.set.centre).zip(&self.errors);
+        let shift = all.map(|((p, &x), &w)| (p.at(s) - Interval::point(x)) + Interval::ball(0.0, w)).collect();
         let mut jacobian = vec![Interval::ZERO; n * n];
-        for (c, &(i, j)) in self.of_derivatives.chunks_exact(ORDER + 1).zip(self.entries.iter()) {
-            jacobian[i * n + j] = polynomial(c, s);
+        for (phi, &(i, j)) in self.derivatives.iter().zip(self.entries.iter()) {
+            jacobian[i * n + j] = phi.at(s);
         }
         (shift, jacobian)
     }
 }
 
-/// c₀ + c₁s + …
-fn polynomial(c: &[Interval], s: Interval) -> Interval {
-    c.iter().rev().copied().reduce(|sum, c| sum * s + c).unwrap_or(Interval::ZERO)
-}
-
 /// Memory of the steps.
 struct Bench {
-    point: Slots<Jet<Interval>>,
-    around: Slots<Jet<Interval>>,
-    whole: Slots<Jet<Interval>>,
-    of_point: Vec<Interval>,
-    of_set: Vec<Interval>,
-    of_hull: Vec<Interval>,
+    series: Slots<Jet<f64>>,
+    /// Coefficients of p and of the entries of Φ.
+    coefficients: Vec<f64>,
+    rates: Slots<TaylorModel>,
+    slopes: Slots<TaylorModel>,
+}
+
+/// What is known of all motions of a step: p, Φ, W, E, and their hull.
+struct Tube {
+    half: f64,
+    centre: Vec<TaylorModel>,
+    derivatives: Vec<TaylorModel>,
+    errors: Vec<f64>,
+    spread: Vec<f64>,
+    hull: Vec<Interval>,
 }
 
 impl Field {
@@ -206,10 +245,17 @@ impl Field {
         };
         let extended: Vec<Leaf> = states.iter().chain(&leaves).copied().collect();
         let tape = Tape::compile(graph, &inputs(states), rates).map_err(|l| unknown(graph, l))?;
+        let places = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let known = places.filter_map(|(i, j)| partial[i][j].map(|d| ((i, j), d)));
+        let (partial, slopes): (Vec<(usize, usize)>, Vec<Expr>) = known.unzip();
+        let slopes = Tape::compile(graph, &inputs(states), &slopes).map_err(|l| unknown(graph, l))?;
         let variation = Tape::compile(graph, &inputs(&extended), &all_rates).map_err(|l| unknown(graph, l))?;
         let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
         Ok(Field {
-            flow: Flow::new(tape, states, names.clone()),
+            names,
+            rates: tape,
+            slopes,
+            partial,
             variation: Flow::new(variation, &extended, Vec::new()),
             entries: entries.into(),
             constants: constants.into_iter().map(|c| c.1).collect(),
@@ -218,26 +264,31 @@ impl Field {
     }
 
     fn dimension(&self) -> usize {
-        self.flow.dimension
+        self.names.len()
     }
 
     /// The motions from `state` at `start` until `end`, and why they end earlier.
     pub(super) fn integrate(&self, start: f64, state: &[Interval], end: f64) -> (Vec<Piece>, Option<Stop>) {
         let (n, m) = (self.dimension(), self.entries.len());
+        let middles: Vec<f64> = self.constants.iter().map(Interval::mid).collect();
         let mut bench = Bench {
-            point: self.flow.slots(ORDER, &self.constants),
-            around: self.variation.slots(ORDER, &self.constants),
-            whole: self.flow.slots(ORDER + 1, &self.constants),
-            of_point: vec![Interval::ZERO; n * (ORDER + 1)],
-            of_set: vec![Interval::ZERO; (n + m) * (ORDER + 1)],
-            of_hull: vec![Interval::ZERO; n * (ORDER + 2)],
+            series: self.variation.slots(ORDER, &middles),
+            coefficients: vec![0.0; (n + m) * (ORDER + 1)],
+            rates: self.rates.slots(&()),
+            slopes: self.slopes.slots(&()),
         };
+        for slots in [&mut bench.rates, &mut bench.slopes] {
+            let constants = self.constants.iter().enumerate();
+            constants.for_each(|(i, &c)| slots.set(1 + n + i, Ok(TaylorModel::constant(c))));
+        }
         let mut pieces = Vec::new();
         let (mut time, mut set) = (start, Set::new(state));
         while time != end {
             let width = set.hull().iter().map(Interval::width).fold(0.0, f64::max);
-            if pieces.len() >= MAX_STEPS {
-                return (pieces, Some(Stop::TooManySteps { time, steps: MAX_STEPS, width }));
+            let steps = pieces.len();
+            let far = |part: f64| (time - start).abs() < part * (end - start).abs();
+            if steps >= MAX_STEPS || (steps == OUTLOOK && far(OUTLOOK as f64 / (2 * MAX_STEPS) as f64)) {
+                return (pieces, Some(Stop::TooManySteps { time, steps, width }));
             }
             match self.step(&mut bench, &set, time, start, end) {
                 Ok((piece, next)) => {
@@ -269,157 +320,191 @@ impl Field {
         if width > WIDEST * size.max(f64::MIN_POSITIVE) {
             return Err("the set is too wide".to_owned());
         }
-        let why = |(i, reason): (usize, NoValue)| match self.flow.names.get(i) {
-            Some(name) => format!("the rate of {name} is {reason}"),
-            None => format!("a derivative of a rate is {reason}"),
-        };
-        let now = Interval::point(time);
-        let centre: Vec<Interval> = set.centre.iter().map(|&x| Interval::point(x)).collect();
-        self.flow.expand(&mut bench.point, ORDER, now, &centre, &mut bench.of_point).map_err(why)?;
-        let one = |&(i, j): &(usize, usize)| if i == j { Interval::point(1.0) } else { Interval::ZERO };
-        let extended: Vec<Interval> = hull.iter().copied().chain(self.entries.iter().map(one)).collect();
-        self.variation.expand(&mut bench.around, ORDER, now, &extended, &mut bench.of_set).map_err(why)?;
+        let one = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 0.0 };
+        let extended: Vec<f64> = set.centre.iter().copied().chain(self.entries.iter().map(one)).collect();
+        let expanded = self.variation.expand(&mut bench.series, ORDER, time, &extended, &mut bench.coefficients);
+        expanded.map_err(|(i, reason)| self.no_rate(i, reason))?;
 
         let direction = if end > time { 1.0 } else { -1.0 };
         let remaining = (end - time).abs();
         let longest = (end - start).abs() * if self.driven { 1.0 / 64.0 } else { 0.25 };
-        let mut step = self.proposal(&bench.of_point, size).min(longest);
+        let mut step = self.proposal(&bench.coefficients, size).min(longest);
         if step > 0.6 * remaining {
             step = if step >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (64.0 * f64::EPSILON * time.abs()).max(1e-9 * (end - start).abs()).min(remaining);
-        let tolerance = (remainder_of_step() * size).max(REMAINDER_OF_WIDTH * width);
-        let mut reason = "no box was found that holds the motion".to_owned();
+        let tolerance = (ADDED * size).max(ADDED_TO_WIDTH * width);
+        let starts: Vec<f64> =
+            hull.iter().zip(&set.centre).map(|(h, &c)| (*h - Interval::point(c)).magnitude()).collect();
+        let mut reason = String::new();
+        let mut found: Option<(f64, Tube)> = None;
         while step >= smallest {
-            let mut to = if step >= remaining { end } else { time + direction * step };
-            if let Err(found) = self.hold(bench, time, to, size) {
-                reason = found.unwrap_or(reason);
-                step *= 0.5;
-                continue;
-            }
-            // E holds the motion for every shorter step too: the remainder may be made as small as it should be.
-            let coefficient = |i: usize| bench.of_hull[i * (row + 1) + row];
-            let largest = (0..n).map(|i| coefficient(i).magnitude()).fold(0.0, f64::max);
-            let remainder = largest * power((to - time).abs(), row as u32);
-            if remainder > tolerance {
-                let factor = pxfm::f_exp(pxfm::f_log(tolerance / remainder) / row as f64);
-                let shorter = time + direction * (0.98 * factor * (to - time).abs());
-                if factor < 0.4 {
-                    // A tighter E makes a longer step.
-                    step *= (1.3 * factor).max(0.1);
-                    continue;
+            let to = if step >= remaining { end } else { time + direction * step };
+            match self.hold(bench, &set.centre, &starts, time, to) {
+                Ok(tube) => {
+                    // Of two steps the shorter one, if it adds less in proportion.
+                    let added = tube.errors.iter().copied().fold(0.0, f64::max);
+                    let better = found.as_ref().is_none_or(|(_, longer)| {
+                        added < 0.4 * longer.errors.iter().copied().fold(0.0, f64::max)
+                    });
+                    if better {
+                        found = Some((to, tube));
+                    }
+                    if !better || added <= tolerance || faults::long_steps() {
+                        break;
+                    }
                 }
-                if shorter != time {
-                    to = shorter;
-                }
+                Err(why) => reason = why,
             }
-            let h = Interval::point(to) - now;
-            if h.contains(0.0) {
+            step *= 0.5;
+        }
+        let Some((to, tube)) = found else { return Err(reason) };
+        let piece = Piece {
+            from: time,
+            to,
+            half: tube.half,
+            set: set.clone(),
+            centre: tube.centre,
+            derivatives: tube.derivatives,
+            entries: Arc::clone(&self.entries),
+            errors: if faults::no_remainder() { vec![0.0; n] } else { tube.errors },
+            spread: tube.spread,
+            hull: tube.hull,
+        };
+        let (shift, jacobian) = piece.map(Interval::point(to) - Interval::point(time));
+        match set.image(&shift, &jacobian) {
+            Some(next) => Ok((piece, next)),
+            None => Err("the image of the set is not finite".to_owned()),
+        }
+    }
+
+    fn no_rate(&self, i: usize, reason: NoValue) -> String {
+        match self.names.get(i) {
+            Some(name) => format!("the rate of {name} is {reason}"),
+            None => format!("a derivative of a rate is {reason}"),
+        }
+    }
+
+    /// Runs a tape over models of the states.
+    fn run(
+        &self,
+        tape: &Tape,
+        slots: &mut Slots<TaylorModel>,
+        time: TaylorModel,
+        states: impl Iterator<Item = TaylorModel>,
+    ) -> Result<Vec<TaylorModel>, (usize, NoValue)> {
+        slots.set(0, Ok(time));
+        states.enumerate().for_each(|(i, x)| slots.set(1 + i, Ok(x)));
+        tape.run(&(), slots);
+        (0..tape.output_count()).map(|i| tape.output(i, slots).copied().map_err(|reason| (i, reason))).collect()
+    }
+
+    /// Finds bounds W and E that hold for all motions until `to`, as the module says; `starts` is |e₀|.
+    fn hold(&self, bench: &mut Bench, centre: &[f64], starts: &[f64], time: f64, to: f64) -> Result<Tube, String> {
+        let n = self.dimension();
+        let row = ORDER + 1;
+        let shape = |reason: NoValue| format!("no box was found that holds the motion: a bound is {reason}");
+        let exact = Interval::point(to) - Interval::point(time);
+        if exact.contains(0.0) {
+            return Err("the step is too short".to_owned());
+        }
+        // At least as long as the step.
+        let h = if to > time { exact.hi() } else { exact.lo() };
+        let half = 0.5 * h;
+        let now = TaylorModel::variable(Interval::point(time) + Interval::point(half), half);
+        let polynomial = |c: &[f64]| TaylorModel::close_to(c, h).map_err(shape);
+        let rows = bench.coefficients.chunks_exact(row);
+        let states: Vec<TaylorModel> = rows.clone().take(n).map(polynomial).collect::<Result<_, _>>()?;
+        let phi: Vec<TaylorModel> = rows.skip(n).map(polynomial).collect::<Result<_, _>>()?;
+        let mut carried = vec![0.0; n];
+        for (model, &(i, j)) in phi.iter().zip(self.entries.iter()) {
+            carried[i] += model.bound() * starts[j] * UP;
+        }
+
+        let no_rate = |(i, reason)| self.no_rate(i, reason);
+        let rates = self.run(&self.rates, &mut bench.rates, now, states.iter().copied()).map_err(no_rate)?;
+        let mut defects = vec![0.0; n];
+        for (i, defect) in defects.iter_mut().enumerate() {
+            *defect = defect_of(&rates[i], half, &states[i], centre[i]).map_err(shape)?;
+        }
+        let size = states.iter().map(TaylorModel::bound).fold(0.0, f64::max);
+        let mut spread: Vec<f64> =
+            carried.iter().zip(&defects).map(|(c, d)| 1.5 * c + 4.0 * d + 1e-15 * size + f64::MIN_POSITIVE).collect();
+        for _ in 0..4 {
+            let tube = || states.iter().zip(&spread).map(|(x, &e)| x.widened(e));
+            // The field must have values in the whole tube, also where its derivatives would.
+            self.run(&self.rates, &mut bench.rates, now, tube()).map_err(no_rate)?;
+            let slopes = self.run(&self.slopes, &mut bench.slopes, now, tube());
+            let slopes = slopes.map_err(|(_, reason)| self.no_rate(n, reason))?;
+            let errors = self.errors(&slopes, &phi, &defects, starts, half).map_err(shape)?;
+            if errors.iter().zip(&carried).zip(&spread).all(|((w, c), e)| (w + c) * UP <= *e) {
+                let hull = states.iter().zip(&spread).map(|(x, &e)| x.widened(e).range()).collect();
+                return Ok(Tube { half, centre: states, derivatives: phi, errors, spread, hull });
+            }
+            spread = errors.iter().zip(&carried).map(|(w, c)| 1.5 * (w + c)).collect();
+            if spread.iter().any(|e| !e.is_finite()) {
                 break;
             }
-            let zero_to_h = h.hull(Interval::ZERO);
-            let mut coefficients = Vec::with_capacity(n * (row + 1));
-            let mut of_centre = Vec::with_capacity(n * ORDER);
-            for i in 0..n {
-                coefficients.extend_from_slice(&bench.of_set[i * row..(i + 1) * row]);
-                coefficients.push(if faults::no_remainder() { Interval::ZERO } else { coefficient(i) });
-                of_centre.extend_from_slice(&bench.of_point[i * row + 1..(i + 1) * row]);
-            }
-            let whole = coefficients.chunks_exact(row + 1).map(|c| polynomial(c, zero_to_h)).collect();
-            let piece = Piece {
-                from: time,
-                to,
-                coefficients,
-                set: set.clone(),
-                of_centre,
-                of_derivatives: bench.of_set[n * row..].to_vec(),
-                entries: Arc::clone(&self.entries),
-                hull: whole,
-            };
-            let (shift, jacobian) = piece.map(h);
-            return match set.image(&shift, &jacobian) {
-                Some(next) => Ok((piece, next)),
-                None => Err("the image of the set is not finite".to_owned()),
-            };
         }
-        Err(reason)
+        Err("no box was found that holds the motion".to_owned())
     }
 
-    /// Finds a box that holds all motions until `to`, and expands the field over it: its coefficients are then in `of_hull`.
-    fn hold(&self, bench: &mut Bench, time: f64, to: f64, size: f64) -> Result<(), Option<String>> {
+    /// W = exp(h|A|)(r + R|e₀|).
+    fn errors(
+        &self,
+        slopes: &[TaylorModel],
+        phi: &[TaylorModel],
+        defects: &[f64],
+        starts: &[f64],
+        half: f64,
+    ) -> Result<Vec<f64>, NoValue> {
         let n = self.dimension();
-        let row = ORDER + 1;
-        let s = Interval::point(to) - Interval::point(time);
-        let s = s.hull(Interval::ZERO);
-        let over = Interval::point(time).hull(Interval::point(to));
-        let polynomials: Vec<Interval> = (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s)).collect();
-        let guess = |i: usize| {
-            let last = bench.of_set[i * row + ORDER].magnitude() * power(s.magnitude(), ORDER as u32);
-            last + 1e-16 * size + f64::MIN_POSITIVE
-        };
-        let mut candidate: Vec<Interval> = (0..n).map(|i| polynomials[i].widened(1e-3, 4.0 * guess(i))).collect();
-        for _ in 0..3 {
-            if candidate.iter().any(|x| x.checked().is_err()) {
-                return Err(None);
+        let mut place = vec![None; n * n];
+        self.entries.iter().enumerate().for_each(|(at, &(i, j))| place[i * n + j] = Some(at));
+        let mut sums = vec![TaylorModel::ZERO; self.entries.len()];
+        for (slope, &(i, k)) in slopes.iter().zip(&self.partial) {
+            for j in 0..n {
+                let (Some(of), Some(to)) = (place[k * n + j], place[i * n + j]) else { continue };
+                let (mut product, before) = (TaylorModel::ZERO, sums[to]);
+                product.mul(&(), slope, &phi[of])?;
+                sums[to].add(&(), &before, &product)?;
             }
-            let grown = self.flow.expand(&mut bench.whole, row, over, &candidate, &mut bench.of_hull);
-            if let Err((i, reason)) = grown {
-                return Err(self.flow.names.get(i).map(|name| format!("the rate of {name} is {reason}")));
+        }
+        let mut total = defects.to_vec();
+        for ((sum, phi), &(i, j)) in sums.iter().zip(phi).zip(self.entries.iter()) {
+            let start = if i == j { 1.0 } else { 0.0 };
+            total[i] += defect_of(sum, half, phi, start)? * starts[j] * UP;
+        }
+        total.iter_mut().for_each(|t| *t *= UP);
+        // The series of the exponential; of its terms, from some on, each is at most half of the one before.
+        let sizes: Vec<f64> = slopes.iter().map(|s| s.bound() * 2.0 * half.abs() * UP).collect();
+        let mut rows = vec![0.0; n];
+        sizes.iter().zip(&self.partial).for_each(|(s, &(i, _))| rows[i] += s);
+        let norm = rows.iter().copied().fold(0.0, f64::max) * UP;
+        let mut term = total.clone();
+        let mut k = 0.0;
+        loop {
+            k += 1.0;
+            let mut next = vec![0.0; n];
+            sizes.iter().zip(&self.partial).for_each(|(s, &(i, j))| next[i] += s * term[j]);
+            term = next.iter().map(|x| x / k * UP).collect();
+            total.iter_mut().zip(&term).for_each(|(t, x)| *t += x);
+            let largest = term.iter().copied().fold(0.0, f64::max);
+            let smallest = total.iter().copied().fold(f64::INFINITY, f64::min);
+            if norm <= 0.5 * (k + 1.0) && (largest <= 1e-3 * smallest || k > 40.0) {
+                total.iter_mut().for_each(|t| *t = (*t + 2.0 * largest) * UP);
+                return Ok(total);
             }
-            let mut power = s;
-            (1..row).for_each(|_| power = power * s);
-            let found: Vec<Interval> =
-                (0..n).map(|i| polynomials[i] + bench.of_hull[i * (row + 1) + row] * power).collect();
-            if found.iter().zip(&candidate).all(|(f, c)| c.encloses_strictly(*f)) {
-                return self.sharpen(bench, time, to, &polynomials);
+            if k > 400.0 || largest.is_nan() {
+                return Err(NoValue::Indeterminate);
             }
-            candidate = found.iter().zip(&candidate).map(|(f, c)| f.hull(*c).widened(0.05, guess(0))).collect();
         }
-        Err(None)
-    }
-
-    /// Replaces the last coefficients by sharper ones. Once it is known that the motion exists and what its last coefficients
-    /// are, the states of each part of the step are known better than their hull, and the last coefficients over the parts
-    /// together hold for the step.
-    fn sharpen(&self, bench: &mut Bench, time: f64, to: f64, polynomials: &[Interval]) -> Result<(), Option<String>> {
-        let n = self.dimension();
-        let row = ORDER + 1;
-        // Where states hardly move, there is nothing to be gained.
-        let moves =
-            |i: usize| polynomials[i].width() > 0.05 * polynomials.iter().map(Interval::magnitude).fold(0.0, f64::max);
-        if !(0..n).any(moves) {
-            return Ok(());
-        }
-        let last: Vec<Interval> = (0..n).map(|i| bench.of_hull[i * (row + 1) + row]).collect();
-        let mut sharper: Option<Vec<Interval>> = None;
-        for part in 0..PARTS {
-            let at = |k: usize| if k == PARTS { to } else { time + (to - time) * (k as f64 / PARTS as f64) };
-            let over = Interval::point(at(part)).hull(Interval::point(at(part + 1)));
-            let s = over - Interval::point(time);
-            let mut power = s;
-            (1..row).for_each(|_| power = power * s);
-            let states: Vec<Interval> =
-                (0..n).map(|i| polynomial(&bench.of_set[i * row..(i + 1) * row], s) + last[i] * power).collect();
-            let grown = self.flow.expand(&mut bench.whole, row, over, &states, &mut bench.of_hull);
-            if grown.is_err() {
-                return Err(None);
-            }
-            let of_part = (0..n).map(|i| bench.of_hull[i * (row + 1) + row]);
-            sharper = Some(match sharper {
-                None => of_part.collect(),
-                Some(all) => all.into_iter().zip(of_part).map(|(a, b)| a.hull(b)).collect(),
-            });
-        }
-        for (i, (found, old)) in sharper.into_iter().flatten().zip(last).enumerate() {
-            bench.of_hull[i * (row + 1) + row] = found.intersection(old).unwrap_or(old);
-        }
-        Ok(())
     }
 
     /// The step at which the last terms of the series are of the size of the remainder that is asked for.
-    fn proposal(&self, coefficients: &[Interval], size: f64) -> f64 {
+    fn proposal(&self, coefficients: &[f64], size: f64) -> f64 {
         let row = ORDER + 1;
-        let top = |k: usize| (0..self.dimension()).map(|i| coefficients[i * row + k].magnitude()).fold(0.0, f64::max);
+        let top = |k: usize| (0..self.dimension()).map(|i| coefficients[i * row + k].abs()).fold(0.0, f64::max);
         let mut step = f64::INFINITY;
         for k in [ORDER - 1, ORDER] {
             let last = top(k);
@@ -436,7 +521,11 @@ fn remainder_of_step() -> f64 {
     if faults::long_steps() { 1e-9 } else { REMAINDER }
 }
 
-/// xⁿ for x ≥ 0, roughly: it decides on lengths of steps and nothing else.
-fn power(x: f64, n: u32) -> f64 {
-    (0..n).fold(1.0, |p, _| p * x)
+/// A bound of |x₀ + ∫rate − x| over a step.
+fn defect_of(rate: &TaylorModel, half: f64, x: &TaylorModel, start: f64) -> Result<f64, NoValue> {
+    let (mut moved, mut left) = (TaylorModel::ZERO, TaylorModel::ZERO);
+    // First what nearly cancels, so that little is lost to rounding.
+    moved.sub(&(), x, &TaylorModel::constant(Interval::point(start)))?;
+    left.sub(&(), &rate.integral(half), &moved)?;
+    Ok(left.bound())
 }

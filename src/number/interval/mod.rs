@@ -21,7 +21,12 @@
 
 mod elementary;
 pub(crate) mod faults;
+mod model;
+#[cfg(test)]
+mod model_tests;
 mod round;
+
+pub use model::TaylorModel;
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
 use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};

@@ -1,0 +1,107 @@
+//! What refutes a claim for certain.
+
+use super::claim::remark;
+use super::cover::Along;
+use super::ready::{POINTS, Ready, Shown};
+use super::span::{changes_sign, eventually, limit};
+use crate::check::program::{Program, Use};
+use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
+use crate::latex::RelationKind;
+use crate::number::Interval;
+
+/// Looks for a time at which a claim that fails on samples fails for certain.
+pub(super) fn certify(program: &Program, parts: Vec<Result<Ready, String>>, along: &mut Along, verdict: &mut Verdict) {
+    let Some(sampled) = verdict.evidence().witness.clone() else { return };
+    along.refill();
+    let mut why = "no part of it is refuted at the witness".to_owned();
+    for ((how, _), ready) in program.groups.iter().zip(parts) {
+        let found = ready.and_then(|mut ready| {
+            ready.presupposed(along)?;
+            match how {
+                Use::Always => refuted(&ready, along, &sampled),
+                Use::Defined => undefined(&ready, along, &sampled),
+                Use::Never(_) => occurs(&ready, along, &sampled),
+                Use::Eventually(_) | Use::Limit(_) => {
+                    if let (Use::Eventually(_), Some(reason)) = (how, along.incomplete()) {
+                        return Err(reason);
+                    }
+                    ready.weigh(along);
+                    let shown = match how {
+                        Use::Limit(point) => limit(&ready, point, along),
+                        _ => eventually(&ready, along),
+                    };
+                    match shown {
+                        Shown::Fails(witness, _) => Ok(witness),
+                        Shown::Holds(_) => Err("the enclosure does not exclude it".to_owned()),
+                        Shown::Nothing(reason) => Err(reason),
+                    }
+                }
+            }
+        });
+        match found {
+            Ok(witness) => {
+                let reason = match how {
+                    Use::Eventually(_) => "excluded at every time of the span".to_owned(),
+                    Use::Defined => format!("certified at t = {}: no value exists there", witness.t),
+                    _ => format!("certified at t = {}: the enclosures of the two sides exclude it", witness.t),
+                };
+                let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
+                *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);
+                return;
+            }
+            Err(reason) => why = reason,
+        }
+    }
+    remark(verdict, &why);
+}
+
+/// A time at which the sides are apart for certain: that of the witness, or another.
+fn refuted(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
+    if let Some(found) = ready.witness(along, sampled.t, sampled.values.clone()) {
+        return Ok(found);
+    }
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    let times: Vec<f64> = along.pieces().iter().step_by(every).map(Interval::mid).collect();
+    let other = times.into_iter().find_map(|t| ready.witness(along, t, Vec::new()));
+    other.ok_or_else(|| match along.incomplete() {
+        Some(reason) => format!("at t = {} the enclosure does not exclude it: {reason}", sampled.t),
+        None => format!("at t = {} the enclosure does not exclude it", sampled.t),
+    })
+}
+
+/// That something has no value at the time of the witness.
+fn undefined(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
+    let ranges = along.over(&ready.roots, Interval::point(sampled.t));
+    if ready.selected(&ranges) == Some(true) && ready.nowhere_defined(&ranges, 0) {
+        return Ok(sampled.clone());
+    }
+    Err(format!("that it has no value at t = {} is not certain", sampled.t))
+}
+
+/// That something which never happens does happen, near the time of a witness.
+fn occurs(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
+    let here = along.over(&ready.roots, Interval::point(sampled.t));
+    if ready.certainly(&here) {
+        return Ok(sampled.clone());
+    }
+    let ([comparison], 1) = (ready.group.comparisons.as_slice(), ready.signs) else {
+        return Err("that several equations hold at one time cannot be enclosed".to_owned());
+    };
+    let place = ready.place(0, 0);
+    if comparison.kind != RelationKind::Equal {
+        return Err("that it holds at the witness is not certain".to_owned());
+    }
+    let (from, to) = along.span;
+    for part in [1e-9, 1e-7, 1e-5, 1e-3] {
+        let (a, b) = ((sampled.t - part * (to - from)).max(from), (sampled.t + part * (to - from)).min(to));
+        let Ok(time) = Interval::new(a, b) else { continue };
+        let ranges = along.over(&ready.roots, time);
+        if ready.selected(&ranges) == Some(true)
+            && let Ok(reach) = &ranges[place]
+            && changes_sign(reach, time)
+        {
+            return Ok(sampled.clone());
+        }
+    }
+    Err("no change of sign was shown near the witness".to_owned())
+}

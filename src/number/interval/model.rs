@@ -1,0 +1,651 @@
+//! Taylor models in one variable: polynomials with a bound for what they leave out.
+//!
+//! **In:** models that contain the arguments. **Out:** a model that contains the result. A quantity q(s), −1 ≤ s ≤ 1, is
+//! *contained* in a model (c, r) if |q(s) − Σₖ cₖsᵏ| ≤ r for all s. The coefficients are numbers, not intervals: that is
+//! what makes models many times cheaper than series over intervals, which they replace where a formula is to be bounded
+//! over a stretch of time.
+//!
+//! **Guaranteed:** if an operation yields a model, then it is defined and continuous for all arguments in the models, and
+//! the result is contained, rounding included. [`NoValue::OutOfDomain`] means that the operation has no value at any s.
+//!
+//! **Theorems.** Sums and products of models contain those of what they contain ([Makino & Berz 2003, Theorem 2.4]): terms
+//! beyond the last order and products with remainders are bounded by sums of absolute values. For a function f of one
+//! argument c₀ + u, f(c₀ + u) = Σₖ≤ₙ fₖ(c₀)uᵏ + fₙ₊₁(ξ)uⁿ⁺¹ (Taylor, Lagrange); the coefficients come from the series of
+//! intervals, at c₀ and over all arguments. Quotients and roots are guessed and then corrected by their defect: a/b − q =
+//! (a − qb)/b, √a − x = (a − x²)/(√a + x). An angle is turned to the first coefficients of its sides, where
+//! atan2(y, x) = atan2(y₀, x₀) + arctan((x₀y − y₀x)/(x₀x + y₀y)) as long as the divisor is positive and the cut is not met.
+//!
+//! **Rounding.** All sums here have fewer than 64 terms, and every operation rounds to nearest; by [Higham 2002, §3.1] the
+//! error of a sum of n products is below (n + 1)u·Σ|aᵢbᵢ|. These bounds go into r, which is itself rounded up.
+//!
+//! [Makino & Berz 2003, Theorem 2.4]: https://www.bmtdynamics.org/pub/papers/TMIJPAM03/
+//! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
+
+use super::{Continuity, Interval, U, faults, round};
+use crate::number::{Jet, NoValue, Number, Op, Orders, Rational, Scalar};
+
+/// Number of coefficients.
+const ROOM: usize = 14;
+/// Bounds are sums of fewer than 200 terms that are not negative; rounded to nearest, times this, they are not too small.
+const GROW: f64 = 1.0 + 256.0 * U;
+/// More than what underflow may lose in one operation.
+const TINY: f64 = 1e-290;
+/// Last coefficients below this part of the sum of all are added to the remainder: they would only cost time.
+const NEGLIGIBLE: f64 = 1e-19;
+
+/// Most coefficients of a polynomial that becomes a model.
+const MOST_TERMS: usize = 21;
+/// 0, 1, 2 …
+const ORDERS: [f64; ROOM] = {
+    let mut orders = [0.0; ROOM];
+    let mut k = 0;
+    while k < ROOM {
+        orders[k] = k as f64;
+        k += 1;
+    }
+    orders
+};
+/// The coefficients of ((1 + s)/2)ᵏ: binomial coefficients over powers of two, which binary64 holds exactly.
+const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
+    let mut powers = [[0.0; MOST_TERMS + 1]; MOST_TERMS + 1];
+    powers[0][0] = 1.0;
+    let mut k = 1;
+    while k <= MOST_TERMS {
+        powers[k][0] = 0.5 * powers[k - 1][0];
+        let mut j = 1;
+        while j <= k {
+            powers[k][j] = 0.5 * powers[k - 1][j] + 0.5 * powers[k - 1][j - 1];
+            j += 1;
+        }
+        k += 1;
+    }
+    powers
+};
+
+/// See the module.
+#[derive(Clone, Copy, Debug)]
+pub struct TaylorModel {
+    /// Those from `length` on are 0.
+    coefficients: [f64; ROOM],
+    rest: f64,
+    /// At least 1.
+    length: usize,
+}
+
+/// U, or nothing in tests of what happens without.
+#[inline(always)]
+fn unit() -> f64 {
+    if faults::nearest() { 0.0 } else { U }
+}
+
+impl TaylorModel {
+    /// 0, exactly.
+    pub const ZERO: TaylorModel = TaylorModel { coefficients: [0.0; ROOM], rest: 0.0, length: 1 };
+
+    /// A quantity of which only bounds are known.
+    pub fn constant(value: Interval) -> TaylorModel {
+        let mut new = TaylorModel::ZERO;
+        new.coefficients[0] = value.mid();
+        new.rest = value.radius();
+        new
+    }
+
+    /// m + h·s for all m in an interval.
+    pub fn variable(middle: Interval, half: f64) -> TaylorModel {
+        let mut new = TaylorModel::constant(middle);
+        new.coefficients[1] = half;
+        new.length = 2;
+        new
+    }
+
+    /// Whether it is one number.
+    #[inline(always)]
+    fn is_point(&self) -> bool {
+        self.length == 1 && self.rest == 0.0
+    }
+
+    #[inline(always)]
+    fn is_zero(&self) -> bool {
+        self.is_point() && self.coefficients[0] == 0.0
+    }
+
+    /// What it is known of the quantity beside the polynomial.
+    pub fn remainder(&self) -> f64 {
+        self.rest
+    }
+
+    /// Σ|cₖ|, from order `from` on, to nearest.
+    #[inline(always)]
+    fn norm(&self, from: usize) -> f64 {
+        self.coefficients[from..].iter().map(|c| c.abs()).sum()
+    }
+
+    /// Σ k|cₖ|, to nearest.
+    #[inline(always)]
+    fn weighted(&self) -> f64 {
+        self.coefficients.iter().zip(&ORDERS).map(|(c, k)| c.abs() * k).sum()
+    }
+
+    /// At least the distance of any value from the first coefficient.
+    fn spread(&self) -> f64 {
+        (self.norm(1) + self.rest) * GROW
+    }
+
+    /// All values.
+    pub fn range(&self) -> Interval {
+        let c = &self.coefficients;
+        let (mut lo, mut hi, mut slopes) = (0.0, 0.0, 0.0);
+        for (k, &x) in c.iter().enumerate().take(self.length).skip(1) {
+            // sᵏ lies in [−1, 1], or in [0, 1].
+            let size = x.abs();
+            lo -= if k % 2 == 1 || x < 0.0 { size } else { 0.0 };
+            hi += if k % 2 == 1 || x > 0.0 { size } else { 0.0 };
+            slopes += k as f64 * size;
+        }
+        if self.length > 2 && 2.0 * c[1].abs() > slopes * GROW {
+            // The polynomial is monotone: its extremes are at the ends.
+            let (mut even, mut odd) = (0.0, 0.0);
+            for (k, &x) in c.iter().enumerate().take(self.length).skip(1) {
+                if k % 2 == 1 { odd += x } else { even += x }
+            }
+            let (a, b) = (even - odd, even + odd);
+            (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
+        }
+        let room = self.rest + 40.0 * unit() * self.norm(1) * GROW;
+        let room = room * GROW;
+        Interval {
+            lo: round::add_down(round::add_down(c[0], lo), -room),
+            hi: round::add_up(round::add_up(c[0], hi), room),
+        }
+    }
+
+    /// A polynomial without a remainder, close to Σₖ cₖ·σᵏ for σ from 0 to h, where s = −1 is σ = 0. How close is not said.
+    /// At most 22 coefficients are taken.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] when a coefficient is not finite, or there are too many.
+    pub fn close_to(coefficients: &[f64], h: f64) -> Result<TaylorModel, NoValue> {
+        if coefficients.len() > MOST_TERMS + 1 {
+            return Err(NoValue::Indeterminate);
+        }
+        let mut scaled = [0.0; MOST_TERMS + 1];
+        let mut power = 1.0;
+        for (d, &c) in scaled.iter_mut().zip(coefficients) {
+            *d = c * power;
+            power *= h;
+        }
+        let mut new = TaylorModel::ZERO;
+        for (d, weights) in scaled.iter().zip(&POWERS).rev() {
+            for (sum, w) in new.coefficients.iter_mut().zip(weights) {
+                *sum += d * w;
+            }
+        }
+        new.length = ROOM;
+        let size = new.norm(0);
+        new.finish(size)?;
+        new.rest = 0.0;
+        if size < f64::MAX { Ok(new) } else { Err(NoValue::Indeterminate) }
+    }
+
+    /// What is contained, as a function of what another model contains.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] when a bound is not finite.
+    pub fn after(&self, s: &TaylorModel) -> Result<TaylorModel, NoValue> {
+        let (mut sum, mut product) = (TaylorModel::ZERO, TaylorModel::ZERO);
+        for &c in self.coefficients[..self.length].iter().rev() {
+            product.product(&sum, s)?;
+            sum.combine(&product, &TaylorModel::constant(Interval::point(c)), |x, y| x + y)?;
+        }
+        Ok(sum.widened(self.rest))
+    }
+
+    /// ∫ from −1 to s, times `half`: the integral over time from the start of a stretch on.
+    pub fn integral(&self, half: f64) -> TaylorModel {
+        let mut new = TaylorModel::ZERO;
+        let (mut start, mut size, mut slips) = (0.0_f64, 0.0, 0.0);
+        for k in (0..ROOM).rev() {
+            let c = self.coefficients[k] * half / (k + 1) as f64;
+            if k + 1 < ROOM {
+                new.coefficients[k + 1] = c;
+                // The value at −1.
+                start += if k % 2 == 0 { -c } else { c };
+                slips += start.abs();
+                size += c.abs();
+            } else {
+                new.rest += 2.0 * c.abs();
+            }
+        }
+        new.coefficients[0] = -start;
+        new.length = (self.length + 1).min(ROOM);
+        // Two roundings in each coefficient, which is used twice; in the first there is one.
+        let slips = slips + 4.0 * size - 2.0 * new.coefficients[1].abs();
+        new.rest = (new.rest + 2.0 * half.abs() * self.rest + unit() * slips + TINY) * GROW;
+        new
+    }
+
+    /// What lies within a distance of what is contained.
+    pub fn widened(&self, by: f64) -> TaylorModel {
+        TaylorModel { rest: (self.rest + by) * GROW, ..*self }
+    }
+
+    /// At least the size of all values.
+    pub fn bound(&self) -> f64 {
+        (self.norm(0) + self.rest) * GROW
+    }
+
+    /// All values at some s in [−1, 1]; those of the polynomial alone, if there is no remainder, also elsewhere.
+    pub fn at(&self, s: Interval) -> Interval {
+        let mut sum = Interval::ZERO;
+        for &c in self.coefficients[..self.length].iter().rev() {
+            sum = sum * s + Interval::point(c);
+        }
+        sum + Interval::ball(0.0, self.rest)
+    }
+
+    /// Checks, and leaves out what is negligible.
+    #[inline(always)]
+    fn finish(&mut self, size: f64) -> Result<(), NoValue> {
+        while self.length > 1 && self.coefficients[self.length - 1].abs() <= NEGLIGIBLE * size {
+            self.length -= 1;
+            self.rest += self.coefficients[self.length].abs();
+            self.coefficients[self.length] = 0.0;
+        }
+        self.rest *= GROW;
+        // Coefficients that are not finite make the remainder so.
+        if self.rest < f64::MAX { Ok(()) } else { Err(NoValue::Indeterminate) }
+    }
+
+    #[inline(always)]
+    fn combine(
+        &mut self,
+        a: &TaylorModel,
+        b: &TaylorModel,
+        add: impl Fn(f64, f64) -> f64,
+    ) -> Result<(), NoValue> {
+        let mut size = 0.0;
+        for k in 0..ROOM {
+            let c = add(a.coefficients[k], b.coefficients[k]);
+            self.coefficients[k] = c;
+            size += c.abs();
+        }
+        self.length = a.length.max(b.length);
+        self.rest = a.rest + b.rest + unit() * size;
+        self.finish(size)
+    }
+
+    /// The model times a number.
+    fn scaled(&mut self, a: f64, b: &TaylorModel) -> Result<(), NoValue> {
+        if a == 0.0 || b.is_zero() {
+            *self = TaylorModel::ZERO;
+            return Ok(());
+        }
+        let mut size = 0.0;
+        for k in 0..ROOM {
+            let c = a * b.coefficients[k];
+            self.coefficients[k] = c;
+            size += c.abs();
+        }
+        self.length = b.length;
+        self.rest = a.abs() * b.rest + unit() * size + TINY;
+        self.finish(size)
+    }
+
+    fn product(&mut self, a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        if a.is_point() {
+            return self.scaled(a.coefficients[0], b);
+        }
+        if b.is_point() {
+            return self.scaled(b.coefficients[0], a);
+        }
+        let (a, b) = if a.length <= b.length { (a, b) } else { (b, a) };
+        let mut padded = [0.0; 2 * ROOM];
+        padded[ROOM..].copy_from_slice(&b.coefficients);
+        let mut out = [0.0; ROOM];
+        for (i, &x) in a.coefficients[..a.length].iter().enumerate() {
+            let shifted = &padded[ROOM - i..2 * ROOM - i];
+            for (sum, &y) in out.iter_mut().zip(shifted) {
+                *sum += x * y;
+            }
+        }
+        let (na, nb) = (a.norm(0), b.norm(0));
+        let mut beyond = 0.0;
+        if a.length + b.length > ROOM + 1 {
+            // Σ |aᵢ||bⱼ| over i + j ≥ ROOM.
+            let mut tail = 0.0;
+            for (i, x) in a.coefficients.iter().enumerate().skip(1) {
+                tail += b.coefficients[ROOM - i].abs();
+                beyond += x.abs() * tail;
+            }
+        }
+        if faults::no_tail() {
+            beyond = 0.0;
+        }
+        self.coefficients = out;
+        self.length = (a.length + b.length - 1).min(ROOM);
+        let size = na * nb;
+        // Coefficient k is the sum of k + 1 products: Σ (k + 2)|aᵢ||bₖ₋ᵢ| = Σ (i + j + 2)|aᵢ||bⱼ|.
+        let rounding = unit() * (2.0 * size + a.weighted() * nb + na * b.weighted());
+        self.rest = na * b.rest + nb * a.rest + a.rest * b.rest + beyond + rounding + TINY;
+        self.finish(size)
+    }
+
+    /// The value over all arguments, as bounds alone.
+    fn plain(&mut self, range: Result<Interval, NoValue>) -> Result<(), NoValue> {
+        *self = TaylorModel::constant(range?);
+        if self.rest < f64::MAX { Ok(()) } else { Err(NoValue::Indeterminate) }
+    }
+
+    /// What is better known: the model, or bounds.
+    fn or_plain(&mut self, found: Option<TaylorModel>, range: Interval) -> Result<(), NoValue> {
+        match found {
+            Some(model) if model.rest < range.radius() => {
+                *self = model;
+                Ok(())
+            }
+            _ => self.plain(Ok(range)),
+        }
+    }
+
+    /// A function of one argument, and perhaps of a number; `first` says that the number comes first.
+    fn function(&mut self, op: Op, a: &TaylorModel, number: Option<(f64, bool)>) -> Result<(), NoValue> {
+        fn apply<N: Number>(
+            op: Op,
+            cx: &N::Context,
+            a: &N,
+            number: Option<(N, bool)>,
+        ) -> Result<N, NoValue> {
+            let mut out = N::blank(cx);
+            match &number {
+                None => op.apply(cx, &mut out, a, a),
+                Some((n, true)) => op.apply(cx, &mut out, n, a),
+                Some((n, false)) => op.apply(cx, &mut out, a, n),
+            }
+            .map(|()| out)
+        }
+        let over = a.range();
+        let range = apply(op, &(), &over, number.map(|(n, first)| (Interval::point(n), first)))?;
+        if a.is_point() {
+            return self.plain(Ok(range));
+        }
+        let centre = Interval::point(a.coefficients[0]);
+        let series = |at: Interval, degree: usize| {
+            let orders = Orders::all(degree);
+            let number = number.map(|(n, first)| (Jet::constant(Interval::point(n), &orders), first));
+            apply(op, &orders, &Jet::variable(at, Interval::point(1.0), &orders), number).ok()
+        };
+        // The values and the first coefficient: all that lies between is among the arguments of f.
+        let all = over.hull(centre);
+        let spread = a.spread();
+        let found = series(all, ROOM).and_then(|wide| {
+            // The first order whose remainder is too small to matter, or the last.
+            let size = range.magnitude().max(wide.coefficient(1).magnitude() * spread);
+            let mut power = spread;
+            let mut order = 0;
+            while order + 1 < ROOM && wide.coefficient(order + 1).magnitude() * power > 1e-18 * size {
+                order += 1;
+                power *= spread;
+            }
+            let narrow = series(centre, order)?;
+            let mut u = *a;
+            u.coefficients[0] = 0.0;
+            let mut sum = TaylorModel::constant(narrow.coefficient(order));
+            for k in (0..order).rev() {
+                let mut next = TaylorModel::ZERO;
+                next.product(&sum, &u).ok()?;
+                sum.combine(&next, &TaylorModel::constant(narrow.coefficient(k)), |x, y| x + y).ok()?;
+            }
+            if !faults::no_lagrange() {
+                sum.rest = (sum.rest + wide.coefficient(order + 1).magnitude() * power) * GROW;
+            }
+            Some(sum)
+        });
+        self.or_plain(found, range)
+    }
+
+    fn quotient(&mut self, a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        if b.is_point() {
+            let b = b.coefficients[0];
+            if b == 0.0 {
+                return Err(NoValue::OutOfDomain);
+            }
+            if a.is_zero() {
+                *self = TaylorModel::ZERO;
+                return Ok(());
+            }
+            let mut size = 0.0;
+            for k in 0..ROOM {
+                let c = a.coefficients[k] / b;
+                self.coefficients[k] = c;
+                size += c.abs();
+            }
+            self.length = a.length;
+            self.rest = a.rest / b.abs() + unit() * size + TINY;
+            return self.finish(size);
+        }
+        let over = b.range();
+        let mut range = Interval::ZERO;
+        range.div(&(), &a.range(), &over)?;
+        let mut guess = TaylorModel::ZERO;
+        for k in 0..ROOM {
+            let known: f64 = (1..=k).map(|j| b.coefficients[j] * guess.coefficients[k - j]).sum();
+            guess.coefficients[k] = (a.coefficients[k] - known) / b.coefficients[0];
+        }
+        guess.length = ROOM;
+        let found = guess.corrected(|guess| {
+            let (mut back, mut defect) = (TaylorModel::ZERO, TaylorModel::ZERO);
+            back.product(guess, b)?;
+            defect.combine(a, &back, |x, y| x - y)?;
+            Ok((defect, over.mignitude()))
+        });
+        self.or_plain(found, range)
+    }
+
+    /// A guess whose error is a defect divided by something of at least a certain size.
+    fn corrected(
+        mut self,
+        defect: impl Fn(&TaylorModel) -> Result<(TaylorModel, f64), NoValue>,
+    ) -> Option<TaylorModel> {
+        self.finish(self.norm(0)).ok()?;
+        // What `finish` has left out of the polynomial is part of the guess no more, and of its defect.
+        self.rest = 0.0;
+        let (defect, least) = defect(&self).ok().filter(|d| d.1 > 0.0)?;
+        self.rest = (defect.norm(0) + defect.rest) * GROW / least * GROW + TINY;
+        Some(self)
+    }
+
+    fn root(&mut self, a: &TaylorModel) -> Result<(), NoValue> {
+        let over = a.range();
+        let mut range = Interval::ZERO;
+        range.sqrt(&(), &over)?;
+        let first = a.coefficients[0].sqrt();
+        if a.is_point() || first.is_nan() || first == 0.0 {
+            return self.plain(Ok(range));
+        }
+        let mut guess = TaylorModel::ZERO;
+        guess.coefficients[0] = first;
+        for k in 1..ROOM {
+            let known: f64 = (1..k).map(|j| guess.coefficients[j] * guess.coefficients[k - j]).sum();
+            guess.coefficients[k] = (a.coefficients[k] - known) / (2.0 * first);
+        }
+        guess.length = ROOM;
+        let found = guess.corrected(|guess| {
+            let (mut square, mut defect) = (TaylorModel::ZERO, TaylorModel::ZERO);
+            square.product(guess, guess)?;
+            defect.combine(a, &square, |x, y| x - y)?;
+            Ok((defect, (range + guess.range()).lo()))
+        });
+        self.or_plain(found, range)
+    }
+}
+
+impl Number for TaylorModel {
+    type Context = ();
+
+    fn blank(_: &()) -> TaylorModel {
+        TaylorModel::ZERO
+    }
+    fn rational(&mut self, _: &(), r: &Rational) -> Result<(), NoValue> {
+        let mut value = Interval::ZERO;
+        let found = value.rational(&(), r);
+        self.plain(found.map(|()| value))
+    }
+    fn pi(&mut self, _: &()) -> Result<(), NoValue> {
+        let mut value = Interval::ZERO;
+        let found = value.pi(&());
+        self.plain(found.map(|()| value))
+    }
+    fn powi(&mut self, _: &(), a: &TaylorModel, n: i32) -> Result<(), NoValue> {
+        let one = TaylorModel::constant(Interval::point(1.0));
+        let (mut left, mut base) = (n.unsigned_abs(), *a);
+        if n < 0 {
+            base.quotient(&one, a)?;
+        }
+        let mut power: Option<TaylorModel> = None;
+        while left > 0 {
+            if left % 2 == 1 {
+                power = Some(match power {
+                    None => base,
+                    Some(p) => {
+                        let mut next = TaylorModel::ZERO;
+                        next.product(&p, &base)?;
+                        next
+                    }
+                });
+            }
+            left /= 2;
+            if left > 0 {
+                let mut next = TaylorModel::ZERO;
+                next.product(&base, &base)?;
+                base = next;
+            }
+        }
+        *self = power.unwrap_or(one);
+        Ok(())
+    }
+    fn neg(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        *self = *a;
+        self.coefficients.iter_mut().for_each(|c| *c = -*c);
+        Ok(())
+    }
+    fn sqrt(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.root(a)
+    }
+    fn exp(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Exp, a, None)
+    }
+    fn ln(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Ln, a, None)
+    }
+    fn sin(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Sin, a, None)
+    }
+    fn cos(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Cos, a, None)
+    }
+    fn tan(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Tan, a, None)
+    }
+    fn arcsin(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Arcsin, a, None)
+    }
+    fn arccos(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Arccos, a, None)
+    }
+    fn arctan(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Arctan, a, None)
+    }
+    fn sinh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Sinh, a, None)
+    }
+    fn cosh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Cosh, a, None)
+    }
+    fn tanh(&mut self, _: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        self.function(Op::Tanh, a, None)
+    }
+    fn abs(&mut self, cx: &(), a: &TaylorModel) -> Result<(), NoValue> {
+        let over = a.range();
+        if over.lo >= 0.0 {
+            *self = *a;
+            return Ok(());
+        }
+        if over.hi <= 0.0 {
+            return self.neg(cx, a);
+        }
+        let mut range = Interval::ZERO;
+        range.abs(&(), &over)?;
+        self.plain(Ok(range))
+    }
+    fn add(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        self.combine(a, b, |x, y| x + y)
+    }
+    fn sub(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        self.combine(a, b, |x, y| x - y)
+    }
+    fn mul(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        self.product(a, b)
+    }
+    fn div(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        self.quotient(a, b)
+    }
+    fn pow(&mut self, cx: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        if b.is_point() {
+            return self.function(Op::Pow, a, Some((b.coefficients[0], false)));
+        }
+        if a.is_point() {
+            return self.function(Op::Pow, b, Some((a.coefficients[0], true)));
+        }
+        let (mut range, over) = (Interval::ZERO, a.range());
+        range.pow(&(), &over, &b.range())?;
+        if over.lo <= 0.0 {
+            return self.plain(Ok(range));
+        }
+        let (mut logarithm, mut exponent, mut power) = (TaylorModel::ZERO, TaylorModel::ZERO, TaylorModel::ZERO);
+        let found = logarithm.ln(cx, a).and_then(|()| exponent.product(b, &logarithm));
+        let found = found.and_then(|()| power.exp(cx, &exponent)).ok().map(|()| power);
+        self.or_plain(found, range)
+    }
+    fn arctan2(&mut self, cx: &(), y: &TaylorModel, x: &TaylorModel) -> Result<(), NoValue> {
+        let range = match Interval::principal_angle(y.range(), x.range())? {
+            (angle, Continuity::Everywhere) => angle,
+            (_, Continuity::Broken) => return Err(NoValue::Indeterminate),
+        };
+        if y.is_point() && x.is_point() {
+            return self.plain(Ok(range));
+        }
+        let (y0, x0) = (y.coefficients[0], x.coefficients[0]);
+        let turned = || -> Result<TaylorModel, NoValue> {
+            let mut terms = [TaylorModel::ZERO; 4];
+            for (term, (number, model)) in terms.iter_mut().zip([(x0, x), (y0, y), (x0, y), (y0, x)]) {
+                term.scaled(number, model)?;
+            }
+            let (mut along, mut across) = (TaylorModel::ZERO, TaylorModel::ZERO);
+            along.add(cx, &terms[0], &terms[1])?;
+            across.sub(cx, &terms[2], &terms[3])?;
+            if along.range().lo <= 0.0 {
+                return Err(NoValue::Indeterminate);
+            }
+            let (mut ratio, mut angle, mut sum) = (TaylorModel::ZERO, TaylorModel::ZERO, TaylorModel::ZERO);
+            ratio.quotient(&across, &along)?;
+            angle.arctan(cx, &ratio)?;
+            // The first coefficients are values at s = 0 of contained quantities, so that the cut is not met there either.
+            let mut first = Interval::ZERO;
+            first.arctan2(&(), &Interval::point(y0), &Interval::point(x0))?;
+            sum.add(cx, &angle, &TaylorModel::constant(first))?;
+            Ok(sum)
+        };
+        self.or_plain(turned().ok(), range)
+    }
+    fn agm(&mut self, _: &(), a: &TaylorModel, b: &TaylorModel) -> Result<(), NoValue> {
+        if b.is_point() {
+            return self.function(Op::Agm, a, Some((b.coefficients[0], false)));
+        }
+        if a.is_point() {
+            return self.function(Op::Agm, b, Some((a.coefficients[0], true)));
+        }
+        let mut range = Interval::ZERO;
+        range.agm(&(), &a.range(), &b.range())?;
+        self.plain(Ok(range))
+    }
+}
