@@ -52,7 +52,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
         let mut pairs = serde_json::Map::new();
         for pair in &claim.results {
             let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, claim, pair, &mut strings)) {
+            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, account, claim, pair, &mut strings)) {
                 pairs.insert(t.to_string(), packed);
             }
         }
@@ -70,12 +70,22 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
     document.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, strings: &mut Strings) -> Option<Value> {
+fn packed(
+    derivation: &Derivation,
+    account: &Account,
+    claim: &ClaimAccount,
+    pair: &PairAccount,
+    strings: &mut Strings,
+) -> Option<Value> {
     let evidence = pair.verdict.evidence();
-    let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+    let declared = declared(derivation, claim);
+    let scope = declared.map_or(&derivation.scope, |d| &d.scope);
+    // Events are few: they are shown on the whole span of the motion, and one is enough.
+    let at_events = declared.is_some_and(|d| d.at.is_some());
+    let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
     let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
-    let drawn = evidence.series.as_deref().filter(|s| s.points.len() > 1);
-    let curves = drawn.map(|s| curves(s, text(&s.formula, strings), strings));
+    let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
+    let curves = drawn.map(|s| curves(s, span, text(&s.formula, strings), strings));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence
         .witness
@@ -109,11 +119,11 @@ fn short(x: f64) -> Value {
     }
 }
 
-fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
+fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: usize, strings: &mut Strings) -> Value {
     let points = &series.points;
     let column = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
     let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
-    let span = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0));
+    let span = span.unwrap_or((t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0)));
     let range = extent(left.iter().chain(&right).copied());
     let (residual, bound) = (column(&|p| pxfm::f_log10(p.residual)), column(&|p| pxfm::f_log10(p.bound)));
     let (low, high) = extent(residual.iter().chain(&bound).copied());

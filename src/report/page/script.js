@@ -158,7 +158,8 @@ const nice = (low, high, n) => {
   return out;
 };
 const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
-const W = 640, H = 300, L = 76, R = 14, T = 12, B = 46;
+// On a narrow screen the drawing is narrow, not its letters small.
+const W = Math.min(640, Math.max(340, innerWidth - 50)), H = 300, L = 76, R = 14, T = 12, B = 46;
 function frame(figure, title, describe, time, range, ticks, label) {
   const svg = add(figure, "svg", { viewBox: `0 0 ${W} ${H}`, role: "img" });
   add(svg, "title", {}, title);
@@ -169,7 +170,7 @@ function frame(figure, title, describe, time, range, ticks, label) {
     add(svg, "line", { class: "grid", x1: L, x2: W - R, y1: Y(y), y2: Y(y) });
     add(svg, "text", { x: L - 6, y: Y(y) + 4, "text-anchor": "end", "font-size": 13 }, text);
   }
-  for (const t of nice(time[0], time[1], 6)) {
+  for (const t of nice(time[0], time[1], W < 500 ? 4 : 6)) {
     add(svg, "line", { class: "axis", x1: X(t), x2: X(t), y1: H - B, y2: H - B + 5 });
     add(svg, "text", { x: X(t), y: H - B + 19, "text-anchor": "middle", "font-size": 13 }, shown(t));
   }
@@ -195,7 +196,7 @@ function open(row) {
   const link = element(element(box, "p"), "a", { href: "#/trajectory/" + motions[numbers(row.id)[1]] });
   link.textContent = "The trajectory";
   if (pair[0]) curves(box, pair, addressOf(row.id));
-  else element(box, "p", { class: "quiet" }, "No curve: no two sides were compared along this motion. The row above says what was found, and how.");
+  else element(box, "p", { class: "quiet" }, "No curve: two sides were not compared at more than one time. The row above says what was found, and how.");
   if (pair[2]) witness(box, pair[2]);
 }
 // A line through samples; events are points, each with its time marked below.
