@@ -128,9 +128,8 @@ fn misses_of_functions() -> (usize, usize, usize) {
                 op.apply(&(), &mut truth, &a.at(s, of), &b.at(s, -of)).expect("the model has a value everywhere");
                 compared += 1;
                 let found = model.at(Interval::point(s));
-                missed += usize::from(
-                    found.intersection(truth).is_none() || model.range().intersection(truth).is_none(),
-                );
+                missed +=
+                    usize::from(found.intersection(truth).is_none() || model.range().intersection(truth).is_none());
             }
         }
     }
