@@ -1,26 +1,36 @@
 //! Searches along an enclosed motion end when they should, and are not repeated.
 
 use super::cover::{Along, Judgement, Ranges, Selection};
-use crate::flow::{Enclosure, Setup, Source};
-use crate::flow_support::World;
+use crate::expr::{Graph, Leaf, Shape};
+use crate::flow::{Enclosure, Setup, Source, VectorField};
+use crate::number::Interval;
 use std::cell::Cell;
 
 /// q = cos t, with q² + p² − 1 and q as what is looked at.
 fn oscillator() -> (Along, Selection, Selection) {
-    let mut w = World::default();
-    let field = w.field(&["q", "p"], &["q' = p", "p' = -q"]).expect("solvable");
+    let mut graph = Graph::new();
+    let [t, q, p] = ["t", "q", "p"].map(|name| graph.declare(name, Shape::scalar(), false));
+    let leaf = |symbol, rate| Leaf { symbol, component: 0, rate, instant: None };
+    let [now, q_now, p_now] = [t, q, p].map(|symbol| leaf(symbol, 0));
+    let [q_rate, p_rate, q_value, p_value] = [leaf(q, 1), leaf(p, 1), q_now, p_now].map(|l| graph.leaf(l));
+    let back = graph.neg(q_value);
+    let equations = [(q_rate, p_value), (p_rate, back)];
+    let field = VectorField::solve(&mut graph, Some(now), &[q, p], &equations).expect("solvable");
+    let (zero, one) = (graph.integer(0), graph.integer(1));
     let setup = Setup {
-        time: w.leaf("t"),
+        time: now,
         span: (0.0, 10.0),
         initial_time: 0.0,
         parameters: Vec::new(),
-        source: Source::Integrated { field: &field, initial: w.pairs(&[("q", "1"), ("p", "0")]) },
+        source: Source::Integrated { field: &field, initial: vec![(q_now, one), (p_now, zero)] },
         observables: Vec::new(),
     };
-    let (energy, q) = (w.e("q^2 + p^2 - 1"), w.e("q"));
-    let enclosure = Enclosure::new(&mut w.graph, &setup, None).expect("a motion");
-    let mut along = Along::new(enclosure, w.graph, (0.0, 10.0));
-    let places = [along.difference(energy).expect("known"), along.difference(q).expect("known")];
+    let [qq, pp] = [q_value, p_value].map(|x| graph.powi(x, 2));
+    let sum = graph.add(qq, pp);
+    let energy = graph.sub(sum, one);
+    let enclosure = Enclosure::new(&mut graph, &setup, None).expect("a motion");
+    let mut along = Along::new(enclosure, graph, (0.0, 10.0));
+    let places = [energy, q_value].map(|e| along.difference(e).expect("known"));
     along.compile().expect("known");
     let [energy, q] = places.map(|place| Selection::new(vec![place]));
     (along, energy, q)
@@ -29,7 +39,7 @@ fn oscillator() -> (Along, Selection, Selection) {
 #[test]
 fn what_is_true_is_settled_by_the_first_stretches() {
     let (mut along, energy, _) = oscillator();
-    let small = |_: crate::number::Interval, ranges: &Ranges| match &ranges[0] {
+    let small = |_: Interval, ranges: &Ranges| match &ranges[0] {
         Ok(reach) if reach.range().magnitude() < 1e-13 => Judgement::Settled,
         other => Judgement::Open(format!("{other:?}")),
     };
@@ -41,7 +51,7 @@ fn what_is_true_is_settled_by_the_first_stretches() {
 #[test]
 fn an_endless_search_reaches_the_limit_of_work() {
     let (mut along, energy, _) = oscillator();
-    let never = |time: crate::number::Interval, _: &Ranges| match time.width() > 2.5e-5 {
+    let never = |time: Interval, _: &Ranges| match time.width() > 2.5e-5 {
         true => Judgement::Open("too long".to_owned()),
         false => Judgement::Settled,
     };
@@ -65,7 +75,7 @@ fn an_endless_search_reaches_the_limit_of_work() {
 fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
     let (mut along, _, q) = oscillator();
     let (judged, asked) = (Cell::new(0), Cell::new(0));
-    let judge = |_: crate::number::Interval, _: &Ranges| {
+    let judge = |_: Interval, _: &Ranges| {
         judged.set(judged.get() + 1);
         Judgement::Open("open".to_owned())
     };
