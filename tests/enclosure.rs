@@ -15,7 +15,7 @@ use std::path::Path;
 fn no_verdict_of_the_corpus_is_wrong() {
     let (mut enclosed, mut certified) = (0, 0);
     let (mut decided, mut wrong) = (Vec::new(), Vec::new());
-    for file in ["forms", "opponent", "precision", "systems", "traps"] {
+    for file in ["enclosed", "forms", "opponent", "precision", "systems", "traps"] {
         let path = format!("{}/tests/corpus/{file}.toml", env!("CARGO_MANIFEST_DIR"));
         let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
         let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
@@ -48,6 +48,21 @@ fn no_verdict_of_the_corpus_is_wrong() {
     println!("{enclosed} enclosed, {certified} certified; decided where samples could not:\n{}", decided.join("\n"));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(enclosed >= 20 && certified >= 20, "{enclosed} enclosed, {certified} certified");
+}
+
+/// A term that matters for a thousandth of the time, and between samples. At its edge it is too small to refute what samples
+/// say, which must not end the search.
+#[test]
+fn what_happens_between_samples_is_found() {
+    let path = format!("{}/tests/enclosure_support/between.toml", env!("CARGO_MANIFEST_DIR"));
+    let outcome = |rigor: Rigor| {
+        let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+        let options = Options { rigor, ..Options::default() };
+        let account = check(&mut derivation, &options, &|_, _| {}).expect("checked");
+        account.claims[0].results[0].verdict.outcome()
+    };
+    assert_eq!(outcome(Rigor::Sampled), Outcome::Holds(Strength::Sampled));
+    assert_eq!(outcome(Rigor::Enclosed), Outcome::Fails(Strength::Enclosed));
 }
 
 /// A blow-up ends the enclosure, with its time and the width there.

@@ -179,7 +179,9 @@ impl Along {
 
     /// The ranges of some roots over a stretch.
     pub fn over(&mut self, selection: &Selection, time: Interval) -> Vec<Result<Reach, NoValue>> {
-        let Some(all) = &self.differences.compiled else { return vec![Err(NoValue::Unsupported); selection.roots.len()] };
+        let Some(all) = &self.differences.compiled else {
+            return vec![Err(NoValue::Unsupported); selection.roots.len()];
+        };
         let part = selection.part.get_or_init(|| all.part(&selection.roots));
         let key = key(time);
         if !self.first.contains(&key) {

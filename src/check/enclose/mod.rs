@@ -27,6 +27,8 @@ mod cover;
 mod ready;
 mod refute;
 mod span;
+#[cfg(test)]
+mod tests;
 
 use super::Prepared;
 use super::account::ClaimAccount;

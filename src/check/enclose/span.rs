@@ -21,7 +21,8 @@ pub(super) fn changes_sign(reach: &Reach, time: Interval) -> bool {
 pub(super) fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, String> {
     let (mut largest, mut counted) = (0.0_f64, 0);
     let mut serves = vec![true; ready.signs];
-    let mut apart: Option<(f64, usize)> = None;
+    let mut apart: Option<f64> = None;
+    let mut doubt: Option<String> = None;
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
         if selected == Some(false) || (0..ready.signs).all(|s| ready.nowhere_defined(ranges, s)) {
@@ -35,11 +36,17 @@ pub(super) fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<
                 reach.map_or(0.0, |r| r.range().mignitude())
             };
             let least = (0..ready.signs).map(size).fold(f64::INFINITY, f64::min);
-            apart = Some((time.mid(), usize::from(least > CLEARLY * ready.precision * ready.scale)));
-            return Judgement::Stop(format!(
+            let why = format!(
                 "at t = {:.6} the sides differ for certain, by at least {least:.1e}, which samples do not see",
                 time.mid()
-            ));
+            );
+            if least > CLEARLY * ready.precision * ready.scale {
+                apart = Some(time.mid());
+                return Judgement::Stop(why);
+            }
+            // Too little to refute what samples say; elsewhere it may be more.
+            doubt.get_or_insert(why);
+            return Judgement::Settled;
         }
         let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.holds(ranges, s)).collect();
         let now: Vec<bool> = each.iter().map(Result::is_ok).collect();
@@ -56,11 +63,12 @@ pub(super) fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<
         |ranges: &Ranges| ready.selected(ranges) == Some(true) && (0..ready.signs).all(|s| ready.hopeless(ranges, s));
     let found = along.cover(&ready.roots, judge, hopeless);
     match (found, apart) {
-        (Err(_), Some((t, 1))) => Ok(match ready.witness(along, t, Vec::new()) {
+        (Err(_), Some(t)) => Ok(match ready.witness(along, t, Vec::new()) {
             Some(witness) => Shown::Fails(witness, format!("certified at t = {t}")),
             None => Shown::Nothing(format!("near t = {t:.6} the sides differ")),
         }),
-        (Err(reason), _) => Ok(Shown::Nothing(reason)),
+        (Err(reason), None) => Ok(Shown::Nothing(doubt.unwrap_or(reason))),
+        (Ok(_), _) if doubt.is_some() => Ok(Shown::Nothing(doubt.unwrap_or_default())),
         (Ok(_), _) if counted == 0 => Ok(Shown::Nothing("no stretch of time is left by the assumptions".to_owned())),
         (Ok(_), _) if claim.branches_throughout && !serves.contains(&true) => {
             Ok(Shown::Nothing("no single sign of ± is shown to serve".to_owned()))

@@ -30,11 +30,11 @@ use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
 /// Order of the Taylor polynomials.
-pub(super) const ORDER: usize = 20;
+pub(super) const ORDER: usize = 18;
 /// The last terms of the series shall be below this part of the largest state.
 const REMAINDER: f64 = 1e-17;
 /// A step is made shorter, if that helps, when it adds more than this part of the largest state.
-const ADDED: f64 = 2e-15;
+const ADDED: f64 = 5e-16;
 /// Or more than this part of the width of the set.
 const ADDED_TO_WIDTH: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
@@ -141,7 +141,11 @@ impl Piece {
     pub(super) fn models(&self, middle: f64, half: f64) -> Result<Vec<TaylorModel>, NoValue> {
         let place = self.place(Interval::point(middle) - Interval::point(self.from));
         let (mut s, mut scaled) = (TaylorModel::ZERO, TaylorModel::ZERO);
-        scaled.div(&(), &TaylorModel::variable(Interval::ZERO, half), &TaylorModel::constant(Interval::point(self.half)))?;
+        scaled.div(
+            &(),
+            &TaylorModel::variable(Interval::ZERO, half),
+            &TaylorModel::constant(Interval::point(self.half)),
+        )?;
         s.add(&(), &TaylorModel::constant(place), &scaled)?;
         let states = self.centre.iter().zip(&self.spread);
         states.map(|(x, &spread)| Ok(x.after(&s)?.widened(spread))).collect()
@@ -313,7 +317,6 @@ impl Field {
     /// One step towards `end`.
     fn step(&self, bench: &mut Bench, set: &Set, time: f64, start: f64, end: f64) -> Result<(Piece, Set), String> {
         let n = self.dimension();
-        let row = ORDER + 1;
         let hull = set.hull();
         let size = hull.iter().map(Interval::magnitude).fold(0.0, f64::max);
         let width = hull.iter().map(Interval::width).fold(0.0, f64::max);
@@ -344,9 +347,9 @@ impl Field {
                 Ok(tube) => {
                     // Of two steps the shorter one, if it adds less in proportion.
                     let added = tube.errors.iter().copied().fold(0.0, f64::max);
-                    let better = found.as_ref().is_none_or(|(_, longer)| {
-                        added < 0.4 * longer.errors.iter().copied().fold(0.0, f64::max)
-                    });
+                    let better = found
+                        .as_ref()
+                        .is_none_or(|(_, longer)| added < 0.4 * longer.errors.iter().copied().fold(0.0, f64::max));
                     if better {
                         found = Some((to, tube));
                     }
@@ -501,15 +504,18 @@ impl Field {
         }
     }
 
-    /// The step at which the last terms of the series are of the size of the remainder that is asked for.
+    /// The step at which the last terms of the series, and what a model of it leaves out, are as small as they should be.
     fn proposal(&self, coefficients: &[f64], size: f64) -> f64 {
         let row = ORDER + 1;
         let top = |k: usize| (0..self.dimension()).map(|i| coefficients[i * row + k].abs()).fold(0.0, f64::max);
         let mut step = f64::INFINITY;
-        for k in [ORDER - 1, ORDER] {
+        // Around its middle a step reaches half as far.
+        let left_out = TaylorModel::DEGREE + 1;
+        for (k, reach) in [(left_out, 2.0), (ORDER - 1, 1.0), (ORDER, 1.0)] {
             let last = top(k);
             if last > 1e-280 && size > 0.0 {
-                step = step.min(pxfm::f_exp(pxfm::f_log(4.0 * remainder_of_step() * size / last) / k as f64));
+                let ratio = 4.0 * remainder_of_step() * size / last;
+                step = step.min(reach * pxfm::f_exp(pxfm::f_log(ratio) / k as f64));
             }
         }
         step

@@ -45,7 +45,8 @@ fn nothing_is_outside_as_long_as_nothing_is_broken() {
 #[test]
 fn rounding_to_nearest_is_noticed() {
     let found = noticed(&NEAREST);
-    for name in ["decay", "oscillator", "tanh", "rigid body", "Kepler"] {
+    // Where steps are limited by what a model leaves out, that covers rounding.
+    for name in ["tanh", "driven", "rigid body", "Kepler"] {
         assert!(found.contains(&name), "{name} not in {found:?}");
     }
 }

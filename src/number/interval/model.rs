@@ -79,6 +79,9 @@ fn unit() -> f64 {
 }
 
 impl TaylorModel {
+    /// Degree of the polynomials.
+    pub const DEGREE: usize = ROOM - 1;
+
     /// 0, exactly.
     pub const ZERO: TaylorModel = TaylorModel { coefficients: [0.0; ROOM], rest: 0.0, length: 1 };
 
@@ -257,12 +260,7 @@ impl TaylorModel {
     }
 
     #[inline(always)]
-    fn combine(
-        &mut self,
-        a: &TaylorModel,
-        b: &TaylorModel,
-        add: impl Fn(f64, f64) -> f64,
-    ) -> Result<(), NoValue> {
+    fn combine(&mut self, a: &TaylorModel, b: &TaylorModel, add: impl Fn(f64, f64) -> f64) -> Result<(), NoValue> {
         let mut size = 0.0;
         for k in 0..ROOM {
             let c = add(a.coefficients[k], b.coefficients[k]);
@@ -349,12 +347,7 @@ impl TaylorModel {
 
     /// A function of one argument, and perhaps of a number; `first` says that the number comes first.
     fn function(&mut self, op: Op, a: &TaylorModel, number: Option<(f64, bool)>) -> Result<(), NoValue> {
-        fn apply<N: Number>(
-            op: Op,
-            cx: &N::Context,
-            a: &N,
-            number: Option<(N, bool)>,
-        ) -> Result<N, NoValue> {
+        fn apply<N: Number>(op: Op, cx: &N::Context, a: &N, number: Option<(N, bool)>) -> Result<N, NoValue> {
             let mut out = N::blank(cx);
             match &number {
                 None => op.apply(cx, &mut out, a, a),
