@@ -187,11 +187,8 @@ pub enum Reason {
 impl Reason {
     /// Whether the premises were not solved, in any order: not a matter of the points that were tried.
     pub(super) fn is_about_solving(&self) -> bool {
-        match self {
-            Reason::Unsolved(_) | Reason::OnlyWhere(_) | Reason::Degenerate => true,
-            Reason::TooLarge | Reason::TooManyRoots(_) => true,
-            _ => false,
-        }
+        let divided = matches!(self, Reason::Unsolved(_) | Reason::OnlyWhere(_) | Reason::Degenerate);
+        divided || matches!(self, Reason::TooLarge | Reason::TooManyRoots(_))
     }
 }
 

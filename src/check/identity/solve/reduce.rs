@@ -159,14 +159,14 @@ impl Solver<'_> {
                 continue;
             }
             let x = self.graph.leaf(leaf);
-            let quotient = self.from_powers(&all[1..], x);
+            let quotient = self.sum_of_powers(&all[1..], x);
             return Some([x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect());
         }
         None
     }
 
     /// Σ cₖ·xᵏ.
-    fn from_powers(&mut self, all: &[Expr], x: Expr) -> Expr {
+    fn sum_of_powers(&mut self, all: &[Expr], x: Expr) -> Expr {
         let mut out = self.graph.integer(0);
         for &c in all.iter().rev() {
             let raised = self.graph.mul_structural(out, x);
@@ -188,7 +188,7 @@ impl Solver<'_> {
         if !self.graph.is_zero(lowest) {
             case.out.taken_as_zero.push(lowest);
         }
-        let quotient = self.from_powers(&all[1..], x);
+        let quotient = self.sum_of_powers(&all[1..], x);
         let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
         Some(Next::Split(candidate.equation, parts))
     }
