@@ -256,7 +256,7 @@ fn what_one_motion_alone_could_have_decided() {
     assert_eq!((alone[0].holds, alone[0].misleading.as_slice()), (1, &["speed".to_owned()][..]));
     assert_eq!((alone[2].holds, alone[2].of), (0, 0));
     let account = thrown(r"\dot z=w", "['up', 'still']");
-    let poorest = account.poorest().expect("a motion");
+    let poorest = account.poor().into_iter().next().expect("a motion");
     assert_eq!((poorest.trajectory.as_str(), poorest.rejected), ("still", 2));
     assert!(poorest.sentence().contains("would have held as well"), "{}", poorest.sentence());
 }

@@ -305,7 +305,8 @@ impl Trial<'_> {
     fn verdicts(&self, drafts: &[Draft]) -> Result<Vec<Option<(String, Verdict)>>, CheckError> {
         let mut out = self.verdicts_here(drafts)?;
         let Some(printed) = &self.printed else { return Ok(out) };
-        let fails = |v: &Option<(String, Verdict)>| v.as_ref().is_some_and(|(_, v)| matches!(v.outcome(), Outcome::Fails(_)));
+        let fails =
+            |v: &Option<(String, Verdict)>| v.as_ref().is_some_and(|(_, v)| matches!(v.outcome(), Outcome::Fails(_)));
         let at: Vec<usize> = (0..out.len()).filter(|&i| fails(&out[i])).collect();
         let those: Vec<Draft> = at.iter().filter_map(|&i| drafts.get(i).cloned()).collect();
         for (i, own) in at.into_iter().zip(printed.verdicts_here(&those)?) {
@@ -460,7 +461,11 @@ pub fn search(
 }
 
 /// The derivation with an altered formula in the place of the printed one, and that formula.
-fn altered(derivation: &Derivation, options: &SearchOptions, number: usize) -> Result<(Derivation, String), CheckError> {
+fn altered(
+    derivation: &Derivation,
+    options: &SearchOptions,
+    number: usize,
+) -> Result<(Derivation, String), CheckError> {
     let problem = |text: String, hint: &str| {
         let found = Diagnostic::at(&derivation.file, "search::no-variant", 0..0, text);
         CheckError::Problems(vec![found.hint(hint)])
@@ -473,11 +478,13 @@ fn altered(derivation: &Derivation, options: &SearchOptions, number: usize) -> R
     };
     let mut copy = derivation.clone();
     copy.measures.clear();
-    let account = check_claims(&mut copy, &Options { claims: vec![claim.id.clone()], ..Options::default() }, &|_, _| {})?;
+    let account =
+        check_claims(&mut copy, &Options { claims: vec![claim.id.clone()], ..Options::default() }, &|_, _| {})?;
     let found = account.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading);
     let survivors = found.and_then(|c| c.variants.as_ref()).map_or(&[][..], |v| v.survivors.as_slice());
     let Some(survivor) = survivors.get(number) else {
-        let text = format!("`{}` has {} altered formulas that some motion does not reject", options.claim, survivors.len());
+        let text =
+            format!("`{}` has {} altered formulas that some motion does not reject", options.claim, survivors.len());
         return Err(problem(text, "they are numbered from 0, in report.md and report.json"));
     };
     let Some(place) = survivor.place.clone() else {
@@ -507,7 +514,12 @@ fn search_in(
     let of = |derivation, printed| Trial { derivation, names: names.clone(), id: id.clone(), printed };
     let trial = of(derivation, printed.map(|p| Box::new(of(p, None))));
     let families: Vec<Draft> = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t)).collect();
-    let mut out = SearchAccount { found: None, tally: Tally::default(), known: known(derivation, printed, options)?, variant: None };
+    let mut out = SearchAccount {
+        found: None,
+        tally: Tally::default(),
+        known: known(derivation, printed, options)?,
+        variant: None,
+    };
     let mut next = 0;
     while next < options.tries && !families.is_empty() && !names.is_empty() {
         let numbers: Vec<usize> = (next..options.tries.min(next + BATCH)).collect();

@@ -17,9 +17,12 @@ pub(super) fn json(account: &Account) -> Value {
     one.collect()
 }
 
-/// The part of `report.md`: the poorest motion in a sentence, and all in a table.
+/// The part of `report.md`: a sentence for each motion that decides little by itself, and all in a table.
 pub(super) fn section(account: &Account) -> String {
-    let Some(poorest) = account.poorest() else { return String::new() };
+    let poor: String = account.poor().iter().map(|a| format!("- {}\n", prose(&a.sentence()))).collect();
+    if poor.is_empty() {
+        return String::new();
+    }
     let row = |a: crate::check::Alone| {
         let share = format!("{} of {}", a.rejected, a.of);
         let numbers = [a.tried, a.not_applicable, a.holds, a.misleading.len(), a.weak].map(|n| n.to_string());
@@ -27,9 +30,8 @@ pub(super) fn section(account: &Account) -> String {
     };
     let head = ["trajectory", "claims", "do not apply", "hold", "of these fail elsewhere", "hold weakly", "rejected"];
     format!(
-        "## What each motion alone could have decided\n\nThe evidence is that of all motions together. Had there been one \
-         alone, the least would be known from this: {}\n\n<details><summary>All motions</summary>\n\n{}\n</details>\n\n",
-        prose(&poorest.sentence()),
+        "## What each motion alone could have decided\n\nThe evidence is that of all motions together. These would \
+         have decided the least, had there been one alone:\n\n{poor}\n<details><summary>All motions</summary>\n\n{}\n</details>\n\n",
         table(&head, account.alone().into_iter().map(row))
     )
 }

@@ -83,7 +83,8 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
         s.fails.len(),
         listed(&s.fails, style)
     );
-    let tried = format!("{} tried, {} that might explain it undecided somewhere", count(s.tried, "condition"), s.undecided);
+    let tried = count(s.tried, "condition");
+    let tried = format!("{tried} tried, {} that might explain it undecided somewhere", s.undecided);
     match &s.explanation {
         Some(e) => {
             out.push(format!("On these trajectories it holds exactly where {}.", explanation(e, style)));

@@ -291,7 +291,7 @@ fn conditions() -> Value {
         ("sufficient", list(part.clone())),
         ("necessary", list(part)),
         ("tried", whole("Conditions that were tried")),
-        ("undecided", whole("Of these, undecided somewhere")),
+        ("undecided", whole("Of these, such as might explain it but are undecided somewhere")),
     ]);
     let assumption = object(&[
         ("formula", text("As written")),

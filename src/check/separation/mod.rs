@@ -118,8 +118,7 @@ impl Probes {
             };
             (derivation.trajectories[t].id.clone(), self.dropped.iter().enumerate().map(verdict).collect())
         };
-        let columns: Vec<(String, Vec<Option<Verdict>>)> =
-            courses.par_iter_mut().with_max_len(1).map(on_one).collect();
+        let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter_mut().with_max_len(1).map(on_one).collect();
         if split {
             self.explain(derivation, start_of, courses, account);
         }

@@ -6,6 +6,7 @@
 
 use super::super::account::{Account, ClaimAccount, PairAccount};
 use super::super::verdict::Outcome;
+use super::account::WEAK;
 
 /// What one motion alone could have decided.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -102,12 +103,18 @@ impl Account {
         out
     }
 
-    /// The motion that decides least by itself: that which rejects the smallest share of the altered formulas, the first among
-    /// equals. None where there is only one motion, or no altered formula.
-    pub fn poorest(&self) -> Option<Alone> {
-        let all = self.alone();
-        let tells = all.len() > 1;
-        let poorer = |a: &Alone, b: &Alone| a.share().total_cmp(&b.share());
-        all.into_iter().filter(|a| tells && a.of > 0).min_by(poorer)
+    /// The motions that decide little by themselves, the poorest first: those that reject so few of the altered formulas that a
+    /// single verdict would be called weak, and the poorest in any case. Empty where there is only one motion, or no altered
+    /// formula.
+    pub fn poor(&self) -> Vec<Alone> {
+        let mut all = self.alone();
+        if all.len() < 2 {
+            return Vec::new();
+        }
+        all.retain(|a| a.of > 0);
+        all.sort_by(|a, b| a.share().total_cmp(&b.share()));
+        let poor = all.iter().take_while(|a| a.share() < WEAK).count();
+        all.truncate(poor.max(1));
+        all
     }
 }

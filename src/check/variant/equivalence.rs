@@ -154,15 +154,13 @@ impl ClaimVariants {
         if whole && rows.iter().all(zero) {
             return Sight::Empty;
         }
-        let same = |rows: &[Row], turned: bool, how: &dyn Fn(&[Bounded], &[Bounded], bool) -> bool| {
+        let same = |rows: &[Row], turned: bool, how: Compare| {
             rows.iter().zip(&variant.altered).all(|(row, (_, part))| {
                 let directed = !matches!(part.kind, RelationKind::Equal | RelationKind::NotEqual);
                 how(&altered(row), &print(row, turned), directed)
             })
         };
-        let one = |rows: &[Row], how: &dyn Fn(&[Bounded], &[Bounded], bool) -> bool| {
-            same(rows, false, how) || formula.branching && same(rows, true, how)
-        };
+        let one = |rows: &[Row], how: Compare| same(rows, false, how) || formula.branching && same(rows, true, how);
         // With parameters that stay what they are, what moves must move, or everything is proportional to everything.
         let moves = fixed.iter().all(|row| row.len() >= 3 && varies(&altered(row)) && varies(&print(row, false)));
         let directed = |(_, p): &(usize, Part)| !matches!(p.kind, RelationKind::Equal | RelationKind::NotEqual);
@@ -228,6 +226,9 @@ struct Seen {
 }
 
 type Row = Vec<Seen>;
+
+/// How the values of two residuals are compared, and whether the direction matters.
+type Compare<'a> = &'a dyn Fn(&[Bounded], &[Bounded], bool) -> bool;
 
 fn altered(row: &Row) -> Vec<Bounded> {
     [0, 1].iter().flat_map(|&s| row.iter().map(move |x| x.altered[s])).collect()

@@ -30,8 +30,8 @@ mod rejection;
 mod tree;
 mod vocabulary;
 
-pub use alone::Alone;
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
+pub use alone::Alone;
 pub use edit::EditClass;
 pub use equivalence::SEED;
 
@@ -291,7 +291,8 @@ impl Altered {
             account.variants = Some(self.account(k, account, variants, weighed, &tried));
         }
         let Places { claimed, tried, starts, start_of } = *places;
-        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }.offer(accounts, courses)
+        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }
+            .offer(accounts, courses)
     }
 
     fn account(
