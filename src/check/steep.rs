@@ -117,26 +117,24 @@ pub(super) fn times(trial: &Trial) -> Option<Vec<f64>> {
     let values: Vec<Vec<Option<f64>>> = course.points.iter().map(|point| exponents.at(point)).collect();
     let last = course.times.len().checked_sub(1)?;
     let mut found = 0;
-    for which in 0..program.steep.len() {
-        for i in 0..=last {
-            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
-            let (Some(u), Some(p), Some(q)) = (values[i][which], values[before][which], values[after][which]) else {
-                continue;
-            };
-            if (u - p).abs().max((u - q).abs()) <= STEEP {
+    for (which, i) in (0..program.steep.len()).flat_map(|which| (0..=last).map(move |i| (which, i))) {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
+        let (Some(u), Some(p), Some(q)) = (values[i][which], values[before][which], values[after][which]) else {
+            continue;
+        };
+        if (u - p).abs().max((u - q).abs()) <= STEEP {
+            continue;
+        }
+        for sign in [1.0, -1.0] {
+            // Of several equal neighbours the first.
+            if sign * (u - p) < 0.0 || sign * (u - q) < 0.0 || (i > before && u == p) {
                 continue;
             }
-            for sign in [1.0, -1.0] {
-                // Of several equal neighbours the first.
-                if sign * (u - p) < 0.0 || sign * (u - q) < 0.0 || (i > before && u == p) {
-                    continue;
-                }
-                found += 1;
-                if found > MOST {
-                    return None;
-                }
-                exponents.climb(which, sign, (course.times[before], course.times[after]), &mut out);
+            found += 1;
+            if found > MOST {
+                return None;
             }
+            exponents.climb(which, sign, (course.times[before], course.times[after]), &mut out);
         }
     }
     out.sort_by(f64::total_cmp);

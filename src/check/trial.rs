@@ -400,7 +400,7 @@ pub(super) fn unless_unresolved(trial: &Trial, verdict: Verdict) -> Verdict {
         evidence.reason = Some(match gap {
             Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
             _ => format!(
-                "{near} the formulas of the motion do more than samples can show; a part of the span by itself, or                  an enclosure, may decide"
+                "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
             ),
         });
         return Verdict::new(Outcome::Undecided, evidence);
