@@ -33,6 +33,7 @@ mod second_route;
 pub mod separation;
 mod series;
 mod stage;
+mod steep;
 mod step;
 mod telling;
 mod trial;

@@ -4,6 +4,7 @@
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
 use super::comparison::{Comparison, Group, at_instant, traced};
+use super::steep::exponents;
 use super::trial::Values;
 use super::weigh::{Measured, Series};
 use crate::derivation::{Derivation, Form, Written};
@@ -68,6 +69,8 @@ pub(super) struct Program {
     pub groups: Vec<(Use, Group)>,
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
+    /// Exponents in what it says of every time: see `steep`.
+    pub steep: Vec<Expr>,
     tape: Option<Tape>,
     /// Where the inputs of the tape stand among the leaves of a point.
     inputs: Vec<usize>,
@@ -271,7 +274,10 @@ impl Program {
             groups.push((how(zero), Group { comparisons, branching }));
         }
         let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        Program { assumptions, groups, at, tape: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
+        let always = groups.iter().filter(|(how, _)| matches!(how, Use::Always | Use::Defined));
+        let compared: Vec<&Comparison> = always.flat_map(|(_, group)| &group.comparisons).collect();
+        let steep = exponents(graph, &claim.scope, &compared);
+        Program { assumptions, groups, at, steep, tape: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
     }
 
     /// The expressions whose zeros along a motion the claim depends on.
@@ -310,7 +316,7 @@ impl Program {
     /// The leaves that must be known to measure it, the sign of ± apart.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
-        let roots = roots.chain(self.at).collect::<Vec<_>>();
+        let roots = roots.chain(self.at).chain(self.steep.iter().copied()).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 

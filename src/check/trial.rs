@@ -15,6 +15,7 @@ use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
+use super::steep;
 use super::telling::silence;
 use super::verdict::{Evidence, Exclusion, Outcome, Verdict};
 use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
@@ -201,7 +202,10 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
         let verdict = all_of(held);
         verdicts.push(match zeros {
             Some(zeros) => only_at_events(trial, zeros, verdict),
-            None => between_samples(trial, &measured, look_closer(trial, &measured, verdict)),
+            None => {
+                let verdict = at_peaks(trial, &measured, look_closer(trial, &measured, verdict));
+                between_samples(trial, &measured, verdict)
+            }
         });
     }
     unless_met_elsewhere(&met, all_of(verdicts))
@@ -241,6 +245,42 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
             let samples = verdict.evidence().samples + closer.evidence().samples;
             let residual = Some(r.clone());
             Verdict::new(verdict.outcome(), Evidence { samples, residual, ..verdict.evidence().clone() })
+        }
+        _ => verdict,
+    }
+}
+
+/// Tries a claim that holds at further times, where exponentials in it may have peaks between the samples.
+fn at_peaks(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
+    let Trial { program, course, .. } = *trial;
+    let holds = match verdict.outcome() {
+        Outcome::Holds(_) => true,
+        Outcome::Undecided => false,
+        Outcome::Fails(_) | Outcome::NotApplicable => return verdict,
+    };
+    let Some(times) = steep::times(trial) else {
+        if !holds {
+            return verdict;
+        }
+        let reason = Some("an exponential in it has too many peaks that samples may miss".to_owned());
+        return Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() });
+    };
+    if times.is_empty() {
+        return verdict;
+    }
+    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
+    let describer = Describer::new(trial, &times, &points);
+    let measured = measure(program, &points, Some(along));
+    let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };
+    let held = program.groups.iter().zip(&measured.groups);
+    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
+    let closer = all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect());
+    match closer.outcome() {
+        Outcome::Fails(_) => closer,
+        Outcome::Undecided if holds => closer,
+        Outcome::Holds(_) if holds => {
+            let samples = verdict.evidence().samples + closer.evidence().samples;
+            Verdict::new(verdict.outcome(), Evidence { samples, ..verdict.evidence().clone() })
         }
         _ => verdict,
     }
@@ -360,7 +400,7 @@ pub(super) fn unless_unresolved(trial: &Trial, verdict: Verdict) -> Verdict {
         evidence.reason = Some(match gap {
             Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
             _ => format!(
-                "{near} the formulas of the motion do more than samples can show; a part of the span by itself, or                  an enclosure, may decide"
+                "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
             ),
         });
         return Verdict::new(Outcome::Undecided, evidence);

@@ -15,6 +15,9 @@ use crate::number::{Bounded, NoValue};
 /// Share of points whose bound may be too large, for a claim that holds at all others.
 pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
 
+/// Errors below this are those of results that are too small for a number.
+const UNDERFLOW: f64 = 1e-290;
+
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
 
@@ -58,7 +61,12 @@ impl<'a> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
         let along = |series: &Series| {
             let within = |m: &Measured| m.difference.contains_zero();
-            series.iter().any(Result::is_ok) && series.iter().flatten().all(within)
+            let mut known = series.iter().flatten().map(within);
+            let (Some(first), last) = (known.next(), series.iter().flatten().next_back().is_some_and(within)) else {
+                return false;
+            };
+            // What is clear before and after did not fade away.
+            definedness && !first && !last || first && known.all(|w| w)
         };
         let equal = signs.iter().map(|s| s.iter().map(along).collect()).collect();
         MeasuredGroup { group, signs, definedness, floors, mute, equal }
@@ -107,11 +115,11 @@ fn floor(group: &[Series]) -> f64 {
     if typical > 0.0 {
         return typical;
     }
-    // Terms that are 0 most of the time are of the size that they have at other times.
+    // Terms that are 0 with an error this small are not 0, but too small for a number: nothing is small against them, if not
+    // what they are at other times.
     let all = || group.iter().flatten().flatten();
-    let largest = all().map(|m| m.magnitude).fold(0.0, f64::max);
-    // Terms that are 0 with an error are not 0, but too small for a number: nothing is small against them.
-    if largest > 0.0 || all().any(|m| m.difference.error > 0.0) { largest } else { 1.0 }
+    let error = all().map(|m| m.difference.error).fold(0.0, f64::max);
+    if error > 0.0 && error < UNDERFLOW { all().map(|m| m.magnitude).fold(0.0, f64::max) } else { 1.0 }
 }
 
 /// The median size of the terms of a comparison along the motion.

@@ -157,7 +157,7 @@ fn gaps(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f6
     while let Some((start, end)) = stack.pop() {
         let values = prober.values(start, end);
         let instant = end - start <= INSTANT * length;
-        let nowhere = values.iter().any(|x| *x == Err(NoValue::OutOfDomain));
+        let nowhere = values.contains(&Err(NoValue::OutOfDomain));
         let unclear = values.iter().find_map(|x| x.err().filter(|_| !nowhere));
         let steps = values.iter().zip(sizes).any(|(x, size)| x.is_ok_and(|all| all.width() > STEP * size + FLOOR));
         let what = match unclear {

@@ -7,7 +7,7 @@
 //! e⁻²ᵖ of the first.
 
 use crate::expr::Leaf;
-use crate::number::{Jet, NoValue, Orders, Scalar};
+use crate::number::{Jet, NoValue, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
@@ -66,6 +66,57 @@ pub(super) struct Walker<'a> {
     scale: Vec<f64>,
     top: Vec<f64>,
     last_step: f64,
+    kinks: Kinks,
+    /// What the states may be off for steps that end a little behind a kink.
+    pub(super) late: Vec<f64>,
+}
+
+/// The arguments of |·| in the right sides: where one changes its sign, no series goes on, and a step ends there.
+#[derive(Clone, Debug, Default)]
+struct Kinks {
+    /// Their slots.
+    slots: Vec<usize>,
+    /// Their coefficients around the present time, `order + 1` for each.
+    series: Vec<f64>,
+    /// How many were crossed.
+    crossed: usize,
+}
+
+/// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
+const MOST_KINKS: usize = 4_000;
+/// Times within a step at which the argument of |·| is looked at.
+const LOOKS: usize = 8;
+
+impl Kinks {
+    fn new(flow: &Flow) -> Kinks {
+        let of_abs = flow.tape.instructions().iter().filter(|i| i.op == Op::Abs);
+        Kinks { slots: of_abs.map(|i| i.a as usize).collect(), ..Kinks::default() }
+    }
+
+    /// Keeps the series of the arguments around the present time.
+    fn keep(&mut self, slots: &Slots<Jet<f64>>, order: usize) {
+        self.series.clear();
+        for &slot in &self.slots {
+            self.series.extend((0..=order).map(|k| slots.value(slot).coefficient(k)));
+        }
+    }
+
+    /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
+    fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
+        let changes = |(at, c): (usize, &[f64])| {
+            let now = c[0] > 0.0;
+            let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
+            let hit = (1..=LOOKS).find(|&j| changed(size * j as f64 / LOOKS as f64))?;
+            let (mut low, mut high) = (size * (hit - 1) as f64 / LOOKS as f64, size * hit as f64 / LOOKS as f64);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if changed(middle) { high = middle } else { low = middle }
+            }
+            Some((high, at))
+        };
+        // An argument without a change is a constant as far as this step goes.
+        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
 }
 
 /// A finished step, as far as its owner wants to keep it.
@@ -171,9 +222,12 @@ impl<'a> Walker<'a> {
             scale: vec![0.0; flow.group_count],
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
+            kinks: Kinks::new(flow),
+            late: vec![0.0; n],
         };
         flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
             .map_err(|(i, r)| Stop::NoRate(i, r))?;
+        walker.kinks.keep(&walker.slots, control.order);
         Ok(walker)
     }
 
@@ -197,8 +251,18 @@ impl<'a> Walker<'a> {
         }
         let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
         let mut why = Stop::Collapsed;
+        // A step that meets a kink ends behind it, as closely as time can tell.
+        let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
+        let mut behind = smallest;
+        if let Some((at, _)) = kink {
+            self.kinks.crossed += 1;
+            if self.kinks.crossed > MOST_KINKS {
+                return Err(Stop::Collapsed);
+            }
+            size = (at + behind).min(size);
+        }
         loop {
-            if size <= smallest && size < remaining {
+            if size <= smallest && size < remaining && kink.is_none() {
                 return Err(why);
             }
             let target = if size >= remaining { self.end } else { self.time + direction * size };
@@ -213,9 +277,29 @@ impl<'a> Walker<'a> {
                 self.next_low[i] = (x - (s - virtual_part)) + (y - virtual_part);
             }
             let grown = self.flow.expand(&mut self.slots, self.control.order, target, &self.next_state, &mut self.next);
+            if let Some((at, argument)) = kink {
+                let sign = |x: f64| if x > 0.0 { 1 } else { -i32::from(x < 0.0) };
+                let now = sign(self.kinks.series[argument * row]);
+                let then = self.slots.value(self.kinks.slots[argument]).coefficient(0);
+                if grown.is_err() || sign(then) != -now && now != 0 {
+                    // Not behind it yet.
+                    behind *= 4.0;
+                    if behind > 1e-9 * self.length || at + behind >= remaining {
+                        (kink, size) = (None, if at > 0.0 { at } else { 0.5 * size });
+                    } else {
+                        size = at + behind;
+                    }
+                    continue;
+                }
+            }
             match grown {
                 Err((i, reason)) => why = Stop::NoRate(i, reason),
-                Ok(()) if self.continues(h) => {
+                // Behind a kink the slope may be another one.
+                Ok(()) if kink.is_some() || self.continues(h) => {
+                    if let Some((at, _)) = kink {
+                        self.add_late(h, (size - at).abs() + smallest);
+                    }
+                    self.kinks.keep(&self.slots, self.control.order);
                     std::mem::swap(&mut self.now, &mut self.next);
                     std::mem::swap(&mut self.state, &mut self.next_state);
                     std::mem::swap(&mut self.low, &mut self.next_low);
@@ -226,6 +310,16 @@ impl<'a> Walker<'a> {
                 Ok(()) => {}
             }
             size *= 0.5;
+        }
+    }
+
+    /// The step went on for a time behind a kink, at the rates before it.
+    fn add_late(&mut self, h: f64, behind: f64) {
+        let row = self.control.order + 1;
+        for (i, late) in self.late.iter_mut().enumerate() {
+            let c = &self.now[i * row..(i + 1) * row];
+            let slope = (1..row).rev().fold(0.0, |slope, k| slope * h + c[k] * k as f64);
+            *late += (slope - self.next[i * row + 1]).abs() * behind;
         }
     }
 

@@ -244,9 +244,9 @@ impl Branch {
                 }
             }
             out.times.push(walker.time);
-            for ((l, x), b) in largest.iter_mut().zip(&walker.state).zip(state) {
+            for (((l, x), b), late) in largest.iter_mut().zip(&walker.state).zip(state).zip(&walker.late) {
                 *l = l.max(x.abs());
-                out.error.push(FLOOR * *l + 2.0 * b.error);
+                out.error.push(FLOOR * *l + 2.0 * b.error + SAFETY * late);
             }
         }
         Ok(out)
