@@ -235,7 +235,7 @@ impl<'a> Step<'a> {
         };
         if let (true, Some(&one)) = (moved, leaping.first()) {
             let reason = format!(
-                "both sides agree at one time and have the same rates, but {} may leap to another of its values between",
+                "both sides agree at one time and have the same rates, but `{}` may leap to another of its values between",
                 self.shown(one)
             );
             account = IdentityAccount { reason: Some(reason), ..self.open(&gathered, ONLY_RATES) };

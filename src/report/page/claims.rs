@@ -299,7 +299,7 @@ fn rejects(pair: &PairAccount) -> Option<String> {
 fn notes(pair: &PairAccount, shared: bool, scope: &Scope) -> Markup {
     let evidence = pair.verdict.evidence();
     html! {
-        @if shared { (common(pair).1) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
+        @if shared { (reason(common(pair).1, scope)) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }

@@ -27,6 +27,12 @@ pub(super) fn reason(text: &str, scope: &Scope) -> Markup {
         Some((subject, tail)) if !subject.contains([' ', '`']) => {
             html! { (formula(subject, scope)) " has no value" (prose(tail, scope)) }
         }
+        Some((subject, tail)) => match subject.rsplit_once(", ") {
+            Some((lead, name)) if !name.contains([' ', '`']) => {
+                html! { (prose(lead, scope)) ", " (formula(name, scope)) " has no value" (prose(tail, scope)) }
+            }
+            _ => prose(text, scope),
+        },
         _ => prose(text, scope),
     }
 }
