@@ -14,15 +14,7 @@ use rederive::diag::render;
 ///
 /// The files state the truth. A verdict that has become right must leave this list; a new wrong one fails the test.
 const KNOWN_WRONG: &[(&str, &str, &str, &str, &str)] = &[
-    (
-        "forms",
-        "rate-of-a-constant",
-        "formula",
-        "undecided",
-        "the size of a rate's terms is not looked for behind the dot",
-    ),
     ("systems", "kink", "kink", "fails", "the error estimate does not notice a kink of the right side, here 2e-13"),
-    ("precision", "cancellation-of-all-digits", "coarse", "holds", "the bound is compared with terms that cancel"),
 ];
 
 /// Claims that are wrongly proved in this version: none that is known.

@@ -169,7 +169,7 @@ fn what_the_comment_leaves_open() {
     // ψ₀ is real for some orders of the moments only: that is among the conditions.
     let given = format!("{}; I1 - I2 != 0; I1 > 0; I2 > 0; I3 > 0", comment::PSI0);
     let Identity::Proved(p) = test("sin(ps)^2 = I1*(I2 - I3)/(I3*(I2 - I1))", &given, "") else { panic!() };
-    let radicands = p.conditions.iter().filter(|c| matches!(c, Condition::Radicand(_))).count();
+    let radicands = p.conditions.iter().filter(|c| matches!(c, Condition::Discriminant(_))).count();
     assert_eq!(radicands, 2, "cos² ≥ 0 and 1 − cos² ≥ 0: {:?}", p.conditions);
 }
 

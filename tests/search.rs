@@ -65,7 +65,7 @@ fn read(text: &str) -> Derivation {
 }
 
 fn run(text: &str, claim: &str, seed: u64, tries: usize) -> SearchAccount {
-    let options = SearchOptions { claim: claim.into(), seed, tries };
+    let options = SearchOptions { claim: claim.into(), seed, tries, variant: None };
     search(&read(text), &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
@@ -159,6 +159,36 @@ fn a_motion_against_the_comment() {
 }
 
 #[test]
+fn a_motion_that_tells_an_altered_formula_from_the_claim() {
+    // At rest every formula for the energy would do.
+    let text = PENDULUM.replace("'q' = 0.1, 'p' = 0", "'q' = 0, 'p' = 0");
+    let mut derivation = read(&text);
+    let options = Options { claims: vec!["two".into()], ..Options::default() };
+    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let survivors = account.claims[0].variants.as_ref().expect("variants").survivors.clone();
+    assert!(!survivors.is_empty());
+    let search = |claim: &str, variant| {
+        let options = SearchOptions { claim: claim.into(), seed: 1, tries: 96, variant: Some(variant) };
+        search(&read(&text), &options, &|_, _| {})
+    };
+    for (n, survivor) in survivors.iter().enumerate() {
+        let found = search("two/true", n).unwrap_or_else(|e| panic!("{e:?}"));
+        assert_eq!(found.variant.as_ref(), Some(&survivor.formula));
+        let table = &found.found.as_ref().expect("a motion").table;
+        // On that motion the claim holds, and is no longer taken for its altered formula.
+        let mut pasted = read(&format!("{text}\n{table}"));
+        let account = check(&mut pasted, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        let pair = account.claims[0].results.last().expect("the new motion");
+        assert!(matches!(pair.verdict.outcome(), Outcome::Holds(_)), "{table}");
+        let left = &account.claims[0].variants.as_ref().expect("variants").survivors;
+        let alive = left.iter().any(|s| s.everywhere && s.formula == survivor.formula);
+        assert!(!alive, "{}\n{table}", survivor.formula);
+    }
+    assert!(search("two/true", survivors.len()).is_err());
+    assert!(search("two", 0).is_err(), "which reading is not said");
+}
+
+#[test]
 fn the_command() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("test.toml");
@@ -171,6 +201,7 @@ fn the_command() {
     assert!(table.contains("[[trajectory]]") && table.contains("against-never-round-1"), "{table}");
     run(&["energy", "--tries", "24"]).code(3).stdout(predicates::str::is_empty());
     run(&["listed"]).code(0).stderr(predicates::str::contains("names its trajectories"));
+    run(&["energy", "--variant", "999"]).code(2).stderr(predicates::str::contains("numbered from 0"));
     run(&["nothing"]).code(2).stdout(predicates::str::is_empty().and(predicates::str::is_empty()));
     // All of standard output can be appended to the file.
     std::fs::write(&path, format!("{PENDULUM}{table}")).expect("written");

@@ -40,16 +40,37 @@ fn the_cache_says_what_a_whole_check_says() {
     let from = &derivation.claims.iter().find(|c| c.follows_from.is_empty()).expect("one without premises").id;
     let claim = format!("id = \"{from}\"\n");
     let changed = text.replacen(&claim, &format!("{claim}precision = 1e-7\n"), 1);
-    assert_ne!(changed, text);
+    assert!(changed != text, "the edit changes something");
     if let Ok(found) = parse(Source { path: "k".into(), text: changed.clone() }, "kepler") {
         assert_eq!(found.claims.len(), derivation.claims.len());
         let checked = step(&mut cache, &changed);
         assert!(checked.contains(from) && checked.len() < all.len(), "{checked:?}");
     }
 
+    // Words and expectations: nothing is checked again, and they are there.
+    for (old, new) in [
+        ("says = \"", "says = \"Reworded: "),
+        ("remark = \"", "remark = \"Reworded: "),
+        ("holds = \"all\"", "fails = \"all\""),
+    ] {
+        let claims = changed.find("[[claim]]").expect("claims");
+        let (head, tail) = changed.split_at(claims);
+        let reworded = head.to_owned() + &tail.replacen(old, new, 2);
+        assert!(reworded != changed, "{old}");
+        assert!(step(&mut cache, &reworded).is_empty(), "{old}");
+        assert!(step(&mut cache, &changed).is_empty(), "{old}, and back");
+    }
+
+    // The formula of one claim, with the units that go with it.
+    let (head, tail) = changed.split_at(changed.find("[[claim]]").expect("claims"));
+    let squared = head.to_owned() + &tail.replacen(r"-\frac{\mu}{r^2}']", r"-\frac{\mu}{r}']", 1);
+    assert!(squared != changed, "the edit changes something");
+    let checked = step(&mut cache, &squared);
+    assert!(!checked.is_empty() && checked.len() < all.len(), "{checked:?}");
+
     // A motion: everything.
     let moved = text.replacen("span = [0, ", "span = [0.0, ", 1);
-    assert_ne!(moved, text);
+    assert!(moved != text, "the edit changes something");
     assert_eq!(step(&mut cache, &moved).len(), all.len());
 }
 
@@ -97,8 +118,36 @@ always = ['x>0']
     assert_eq!(step(&mut cache, &wrong), ["law", "second", "third"]);
     assert_eq!(step(&mut cache, &file), ["law", "second", "third"], "and back");
     let last = file.replace("2x", "3x");
-    assert_eq!(step(&mut cache, &last), ["law", "second", "third"], "premises are needed for the last");
+    assert_eq!(step(&mut cache, &last), ["third"], "what is known of the premises is enough");
+    let strange = last.replacen(r"always = ['\ddot x=x']", "always = ['\\ddot x=x']\nassuming = ['x>1']", 1);
+    assert_eq!(step(&mut cache, &strange), ["second", "third"]);
+    assert_eq!(step(&mut cache, &strange.replace("3x", "4x")), ["third"], "a premise that is not given everywhere");
+    // The numbers of a motion, and the symbols: everything.
+    for (old, new) in [
+        ("'x' = 1.5", "'x' = 1.75"),
+        ("role = 'state'", "role = 'state', unit = 'm'"),
+        ("span = [0, 2]", "span = [0, 3]"),
+    ] {
+        let changed = file.replacen(old, new, 1);
+        assert!(changed != file, "the edit changes something");
+        assert_eq!(step(&mut cache, &changed).len(), 4, "{old}");
+    }
+    assert_eq!(step(&mut cache, &file).len(), 4);
+    // Claims that come, go or move: everything.
     let without = file.split("[[claim]]\nid = 'alone'").next().expect("the rest");
-    step(&mut cache, without);
-    assert_eq!(step(&mut cache, &file), ["alone"]);
+    assert_eq!(step(&mut cache, without).len(), 3);
+    assert_eq!(step(&mut cache, &file).len(), 4);
+    let (head, alone) = file.split_at(file.find("[[claim]]\nid = 'alone'").expect("it is there"));
+    let first = head.find("[[claim]]").expect("claims");
+    let moved = format!("{}{alone}{}", &head[..first], &head[first..]);
+    assert_eq!(step(&mut cache, &moved).len(), 4);
+    // A symbol of a claim is known to the motions: everything.
+    let own = file.replacen(
+        "says = 'x is positive'",
+        "says = 'x is positive'\nsymbols = { 'y' = { role = 'observable', formula = 'x^2' } }",
+        1,
+    );
+    assert!(own != file, "the edit changes something");
+    step(&mut cache, &file);
+    assert_eq!(step(&mut cache, &own).len(), 4);
 }

@@ -68,8 +68,17 @@ impl PairAccount {
     }
 }
 
+/// Which assumptions of a claim its proof uses.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AssumptionsUsed {
+    /// Without these it fails, or leaves something out.
+    pub used: Vec<String>,
+    /// It holds without these.
+    pub unused: Vec<String>,
+}
+
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentityAccount {
     /// `proved`, `refuted` or `undecided`.
     pub verdict: &'static str,
@@ -77,8 +86,16 @@ pub struct IdentityAccount {
     pub log2_error: Option<f64>,
     /// What was given beside definitions and assumptions: ids of claims and systems.
     pub from: Vec<String>,
-    /// What has to hold for the formulas to have values, and for the proof to reach a point.
+    /// What has to hold for the formulas to have values.
     pub conditions: Vec<String>,
+    /// What the proof does not reach: special cases, and what it takes for granted of motions.
+    pub exceptions: Vec<String>,
+    /// Where alone what is given can hold, special cases aside.
+    pub given_only_where: Vec<String>,
+    /// Of the claim's assumptions, those that the proof uses; `None` where that was not looked at.
+    pub assumptions: Option<AssumptionsUsed>,
+    /// Assumptions of what is given, which this claim does not make itself.
+    pub presupposed: Vec<String>,
     /// Whether the proof leaves out special cases of what is given.
     pub generic: bool,
     /// Why undecided; a remark on a proof.
@@ -90,6 +107,22 @@ pub struct IdentityAccount {
 }
 
 impl IdentityAccount {
+    /// What a proof needs and leaves out: a heading for each list that is not empty.
+    pub fn terms(&self) -> Vec<(&'static str, Vec<String>)> {
+        let mut out = vec![
+            ("It holds where", self.conditions.clone()),
+            ("The proof does not reach", self.exceptions.clone()),
+            ("What is given holds, special cases aside, only where", self.given_only_where.clone()),
+            ("What is given assumes", self.presupposed.clone()),
+        ];
+        if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {
+            out.push(("Of the assumptions it uses", used.clone()));
+            out.push(("Of the assumptions it does not use", unused.clone()));
+        }
+        out.retain(|(_, lines)| !lines.is_empty());
+        out
+    }
+
     /// The verdict in one sentence.
     pub fn sentence(&self) -> String {
         let given = if self.from.is_empty() {

@@ -102,7 +102,11 @@ impl<'a> Between<'a> {
             _ => course.values(t),
         };
         let points: Vec<Values> = found.iter().map(point).collect();
-        let measured = measure(program, &points, Some(along));
+        let mut measured = measure(program, &points, Some(along));
+        // Where the sign changes, the sides are equal.
+        for group in &mut measured.groups {
+            group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
+        }
         let (times, roles) = found.into_iter().unzip();
         Between { times, points, roles, open, measured, position }
     }
@@ -136,7 +140,7 @@ impl<'a> Between<'a> {
         let judged = Judged::new(group, trial.claim.precision);
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
-            Role::Probe(_) => Left::Out(String::new()),
+            Role::Probe(_) | Role::Vanishing(_) => Left::Out(String::new()),
             _ => left.clone(),
         };
         let left: Vec<Left> = applied.left.iter().zip(&self.roles).map(weighed).collect();

@@ -52,7 +52,11 @@ impl Comparison {
 
 /// The size of the terms of both sides, observables traced back to what they are computed from.
 pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Expr {
-    let (l, r) = (traced(graph, scope, left), traced(graph, scope, right));
+    let (mut l, mut r) = (traced(graph, scope, left), traced(graph, scope, right));
+    if graph.is_zero(l) || graph.is_zero(r) {
+        // That the rate of an observable vanishes: its terms cancel, so that its own size is none.
+        (l, r) = (behind_rates(graph, scope, l), behind_rates(graph, scope, r));
+    }
     let (a, b) = (magnitude(graph, l), magnitude(graph, r));
     graph.add(a, b)
 }
@@ -90,6 +94,22 @@ pub(super) fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
 /// times stay.
 pub(super) fn traced_now(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     replaced(graph, scope, e, false)
+}
+
+/// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays.
+fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    let Some(time) = scope.time() else { return e };
+    let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+    let formed = graph.substitute(e, |graph, leaf| {
+        let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate > 0 && leaf.instant.is_none())?;
+        let mut value = definition.components.get(usize::from(leaf.component)).copied()?;
+        value = traced_now(graph, scope, value);
+        for _ in 0..leaf.rate {
+            value = graph.time_derivative(value, time, moves).ok()?;
+        }
+        Some(value)
+    });
+    traced(graph, scope, formed)
 }
 
 fn replaced(graph: &mut Graph, scope: &Scope, e: Expr, at_instants: bool) -> Expr {

@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod met;
 mod occurrence;
 mod picture;
 mod program;
@@ -33,6 +34,7 @@ pub mod separation;
 mod series;
 mod stage;
 mod step;
+mod telling;
 mod trial;
 pub mod units;
 mod variant;
@@ -48,8 +50,8 @@ pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{
-    AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK,
-    altered_formulas, says_the_same,
+    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor, VariantAccount,
+    WEAK, altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
@@ -107,10 +109,20 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, true, progress)?;
+    let mut account = check_and(derivation, options, &[], true, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
+}
+
+/// The accounts of the claims that are asked for, beside others that are known from before: these are premises as if they
+/// had been tried again.
+fn check_beside(
+    derivation: &mut Derivation,
+    options: &Options,
+    known: &[ClaimAccount],
+) -> Result<Vec<ClaimAccount>, CheckError> {
+    Ok(check_and(derivation, options, known, true, &|_, _| {})?.claims)
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -119,13 +131,14 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, false, progress)
+    check_and(derivation, options, &[], false, progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
 fn check_and(
     derivation: &mut Derivation,
     options: &Options,
+    known: &[ClaimAccount],
     separating: bool,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
@@ -178,7 +191,7 @@ fn check_and(
     wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph)));
     wanted.extend(measures.iter().flat_map(|m| m.leaves(&derivation.graph)));
     wanted.extend(same_motion::leaves(derivation));
-    wanted.extend(altered.iter().flat_map(|a| a.leaves(starts.len(), sign)));
+    wanted.extend(altered.iter().flat_map(|a| a.leaves(derivation, starts.len(), sign)));
     wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
@@ -239,7 +252,7 @@ fn check_and(
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
-            let course = (!probes.is_empty()).then_some(course);
+            let course = (!probes.is_empty() || altered.is_some()).then_some(course);
             Ok(((verdicts, measured, drawn), (weighed, course)))
         })
         .collect();
@@ -251,7 +264,7 @@ fn check_and(
         .map(|k| {
             let claim = &derivation.claims[claimed[k]];
             let step = Step::of(derivation, claim)?;
-            match counterexample(derivation, claim, k, &claimed, &tried, &columns) {
+            match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
                 None => step.decide(),
             }
@@ -260,9 +273,9 @@ fn check_and(
     let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
-    let courses = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, &tried).map_err(CheckError::Defect)?;
+    let mut courses: Vec<Course> = courses.into_iter().flatten().collect();
+    probes.separate(derivation, &gradients, &start_of, &mut courses, &mut account);
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
@@ -271,7 +284,7 @@ fn check_and(
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
-        altered.conclude(derivation, &mut account.claims, &weighed, &places)?;
+        altered.conclude(derivation, &mut account.claims, &weighed, &places, &mut courses)?;
     }
     Ok(account)
 }
@@ -282,6 +295,7 @@ fn counterexample<'a>(
     claim: &Claim,
     k: usize,
     claimed: &[usize],
+    known: &[ClaimAccount],
     tried: &[usize],
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
@@ -290,16 +304,28 @@ fn counterexample<'a>(
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
-            Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
+            Premise::Claim(premise) => {
+                let of_this_run = claimed.iter().position(|&c| c == premise).and_then(|k| verdicts[k].as_ref());
+                let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
-                let throughout =
-                    |v: &Verdict| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty();
-                verdicts[k].as_ref().is_some_and(throughout)
-            }),
+                verdict.is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty())
+            }
             Premise::Definition => true,
         };
         if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
     })
+}
+
+/// The verdict on a claim, by its position, that is known from before.
+fn known_verdict<'a>(
+    derivation: &Derivation,
+    known: &'a [ClaimAccount],
+    claim: usize,
+    trajectory: usize,
+) -> Option<&'a Verdict> {
+    let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
+    let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
+    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
 }
 
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
@@ -339,7 +365,7 @@ fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gr
             let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
             Verdict::new(Outcome::Undecided, evidence)
         }
-        _ => verdict,
+        _ => trial::unless_unresolved(trial, verdict),
     }
 }
 
@@ -359,6 +385,7 @@ fn strengthen(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     claimed: &[usize],
+    known: &[ClaimAccount],
     tried: &[usize],
 ) -> Result<(), String> {
     // Each round may prove claims that follow from those of the round before.
@@ -378,10 +405,14 @@ fn strengthen(
                 };
                 let given = |name: &String| match derivation.premise(name) {
                     Premise::System(system) => is_integrated_from(derivation, t, system),
-                    Premise::Claim(premise) => claimed.iter().position(|&c| c == premise).is_some_and(|k| {
-                        let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory);
-                        pair.is_some_and(|p| p.verdict.outcome() == Outcome::Holds(Strength::Proved))
-                    }),
+                    Premise::Claim(premise) => {
+                        let here = claimed.iter().position(|&c| c == premise).and_then(|k| {
+                            let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory)?;
+                            Some(&pair.verdict)
+                        });
+                        let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                        verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
+                    }
                     Premise::Definition => true,
                 };
                 if !identity.from.iter().all(given) {

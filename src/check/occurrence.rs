@@ -6,6 +6,7 @@ use super::between::Between;
 use super::comparison::Standing;
 use super::describe::short;
 use super::program::Use;
+use super::series::residuals;
 use super::trial::Trial;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict, Witness};
 use super::weigh::{Judged, Left, MeasuredGroup, Setting, witness};
@@ -32,13 +33,12 @@ fn point(setting: &Setting, judged: &Judged, (i, s): (usize, usize), between: bo
 }
 
 /// The first time that counts at which a group holds: among the samples, otherwise between them.
-fn first(trial: &Trial, setting: &Setting, group: &MeasuredGroup, between: &Looked<'_, '_>) -> Option<Occurrence> {
-    let judged = Judged::new(group, setting.precision);
+fn first(trial: &Trial, setting: &Setting, judged: &Judged, between: &Looked<'_, '_>) -> Option<Occurrence> {
     let holding = (0..setting.times.len())
         .filter(|&i| setting.left[i] == Left::In)
         .find_map(|i| (0..judged.whole.len()).find(|&s| judged.whole[s][i] == Standing::Satisfied).map(|s| (i, s)));
     if let Some(at) = holding {
-        return point(setting, &judged, at, false);
+        return point(setting, judged, at, false);
     }
     let between = between()?;
     let at = between.holding(trial)?;
@@ -57,7 +57,11 @@ pub(super) fn occurrence(
     let never = matches!(how, Use::Never(_));
     let counted = setting.left.iter().filter(|l| **l == Left::In).count();
     let mut evidence = Evidence { samples: counted, ..Evidence::default() };
-    match first(trial, setting, group, between) {
+    let judged = Judged::new(group, setting.precision);
+    let nearest = closest(setting, group);
+    // How far the sides are apart is worth seeing, whatever was found.
+    evidence.series = residuals(setting, &judged, nearest.as_ref().map(|(_, at)| *at), true);
+    match first(trial, setting, &judged, between) {
         Some(found) if never => {
             evidence.witness = Some(found.witness);
             return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
@@ -75,7 +79,7 @@ pub(super) fn occurrence(
         None => {}
     }
     if never {
-        let closest = closest(setting, group);
+        let closest = nearest.map(|(residual, _)| residual);
         let approach = closest
             .as_ref()
             .map_or(String::new(), |r| format!("; the sides come closest, to {:.3e}, at t = {}", r.max, short(r.at)));
@@ -95,15 +99,15 @@ pub(super) fn occurrence(
     Verdict::new(Outcome::Undecided, evidence)
 }
 
-/// The closest approach of the sides of a group, for the reader.
-fn closest(setting: &Setting, group: &MeasuredGroup) -> Option<Residual> {
-    let mut closest: Option<Residual> = None;
-    for c in group.signs.iter().flatten() {
-        for (i, m) in c.iter().enumerate() {
+/// The closest approach of the sides of a group, for the reader, with its comparison and time.
+fn closest(setting: &Setting, group: &MeasuredGroup) -> Option<(Residual, (usize, usize))> {
+    let mut closest: Option<(Residual, (usize, usize))> = None;
+    for (c, series) in group.signs.iter().flat_map(|s| s.iter().enumerate()) {
+        for (i, m) in series.iter().enumerate() {
             if let (Ok(m), Left::In) = (m, &setting.left[i]) {
                 let size = m.difference.value.abs();
-                if closest.as_ref().is_none_or(|r| size < r.max) {
-                    closest = Some(Residual { max: size, bound: m.difference.error, at: setting.times[i] });
+                if closest.as_ref().is_none_or(|(r, _)| size < r.max) {
+                    closest = Some((Residual { max: size, bound: m.difference.error, at: setting.times[i] }, (c, i)));
                 }
             }
         }

@@ -277,8 +277,18 @@ impl Program {
     /// The expressions whose zeros along a motion the claim depends on.
     pub fn searched(&self) -> Vec<Expr> {
         let groups = self.groups.iter().flat_map(|(how, group)| how.boundaries(group)).map(|(_, e)| e);
+        let groups = groups.chain(self.met().map(|(_, _, e)| e));
         // What is tried at events only is not looked at between them.
         self.at.map_or_else(|| groups.collect(), |e| vec![e])
+    }
+
+    /// What vanishes where an inequality among the assumptions may change, with the assumption and the relation.
+    pub fn met(&self) -> impl Iterator<Item = (&Assumption, RelationKind, Expr)> {
+        let selecting = self.assumptions.iter().filter(|a| !a.throughout);
+        let comparisons = selecting.flat_map(|a| a.group.comparisons.iter().map(move |c| (a, c)));
+        // What differs from a number does so on all sides of it.
+        let inequalities = comparisons.filter(|(_, c)| c.kind != RelationKind::NotEqual);
+        inequalities.flat_map(|(a, c)| c.boundaries.iter().map(move |&e| (a, c.kind, e)))
     }
 
     /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
@@ -326,6 +336,11 @@ impl Program {
     /// The position among the leaves of a point of an input of the tape.
     pub fn input(&self, position: usize) -> Option<usize> {
         self.inputs.get(position).copied()
+    }
+
+    /// The leaf that stands for the sign of ±.
+    pub fn sign(&self) -> Leaf {
+        self.sign
     }
 
     /// The tape, once compiled.

@@ -15,7 +15,7 @@
 use super::verdict::{Outcome, Verdict};
 use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::{Derivation, GivenValue, Motion, Trajectory, parse};
-use crate::diag::Source;
+use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
 use crate::number::Draws;
 
@@ -35,6 +35,9 @@ pub struct SearchOptions {
     pub seed: u64,
     /// How many motions are tried at most.
     pub tries: usize,
+    /// Not the claim shall fail but one of its altered formulas, while the claim holds: its number among those that some motion
+    /// does not reject, as reports list them.
+    pub variant: Option<usize>,
 }
 
 /// How the tries ended.
@@ -78,8 +81,10 @@ pub struct SearchAccount {
     pub found: Option<Found>,
     /// How the tries ended, up to the one that was taken.
     pub tally: Tally,
-    /// Trajectories of the file on which the claim fails already.
+    /// Trajectories of the file on which the claim, or its altered formula, fails already.
     pub known: Vec<String>,
+    /// The altered formula that is meant.
+    pub variant: Option<String>,
 }
 
 /// A value of a trajectory.
@@ -290,11 +295,33 @@ struct Trial<'d> {
     derivation: &'d Derivation,
     names: Vec<String>,
     id: String,
+    /// The same claims as the file has them, where they are altered: these must hold.
+    printed: Option<Box<Trial<'d>>>,
 }
 
 impl Trial<'_> {
-    /// The verdicts on drafts: for each the first claim that fails, else the first verdict of all.
+    /// The verdicts on drafts: for each the first claim that fails, else the first verdict of all. Where an altered claim
+    /// fails and the claim itself does not hold, nothing is told apart: the verdict is then that of the claim, or undecided.
     fn verdicts(&self, drafts: &[Draft]) -> Result<Vec<Option<(String, Verdict)>>, CheckError> {
+        let mut out = self.verdicts_here(drafts)?;
+        let Some(printed) = &self.printed else { return Ok(out) };
+        let fails =
+            |v: &Option<(String, Verdict)>| v.as_ref().is_some_and(|(_, v)| matches!(v.outcome(), Outcome::Fails(_)));
+        let at: Vec<usize> = (0..out.len()).filter(|&i| fails(&out[i])).collect();
+        let those: Vec<Draft> = at.iter().filter_map(|&i| drafts.get(i).cloned()).collect();
+        for (i, own) in at.into_iter().zip(printed.verdicts_here(&those)?) {
+            match own {
+                Some((_, verdict)) if matches!(verdict.outcome(), Outcome::Holds(_)) => {}
+                Some((name, verdict)) if matches!(verdict.outcome(), Outcome::Fails(_)) => {
+                    out[i] = Some((name, super::undecided("the claim itself fails".to_owned())));
+                }
+                other => out[i] = other,
+            }
+        }
+        Ok(out)
+    }
+
+    fn verdicts_here(&self, drafts: &[Draft]) -> Result<Vec<Option<(String, Verdict)>>, CheckError> {
         let id = |i: usize| format!("{}-{i}", self.id);
         let mut text = self.derivation.file.text.clone();
         for (i, draft) in drafts.iter().enumerate() {
@@ -335,7 +362,7 @@ impl Trial<'_> {
                 several => {
                     let mut out = Vec::new();
                     for draft in several {
-                        out.extend(self.verdicts(std::slice::from_ref(draft))?);
+                        out.extend(self.verdicts_here(std::slice::from_ref(draft))?);
                     }
                     Ok(out)
                 }
@@ -418,22 +445,81 @@ impl Trial<'_> {
 
 /// Looks for a motion on which a claim fails. `progress` is told how many of how many tries are done.
 ///
-/// The claim is judged as it is written. A claim that is written otherwise, such as a variant of it, is searched for by giving
-/// a derivation in which it stands.
+/// The claim is judged as it is written; with `variant`, the motion is one on which it holds and that altered formula fails.
 ///
 /// # Errors
-/// See [`check`](super::check).
+/// See [`check`](super::check); and [`CheckError::Problems`] where there is no such altered formula.
 pub fn search(
     derivation: &Derivation,
+    options: &SearchOptions,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<SearchAccount, CheckError> {
+    let Some(number) = options.variant else { return search_in(derivation, None, options, progress) };
+    let (altered, formula) = altered(derivation, options, number)?;
+    let found = search_in(&altered, Some(derivation), options, progress)?;
+    Ok(SearchAccount { variant: Some(formula), ..found })
+}
+
+/// The derivation with an altered formula in the place of the printed one, and that formula.
+fn altered(
+    derivation: &Derivation,
+    options: &SearchOptions,
+    number: usize,
+) -> Result<(Derivation, String), CheckError> {
+    let problem = |text: String, hint: &str| {
+        let found = Diagnostic::at(&derivation.file, "search::no-variant", 0..0, text);
+        CheckError::Problems(vec![found.hint(hint)])
+    };
+    let meant: Vec<_> =
+        derivation.claims.iter().filter(|c| c.id == options.claim || c.name() == options.claim).collect();
+    let [claim] = meant.as_slice() else {
+        let text = format!("`{}` has several readings", options.claim);
+        return Err(problem(text, "altered formulas are numbered for each reading: give `id/reading`"));
+    };
+    let mut copy = derivation.clone();
+    copy.measures.clear();
+    let account =
+        check_claims(&mut copy, &Options { claims: vec![claim.id.clone()], ..Options::default() }, &|_, _| {})?;
+    let found = account.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading);
+    let survivors = found.and_then(|c| c.variants.as_ref()).map_or(&[][..], |v| v.survivors.as_slice());
+    let Some(survivor) = survivors.get(number) else {
+        let text =
+            format!("`{}` has {} altered formulas that some motion does not reject", options.claim, survivors.len());
+        return Err(problem(text, "they are numbered from 0, in report.md and report.json"));
+    };
+    let Some(place) = survivor.place.clone() else {
+        let text = format!("`{}` stands in a definition, not in the claim", survivor.printed);
+        return Err(problem(text, "a definition that is altered would alter every claim that uses it"));
+    };
+    let mut text = derivation.file.text.clone();
+    if text.get(place.clone()).is_some() {
+        text.replace_range(place, &survivor.formula);
+    }
+    let path = derivation.file.path.clone();
+    let mut altered = parse(Source { path, text }, &derivation.id).map_err(CheckError::Problems)?;
+    // What shares the formula keeps it.
+    altered.claims.retain(|c| c.id == claim.id);
+    Ok((altered, survivor.formula.clone()))
+}
+
+fn search_in(
+    derivation: &Derivation,
+    printed: Option<&Derivation>,
     options: &SearchOptions,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<SearchAccount, CheckError> {
     let meant = derivation.claims.iter().filter(|c| c.id == options.claim || c.name() == options.claim);
     let names: Vec<String> = meant.map(|c| c.name()).collect();
     let id = fresh_id(derivation, options);
-    let trial = Trial { derivation, names: names.clone(), id: id.clone() };
+    let of = |derivation, printed| Trial { derivation, names: names.clone(), id: id.clone(), printed };
+    let trial = of(derivation, printed.map(|p| Box::new(of(p, None))));
     let families: Vec<Draft> = derivation.trajectories.iter().filter_map(|t| Draft::of(derivation, t)).collect();
-    let mut out = SearchAccount { found: None, tally: Tally::default(), known: known(derivation, options)? };
+    let mut out = SearchAccount {
+        found: None,
+        tally: Tally::default(),
+        known: known(derivation, printed, options)?,
+        variant: None,
+    };
     let mut next = 0;
     while next < options.tries && !families.is_empty() && !names.is_empty() {
         let numbers: Vec<usize> = (next..options.tries.min(next + BATCH)).collect();
@@ -471,8 +557,16 @@ pub fn search(
     Ok(out)
 }
 
-/// The trajectories of the file on which the claim fails.
-fn known(derivation: &Derivation, options: &SearchOptions) -> Result<Vec<String>, CheckError> {
+/// The trajectories of the file on which the claim fails; of an altered claim, where it does not fail as printed.
+fn known(
+    derivation: &Derivation,
+    printed: Option<&Derivation>,
+    options: &SearchOptions,
+) -> Result<Vec<String>, CheckError> {
+    let own = match printed {
+        Some(printed) => known(printed, None, options)?,
+        None => Vec::new(),
+    };
     let mut copy = derivation.clone();
     copy.measures.clear();
     let claim = options.claim.split('/').next().unwrap_or_default().to_owned();
@@ -486,13 +580,15 @@ fn known(derivation: &Derivation, options: &SearchOptions) -> Result<Vec<String>
             out.push(pair.trajectory.clone());
         }
     }
+    out.retain(|t| !own.contains(t));
     Ok(out)
 }
 
 /// An id that the file does not have yet, and that no other begins with.
 fn fresh_id(derivation: &Derivation, options: &SearchOptions) -> String {
     let claim: String = options.claim.chars().take(60).map(|c| if c == '/' { '-' } else { c }).collect();
-    let mut id = format!("against-{claim}-{}", options.seed);
+    let variant = options.variant.map(|n| format!("-variant-{n}")).unwrap_or_default();
+    let mut id = format!("against-{claim}{variant}-{}", options.seed);
     while derivation.trajectories.iter().any(|t| t.id.starts_with(&id)) {
         id.push('x');
     }

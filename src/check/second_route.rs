@@ -131,7 +131,7 @@ pub(super) fn answer(
 
 /// The identity as far as the evidence reaches: a certificate holds wherever the premises do and the formulas have a value, also
 /// where something vanishes that the first route divided by.
-fn reach(mut identity: Identity, evidence: &IdentityEvidence) -> Identity {
+pub(super) fn reach(mut identity: Identity, evidence: &IdentityEvidence) -> Identity {
     let certified = !evidence.certificates.is_empty();
     if let Identity::Proved(proof) = &mut identity
         && certified

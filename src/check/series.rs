@@ -17,6 +17,8 @@ pub struct Residuals {
     pub formula: String,
     /// Whether it is an equation: then a residual within its bound is a pass.
     pub equation: bool,
+    /// Whether the relation is looked for at some time, rather than compared at all: a residual near 0 is then a find.
+    pub sought: bool,
     /// How many samples there were.
     pub of: usize,
     /// The samples that were kept.
@@ -43,7 +45,12 @@ pub struct ResidualPoint {
 /// The comparison `chosen` (comparison, time) at evenly spaced samples among those that count, and at that time.
 ///
 /// For ± the sign that does best at each time is shown. Cost: a few hundred operations for a pair.
-pub(super) fn residuals(setting: &Setting, judged: &Judged, chosen: Option<(usize, usize)>) -> Option<Arc<Residuals>> {
+pub(super) fn residuals(
+    setting: &Setting,
+    judged: &Judged,
+    chosen: Option<(usize, usize)>,
+    sought: bool,
+) -> Option<Arc<Residuals>> {
     let (comparison, at) = chosen?;
     if judged.measured.definedness {
         return None;
@@ -69,6 +76,7 @@ pub(super) fn residuals(setting: &Setting, judged: &Judged, chosen: Option<(usiz
     Some(Arc::new(Residuals {
         formula: described.label.clone(),
         equation: described.kind == crate::latex::RelationKind::Equal,
+        sought,
         of: counted.len(),
         points: kept.iter().filter_map(point).collect(),
     }))

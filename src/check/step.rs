@@ -26,12 +26,13 @@
 mod gather;
 mod wording;
 
-use super::account::IdentityAccount;
+use super::account::{AssumptionsUsed, IdentityAccount};
 use super::comparison::at_instant;
 use super::identity::{
-    Branches, Condition, Identity, Options, Premises, Proof, Reason, branches_test, identity_test, order,
+    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, branches_test_after, identity_test_after,
+    order,
 };
-use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of};
+use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -45,6 +46,17 @@ pub(super) struct Step<'a> {
     graph: Graph,
     /// The last question that was settled, where it was one question: what the second route is asked.
     settled: Option<Settled>,
+    /// Where the last proof was found.
+    proved_at: Level,
+    /// What is known to be open.
+    memory: Memory,
+}
+
+/// What a proof took: how many of the definitions, see [`Definitions::LEVELS`], and whether products were taken apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Level {
+    split: bool,
+    definitions: usize,
 }
 
 /// A question that the random test answered.
@@ -81,6 +93,9 @@ const MOST_CASES: usize = 12;
 /// Claims with more assumptions are not tried without each of them.
 const MOST_ASSUMPTIONS: usize = 6;
 
+/// Solving without an assumption is given up when it has made this many nodes: then the assumption counts as used.
+const LEFT_OUT_NODES: usize = 8_000;
+
 /// Whether something is proved, and no case was left out.
 fn without_exceptions(identity: &Identity) -> bool {
     matches!(identity, Identity::Proved(p) if !p.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))))
@@ -90,7 +105,14 @@ impl<'a> Step<'a> {
     /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
     /// about parameters only.
     pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
-        let step = Step { derivation, claim, graph: derivation.graph.clone(), settled: None };
+        let step = Step {
+            derivation,
+            claim,
+            graph: derivation.graph.clone(),
+            settled: None,
+            proved_at: Level::default(),
+            memory: Memory::default(),
+        };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
         (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
     }
@@ -124,8 +146,9 @@ impl<'a> Step<'a> {
     }
 
     fn is_positive_parameter(&self, leaf: Leaf) -> bool {
-        let symbols = self.derivation.symbols.iter();
-        symbols.clone().any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
+        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
+        let mut symbols = self.derivation.symbols.iter().chain(of_claims);
+        symbols.any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
@@ -154,21 +177,18 @@ impl<'a> Step<'a> {
     /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
     pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
         let conditions = match self.is_about_parameters() {
-            true => Step { graph: self.graph.clone(), settled: None, ..*self }.where_real(),
+            true => Step::of(self.derivation, self.claim).map(|step| step.where_real()).unwrap_or_default(),
             false => Vec::new(),
         };
         IdentityAccount {
             verdict: "refuted",
-            log2_error: None,
             from: Step::given(self.derivation, self.claim),
             conditions,
-            generic: false,
-            reason: None,
             witness: Some(format!(
                 "left {}, right {} on the trajectory {trajectory} at t = {}",
                 witness.left, witness.right, witness.t
             )),
-            evidence: IdentityEvidence::default(),
+            ..IdentityAccount::default()
         }
     }
 
@@ -207,20 +227,47 @@ impl<'a> Step<'a> {
             Ok(evidence) => evidence,
             Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
-        let account = self.account(identity, gathered.from.clone(), gathered.complete);
+        let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
         let mut account = IdentityAccount { evidence, ..account };
-        account.generic |= account.verdict == "proved" && moved && self.jumps(&equations);
+        let leaping = match account.verdict {
+            "proved" => self.leaping(&gathered, &equations, moved),
+            _ => Vec::new(),
+        };
+        if let (true, Some(&one)) = (moved, leaping.first()) {
+            let reason = format!(
+                "both sides agree at one time and have the same rates, but {} may leap to another of its values between",
+                self.shown(one)
+            );
+            account = IdentityAccount { reason: Some(reason), ..self.open(&gathered, ONLY_RATES) };
+        }
         if account.verdict == "proved" {
-            if let Some(line) = self.assumptions_used(&equations, moved) {
-                account.conditions.push(line);
-            }
-            if !gathered.inherited.is_empty() {
-                account.generic = true;
-                let inherited = gathered.inherited.iter().map(|a| format!("{a} (assumed by what is given)"));
-                account.conditions.extend(inherited);
-            }
+            account.assumptions = self.assumptions_used(&equations, moved);
+            account.generic |= !gathered.inherited.is_empty();
+            account.presupposed.clone_from(&gathered.inherited);
+            account.exceptions.extend(self.continuation(&equations, moved, &leaping));
         }
         Some(Ok(account))
+    }
+
+    /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
+    fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
+        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut out = self.leaps(equations);
+        let (proved_at, settled) = (self.proved_at, self.settled.take());
+        out.retain(|&e| {
+            let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+            let zero = self.graph.integer(0);
+            let rates: Option<Pairs> = arguments
+                .into_iter()
+                .map(|a| self.graph.time_derivative(a, time, moves).ok().map(|rate| (rate, zero)))
+                .collect();
+            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false)))
+        });
+        (self.proved_at, self.settled) = (proved_at, settled);
+        out
     }
 
     /// The account of a step that stays open, for a reason.
@@ -249,7 +296,7 @@ impl<'a> Step<'a> {
     /// One question, with more and more definitions.
     fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let mut tried: Option<Premises> = None;
-        for which in Definitions::PARTS {
+        for (definitions, which) in Definitions::PARTS.into_iter().enumerate() {
             let premises = self.premises(gathered, equations, which);
             if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
                 continue;
@@ -262,6 +309,7 @@ impl<'a> Step<'a> {
                 {
                     proof = again;
                 }
+                self.proved_at = Level { split, definitions };
                 let settled = self.settled.take();
                 let identity = self.with_all_definitions(proof, gathered, equations, split);
                 self.settled = settled;
@@ -270,6 +318,7 @@ impl<'a> Step<'a> {
             tried = Some(premises);
         }
         let premises = self.premises(gathered, equations, Definitions::All);
+        self.proved_at = Level { split, definitions: Definitions::PARTS.len() };
         self.ask(&premises, equations, &Options::default(), split)
     }
 
@@ -380,16 +429,19 @@ impl<'a> Step<'a> {
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         if !self.graph.leaves(roots).contains(&sign) {
-            return identity_test(&mut self.graph, equations, premises, options);
+            return identity_test_after(&mut self.memory, &mut self.graph, equations, premises, options);
         }
         let branches = [1, -1].map(|value| self.branch(equations, value));
-        let Branches { throughout: mut each, pointwise } = branches_test(&mut self.graph, &branches, premises, options);
+        let Branches { throughout: mut each, pointwise } =
+            branches_test_after(&mut self.memory, &mut self.graph, &branches, premises, options);
         if !self.claim.branches_throughout {
             return pointwise;
         }
         // Proved if one branch is; a refutation needs both.
-        let proved = each.iter().position(|i| matches!(i, Identity::Proved(_)));
-        each.swap_remove(proved.unwrap_or(0))
+        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
+        let proved = first(|i| matches!(i, Identity::Proved(_)));
+        let open = || first(|i| matches!(i, Identity::Undecided(_)));
+        each.swap_remove(proved.or_else(open).unwrap_or(0))
     }
 
     /// Equations with one sign in place of ±.
@@ -402,6 +454,17 @@ impl<'a> Step<'a> {
 
     /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always.
     fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        let all = self.start_and_rates(gathered, equations)?;
+        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
+        let found = self.levels(gathered, &all, false);
+        if proved(&found) {
+            return Some(found);
+        }
+        Some(self.levels(gathered, &all, true)).filter(proved)
+    }
+
+    /// The equations at a fixed time, and their rates; `None` where there is no such time.
+    fn start_and_rates(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let leaves = self.graph.leaves(roots);
@@ -421,53 +484,56 @@ impl<'a> Step<'a> {
             all.extend([(then[0], then[1]), (left, right)]);
         }
         all.retain(|(l, r)| l != r);
-        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
-        let found = self.levels(gathered, &all, false);
-        if proved(&found) {
-            return Some(found);
-        }
-        Some(self.levels(gathered, &all, true)).filter(proved)
+        Some(all)
     }
 
-    /// The assumptions of the claim that its proof needs, in words; `None` where it has none. One is not needed only if
+    /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if
     /// a proof without it leaves out no case: the case left out may be the one that it excludes.
-    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<String> {
+    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<AssumptionsUsed> {
         let count = self.claim.assuming.len();
         if count == 0 || count > MOST_ASSUMPTIONS {
             return None;
         }
+        let least = self.proved_at;
         let mut left_out: Vec<usize> = Vec::new();
         for at in 0..count {
             let mut without = left_out.clone();
             without.push(at);
             let gathered = self.gather(Some(&without));
             let holds = match moved {
-                false => self.levels_proved(&gathered, equations),
-                true => self.by_rate(&gathered, equations).is_some_and(|found| without_exceptions(&found)),
+                false => self.is_proved(&gathered, equations, least),
+                true => match self.start_and_rates(&gathered, equations) {
+                    Some(all) => self.is_proved(&gathered, &all, least),
+                    None => false,
+                },
             };
             if holds {
                 left_out = without;
             }
         }
-        let used: Vec<&str> =
-            (0..count).filter(|i| !left_out.contains(i)).map(|i| self.claim.assuming[i].text.as_str()).collect();
-        let unused: Vec<&str> = left_out.iter().map(|&i| self.claim.assuming[i].text.as_str()).collect();
-        Some(match (used.is_empty(), unused.is_empty()) {
-            (false, true) => format!("this step itself uses all assumptions: {}", used.join(", ")),
-            (false, false) => {
-                format!("of the assumptions this step itself uses {}, and not {}", used.join(", "), unused.join(", "))
-            }
-            _ => format!("this step itself uses none of the assumptions ({})", unused.join(", ")),
+        let text = |i: usize| self.claim.assuming[i].text.clone();
+        Some(AssumptionsUsed {
+            used: (0..count).filter(|i| !left_out.contains(i)).map(text).collect(),
+            unused: left_out.iter().map(|&i| text(i)).collect(),
         })
     }
 
-    /// Whether a proof that reaches every case is found, at any level; nothing is refuted.
-    fn levels_proved(&mut self, gathered: &Gathered, equations: &Pairs) -> bool {
-        Definitions::PARTS.into_iter().chain([Definitions::All]).any(|which| {
-            let premises = self.premises(gathered, equations, which);
-            let options = Options { attempts: 1, ..Options::default() };
-            without_exceptions(&self.test_only(&premises, equations, &options))
-        })
+    /// Whether a proof that reaches every case is found, at a level that takes no less than the given one; nothing is
+    /// refuted. What takes less was not enough with more premises, either.
+    fn is_proved(&mut self, gathered: &Gathered, equations: &Pairs, least: Level) -> bool {
+        let mut tried: Option<Premises> = None;
+        for definitions in least.definitions..Definitions::LEVELS.len() {
+            let premises = self.premises(gathered, equations, Definitions::LEVELS[definitions]);
+            if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
+                continue;
+            }
+            let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, ..Options::default() };
+            if without_exceptions(&self.ask(&premises, equations, &options, least.split)) {
+                return true;
+            }
+            tried = Some(premises);
+        }
+        false
     }
 
     /// Claims about positive parameters: the sign of everything, for every order of size.

@@ -11,14 +11,17 @@ use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
+use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
 use super::stage::Stage;
-use super::verdict::{Evidence, Outcome, Verdict};
+use super::telling::silence;
+use super::verdict::{Evidence, Exclusion, Outcome, Verdict};
 use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
-use crate::derivation::Claim;
+use crate::derivation::{Claim, Form};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Zeros};
+use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
 /// The values of all leaves at one time.
@@ -127,7 +130,10 @@ pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option
         let mut series = |s: usize, c: usize| by_sign[s].get_mut(first + c).map(std::mem::take).unwrap_or_default();
         let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
         match along {
-            Some(along) => MeasuredGroup { group, signs, definedness, floors: along.floors.clone() },
+            Some(along) => {
+                let (floors, mute, equal) = (along.floors.clone(), along.mute.clone(), along.equal.clone());
+                MeasuredGroup { group, signs, definedness, floors, mute, equal }
+            }
             None => MeasuredGroup::new(group, signs, definedness),
         }
     };
@@ -152,9 +158,10 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
         }
         (Some(_), zeros) => return no_event(trial, zeros),
     };
-    let (times, points) = match &at_events {
+    let samples = || (course.times.as_slice(), course.points.as_slice());
+    let (mut times, mut points) = match &at_events {
         Some((t, p)) => (t.as_slice(), p.as_slice()),
-        None => (course.times.as_slice(), course.points.as_slice()),
+        None => samples(),
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
@@ -164,11 +171,16 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
             return not_applicable(reason);
         }
     }
+    let met = if at_events.is_none() { met::look(trial) } else { met::Search::default() };
+    if let Some(more) = &met.more {
+        (times, points) = (&more.times, &more.points);
+    }
     let describer = Describer::new(trial, times, points);
-    let measured = measure(program, points, None);
+    let mut measured = measure(program, points, None);
+    silence(trial.graph, program, course.leaves, points, &mut measured);
     let left = match apply(trial, &measured, &describer).conclude() {
         Ok(left) => left,
-        Err(verdict) => return *verdict,
+        Err(verdict) => return unless_met_elsewhere(&met, *verdict),
     };
     let setting = || describer.setting(left.clone());
 
@@ -192,7 +204,20 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
             None => between_samples(trial, &measured, look_closer(trial, &measured, verdict)),
         });
     }
-    all_of(verdicts)
+    unless_met_elsewhere(&met, all_of(verdicts))
+}
+
+/// The verdict of a claim whose assumptions may be met at other times than those at which it was tried.
+fn unless_met_elsewhere(met: &met::Search, verdict: Verdict) -> Verdict {
+    let reason = match verdict.outcome() {
+        Outcome::Holds(_) => met.open.clone(),
+        Outcome::NotApplicable => met.open.clone().or(met.touches.clone()),
+        Outcome::Fails(_) | Outcome::Undecided => None,
+    };
+    match reason {
+        Some(_) => Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() }),
+        None => verdict,
+    }
 }
 
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
@@ -297,6 +322,58 @@ fn only_at_events(trial: &Trial, zeros: &Zeros, verdict: Verdict) -> Verdict {
         }
         _ => verdict,
     }
+}
+
+/// The verdict of a claim that holds, where the formulas of the motion are not known from samples: it stays open, and times
+/// without a value are named.
+pub(super) fn unless_unresolved(trial: &Trial, verdict: Verdict) -> Verdict {
+    let Trial { graph, claim, program, course, .. } = *trial;
+    let gaps = course.motion.unresolved();
+    let (from, to) = course.stage.span(course.trajectory);
+    let inside = |gap: &&Incomplete| gap.stretch().0 <= to && gap.stretch().1 >= from;
+    let Outcome::Holds(_) = verdict.outcome() else { return verdict };
+    if !gaps.iter().any(|gap| inside(&gap)) {
+        return verdict;
+    }
+    // What was found at one time remains found.
+    let found = |how: &Use| matches!(how, Use::Eventually(_) | Use::Limit(_));
+    let other = claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Independent { .. }));
+    if !other && program.groups.iter().all(|(how, _)| found(how)) {
+        return verdict;
+    }
+    let moves =
+        |l: &Leaf| l.instant.is_none() && matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    let defined = |(how, group): &(Use, Group)| {
+        matches!(how, Use::Defined) && graph.leaves(group.comparisons.iter().map(|c| c.left)).iter().any(moves)
+    };
+    let open = |gap: &&Incomplete| match gap {
+        Incomplete::NoValue { .. } => program.groups.iter().any(defined),
+        _ => true,
+    };
+    let mut evidence = verdict.evidence().clone();
+    if let Some(gap) = gaps.iter().filter(inside).find(open) {
+        let (start, end) = gap.stretch();
+        let near = match short(start) == short(end) {
+            true => format!("near t = {}", short(start)),
+            false => format!("between t = {} and t = {}", short(start), short(end)),
+        };
+        evidence.reason = Some(match gap {
+            Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
+            _ => format!(
+                "{near} the formulas of the motion do more than samples can show; a part of the span by itself, or                  an enclosure, may decide"
+            ),
+        });
+        return Verdict::new(Outcome::Undecided, evidence);
+    }
+    for gap in gaps.iter().filter(inside) {
+        let (start, end) = (gap.stretch().0.max(from), gap.stretch().1.min(to));
+        if !evidence.excluded.iter().any(|e| e.from <= end && start <= e.to) {
+            let reason = "the formulas of the motion have no value there".to_owned();
+            evidence.excluded.push(Exclusion { from: start, to: end, reason });
+        }
+    }
+    evidence.excluded.sort_by(|a, b| a.from.total_cmp(&b.from));
+    Verdict::new(verdict.outcome(), evidence)
 }
 
 pub(super) fn not_applicable(reason: String) -> Verdict {

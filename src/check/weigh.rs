@@ -44,19 +44,39 @@ pub(super) struct MeasuredGroup<'a> {
     pub definedness: bool,
     /// What is typical of the size of the terms along the motion, for each sign.
     pub floors: Vec<f64>,
+    /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
+    pub mute: Vec<Vec<bool>>,
+    /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
+    /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
+    pub equal: Vec<Vec<bool>>,
 }
 
 impl<'a> MeasuredGroup<'a> {
     /// A group measured along a motion: what is typical of it is what is typical there.
     pub fn new(group: &'a Group, signs: Vec<Vec<Series>>, definedness: bool) -> MeasuredGroup<'a> {
         let floors = signs.iter().map(|s| floor(s)).collect();
-        MeasuredGroup { group, signs, definedness, floors }
+        let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
+        let along = |series: &Series| {
+            let within = |m: &Measured| m.difference.contains_zero();
+            series.iter().any(Result::is_ok) && series.iter().flatten().all(within)
+        };
+        let equal = signs.iter().map(|s| s.iter().map(along).collect()).collect();
+        MeasuredGroup { group, signs, definedness, floors, mute, equal }
     }
 
     /// What a residual must be small against: the size of the terms at that time, or what is typical of the group along
     /// the motion, whichever is larger.
     fn scale(&self, sign: usize, m: &Measured) -> f64 {
         m.magnitude.max(self.floors[sign])
+    }
+
+    /// Whether the sides are equal within an error, where that does not refute a strict relation.
+    fn is_open(&self, sign: usize, comparison: usize, m: &Measured) -> bool {
+        let strict = match self.group.comparisons[comparison].kind {
+            RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => true,
+            RelationKind::Equal | RelationKind::LessEqual | RelationKind::GreaterEqual => false,
+        };
+        strict && m.difference.error > 0.0 && m.difference.contains_zero() && !self.equal[sign][comparison]
     }
 
     /// How a comparison stands at a time.
@@ -66,7 +86,12 @@ impl<'a> MeasuredGroup<'a> {
         let exists = self.definedness && kind == RelationKind::Equal;
         match &self.signs[sign][comparison][time] {
             Ok(_) if exists => Standing::Satisfied,
-            Ok(m) => judge(kind, m.difference, self.scale(sign, m), precision),
+            // No bound is small enough for what cannot be seen.
+            Ok(m) if self.mute[sign][comparison] => judge(kind, m.difference, 0.0, precision),
+            Ok(m) => match judge(kind, m.difference, self.scale(sign, m), precision) {
+                Standing::Violated if self.is_open(sign, comparison, m) => Standing::Inconclusive,
+                standing => standing,
+            },
             Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
             Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
             // A value may exist: this is a bound that is too large, not a formula that says nothing.
@@ -79,7 +104,14 @@ impl<'a> MeasuredGroup<'a> {
 /// not make its rounding significant.
 fn floor(group: &[Series]) -> f64 {
     let typical = group.iter().map(typical).fold(0.0, f64::max);
-    if typical > 0.0 { typical } else { 1.0 }
+    if typical > 0.0 {
+        return typical;
+    }
+    // Terms that are 0 most of the time are of the size that they have at other times.
+    let all = || group.iter().flatten().flatten();
+    let largest = all().map(|m| m.magnitude).fold(0.0, f64::max);
+    // Terms that are 0 with an error are not 0, but too small for a number: nothing is small against them.
+    if largest > 0.0 || all().any(|m| m.difference.error > 0.0) { largest } else { 1.0 }
 }
 
 /// The median size of the terms of a comparison along the motion.
@@ -333,8 +365,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             Standing::Inconclusive => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
+                    let unseen = if group.mute[best][c] { ", below which a term of the formula is lost" } else { "" };
                     format!(
-                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}",
+                        "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}{unseen}",
                         setting.times[i], m.difference.value, bound
                     )
                 });
@@ -356,7 +389,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     }
 
     let telling = clearest.as_ref().map(|f| (f.comparison, f.time)).or(worst);
-    evidence.series = super::series::residuals(&setting, &judged, telling);
+    evidence.series = super::series::residuals(&setting, &judged, telling, false);
     if let Some(f) = clearest {
         let none = Bounded { value: 0.0, error: 0.0 };
         let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
@@ -368,9 +401,12 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let definedness = group.definedness && inconclusive_count > 0;
     if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
+        let would = match group.mute.iter().flatten().any(|&mute| mute) {
+            true => "a formula whose large terms do not cancel",
+            false => "a more accurate trajectory or a lower precision",
+        };
         evidence.reason = Some(format!(
-            "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; a more accurate \
-             trajectory or a lower precision would decide",
+            "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; {would} would decide",
             counted.len()
         ));
         return Verdict::new(Outcome::Undecided, evidence);

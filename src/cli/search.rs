@@ -11,7 +11,7 @@ use super::{Exit, Stop, complain, files, print};
 /// What the exit code of a search means.
 pub const EXIT_CODES: &str = "\
 Exit codes:
-  0   a motion was found on which the claim fails; its table is on standard output
+  0   a motion was found on which the claim, or its altered formula, fails; its table is on standard output
   2   the command line or a file could not be read
   3   none was found, which does not show that there is none
   70  a defect of rederive itself";
@@ -26,6 +26,9 @@ pub struct SearchArguments {
     /// The seed: the same seed finds the same motion
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
+    /// An altered formula of the claim, by its number in the report: the motion is one on which the claim holds and this fails
+    #[arg(long, value_name = "N")]
+    variant: Option<usize>,
     /// How many motions are tried at most
     #[arg(long, value_name = "N", default_value_t = 480)]
     tries: usize,
@@ -36,7 +39,8 @@ pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
     let mut derivations = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
     files::known(&derivations, &claims, &[])?;
     derivations.retain(|d| files::concerns(d, &claims, &[]));
-    let options = SearchOptions { claim: arguments.claim.clone(), seed: arguments.seed, tries: arguments.tries };
+    let (claim, variant) = (arguments.claim.clone(), arguments.variant);
+    let options = SearchOptions { claim, seed: arguments.seed, tries: arguments.tries, variant };
     let mut exit = Exit::Undecided;
     for derivation in &derivations {
         let bar = ProgressBar::with_draw_target(Some(arguments.tries as u64), ProgressDrawTarget::hidden());
@@ -54,13 +58,16 @@ pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
         say_known(&account);
         match &account.found {
             Some(found) => {
-                print(&table(found, &options))?;
+                print(&table(found, &options, account.variant.as_deref()))?;
                 if found.listed {
                     complain(&format!("`{}` names its trajectories: add \"{}\" to them\n", found.claim, found.id));
                 }
                 exit = Exit::Good;
             }
-            None => complain(&format!("{}: no motion was found on which `{}` fails\n", derivation.id, options.claim)),
+            None => {
+                let what = account.variant.as_ref().map_or(options.claim.clone(), |formula| in_one_line(formula));
+                complain(&format!("{}: no motion was found on which `{what}` fails\n", derivation.id));
+            }
         }
         say_tally(&account);
     }
@@ -72,7 +79,8 @@ fn say_known(account: &SearchAccount) {
     if let Some(first) = account.known.first() {
         let more = account.known.len() - 1;
         let others = if more > 0 { format!(" and {more} more trajectories") } else { String::new() };
-        complain(&format!("the claim fails already on {first}{others} of the file\n"));
+        let what = if account.variant.is_some() { "the altered formula" } else { "the claim" };
+        complain(&format!("{what} fails already on {first}{others} of the file\n"));
     }
 }
 
@@ -80,19 +88,28 @@ fn say_tally(account: &SearchAccount) {
     let t = account.tally;
     let tried = t.holds + t.fails + t.not_applicable + t.undecided + t.impossible;
     complain(&format!(
-        "{tried} tried: the claim holds on {}, fails on {}, does not apply to {}, is undecided on {}; {} are no motions\n",
-        t.holds, t.fails, t.not_applicable, t.undecided, t.impossible
+        "{tried} tried: {} holds on {}, fails on {}, does not apply to {}, is undecided on {}; {} are no motions\n",
+        if account.variant.is_some() { "the altered formula" } else { "the claim" },
+        t.holds,
+        t.fails,
+        t.not_applicable,
+        t.undecided,
+        t.impossible
     ));
 }
 
 /// The table with what it shows, as comments.
-fn table(found: &Found, options: &SearchOptions) -> String {
-    let mut out = format!(
-        "\n# `{}` fails here; found with seed {}, try {}, from `{}`.\n",
-        found.claim, options.seed, found.number, found.from
-    );
+fn table(found: &Found, options: &SearchOptions, variant: Option<&str>) -> String {
+    let fails = match variant {
+        Some(formula) => {
+            format!("`{}` holds here, and would not hold as\n# {}\n# It was", found.claim, in_one_line(formula))
+        }
+        None => format!("`{}` fails here;", found.claim),
+    };
+    let mut out =
+        format!("\n# {fails} found with seed {}, try {}, from `{}`.\n", options.seed, found.number, found.from);
     if let Some(w) = &found.verdict.evidence().witness {
-        let formula = w.formula.split_whitespace().collect::<Vec<_>>().join(" ");
+        let formula = in_one_line(&w.formula);
         out.push_str(&format!(
             "# At t = {}: {formula}: {} and {}, error bound {:.1e}.\n",
             w.t, w.left, w.right, w.bound
@@ -100,4 +117,8 @@ fn table(found: &Found, options: &SearchOptions) -> String {
     }
     out.push_str(&found.table);
     out
+}
+
+fn in_one_line(formula: &str) -> String {
+    formula.split_whitespace().collect::<Vec<_>>().join(" ")
 }

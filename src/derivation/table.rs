@@ -259,6 +259,8 @@ pub(super) fn note_double_quoted(problems: &mut Problems<'_>, span: Range<usize>
     if inner.contains(['\'', '\n']) {
         noted.hint("in double quotes TOML changes backslashes: put the formula between ''' and '''");
     } else {
-        noted.hint(format!("in double quotes TOML changes backslashes: write '{inner}'"));
+        // There a backslash is written twice.
+        let plain = inner.replace(r"\\", r"\");
+        noted.hint(format!("in double quotes TOML changes backslashes: write '{plain}'"));
     }
 }

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use super::angle::{Angle, AngleBenches};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
+use super::resolve::Resolution;
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use crate::expr::{Expr, Graph, Leaf, Shape};
@@ -41,6 +42,8 @@ pub(super) struct Core {
     pub(super) initial_time: f64,
     pub(super) span: (f64, f64),
     pub(super) orbit: Option<Arc<Orbit>>,
+    /// Of a motion by formulas: where it is cut, and where it is not known from samples.
+    pub(super) resolution: Resolution,
     pub(super) constants: Vec<Constant>,
     pub(super) angles: Vec<Arc<Angle>>,
     /// Definitions of leaves in basic leaves.
@@ -171,9 +174,21 @@ impl Core {
         if !program.needs_turns() {
             return Vec::new();
         }
+        // The definition of an angle may need the turns of those before it.
+        let mut needed = vec![false; self.angles.len()];
+        program.turns().for_each(|i| needed[i] = true);
+        for i in (0..needed.len()).rev() {
+            if needed[i] {
+                self.angles[i].raw.turns().for_each(|before| needed[before] = true);
+            }
+        }
         let mut turns = Vec::with_capacity(self.angles.len());
         benches.resize(self.angles.len(), None);
-        for (angle, bench) in self.angles.iter().zip(benches) {
+        for ((angle, bench), needed) in self.angles.iter().zip(benches).zip(needed) {
+            if !needed {
+                turns.push(Err(NoValue::Indeterminate));
+                continue;
+            }
             let bench = bench.get_or_insert_with(|| angle.raw.bench(self, 0));
             let n = angle.turns_at(self, t, &turns, bench);
             turns.push(n);
@@ -190,16 +205,7 @@ impl Core {
     pub(super) fn boundaries(&self) -> Vec<f64> {
         match &self.orbit {
             Some(orbit) => orbit.trajectory.boundaries(),
-            None => {
-                const PARTS: usize = 16;
-                let (a, b) = self.span;
-                let mut times: Vec<f64> = (0..=PARTS).map(|i| a + (b - a) * (i as f64 / PARTS as f64)).collect();
-                times.push(self.initial_time);
-                times[PARTS] = b;
-                times.sort_by(f64::total_cmp);
-                times.dedup();
-                times
-            }
+            None => self.resolution.cuts.clone(),
         }
     }
 }

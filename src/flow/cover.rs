@@ -55,7 +55,7 @@ impl<'a> Explorer<'a> {
         Explorer {
             core,
             program,
-            series: program.bench(core, degree),
+            series: program.bench_of_steps(core, degree),
             values: program.bench(core, 0),
             plain: program.bench(core, 0),
             angles: Vec::new(),
@@ -94,7 +94,17 @@ impl<'a> Explorer<'a> {
     ///
     /// Stretches without any value are given up at once, others when they are shorter than time can be resolved, or when
     /// the work exceeds a limit that is proportional to the number of times.
-    pub(super) fn cover(&mut self, times: &[f64], mut accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
+    pub(super) fn cover(&mut self, times: &[f64], accept: impl FnMut(&mut Self, &Piece) -> bool) -> Vec<Stretch> {
+        self.cover_unless(times, accept, |explorer, start, end| !explorer.somewhere(start, end))
+    }
+
+    /// The same, where `hopeless` says of a stretch whose middle has no value whether it has none anywhere.
+    pub(super) fn cover_unless(
+        &mut self,
+        times: &[f64],
+        mut accept: impl FnMut(&mut Self, &Piece) -> bool,
+        mut hopeless: impl FnMut(&mut Self, f64, f64) -> bool,
+    ) -> Vec<Stretch> {
         let mut out: Vec<Stretch> = Vec::new();
         let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
         let mut budget = 4000 + 200 * times.len();
@@ -112,8 +122,8 @@ impl<'a> Explorer<'a> {
                 budget = budget.saturating_sub(1);
                 let smallest = 1e-15 * length + 2.0 * f64::EPSILON * start.abs().max(end.abs());
                 let middle = start + 0.5 * (end - start);
-                let hopeless = reason.is_some() && !self.somewhere(start, end);
-                if budget == 0 || hopeless || end - start <= smallest || !(start < middle && middle < end) {
+                let given_up = reason.is_some() && hopeless(self, start, end);
+                if budget == 0 || given_up || end - start <= smallest || !(start < middle && middle < end) {
                     match out.last_mut() {
                         Some(Stretch::Gap { end: last, reason: why, .. }) if *last == start => {
                             *last = end;
@@ -131,7 +141,7 @@ impl<'a> Explorer<'a> {
     }
 
     /// Whether the outputs have values at one of a few times of a stretch.
-    fn somewhere(&mut self, start: f64, end: f64) -> bool {
+    pub(super) fn somewhere(&mut self, start: f64, end: f64) -> bool {
         [0.0, 0.11, 0.27, 0.73, 0.89, 1.0]
             .iter()
             .any(|x| self.values(start + x * (end - start)).iter().all(Result::is_ok))

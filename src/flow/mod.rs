@@ -22,6 +22,7 @@ mod field;
 mod hoist;
 mod motion;
 mod program;
+mod resolve;
 mod search;
 mod taylor;
 mod trajectory;

@@ -7,14 +7,14 @@ use num_dual::Dual64;
 
 use super::angle::{Angle, AngleBenches};
 use super::core::{Constant, Core, Orbit, fresh};
-use super::cover::{Explorer, Stretch, tail};
 use super::error::{FlowError, Problem, leaf_name};
 use super::field::VectorField;
 use super::hoist::hoist;
 use super::program::{Bench, DualBench, Program};
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
-use super::zeros::{self, Minimum, Zeros};
+use super::resolve::{Resolution, resolve};
+use super::zeros::{self, Incomplete, Minimum, Zeros};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Bounded, NoValue, Scalar};
 use crate::tape::Tape;
@@ -108,8 +108,6 @@ pub struct Motion {
     pub(super) core: Core,
     /// Leaves with a definition that was given, not derived.
     given: Vec<Leaf>,
-    /// The states of a motion that is not integrated.
-    formulas: Option<Program>,
     prepared: Option<Prepared>,
     pool: Mutex<Vec<Scratch>>,
 }
@@ -119,7 +117,6 @@ impl Clone for Motion {
         Motion {
             core: self.core.clone(),
             given: self.given.clone(),
-            formulas: self.formulas.clone(),
             prepared: self.prepared.clone(),
             pool: Mutex::default(),
         }
@@ -192,6 +189,7 @@ impl Motion {
             initial_time: setup.initial_time,
             span: setup.span,
             orbit: None,
+            resolution: Resolution::default(),
             constants: Vec::new(),
             angles: Vec::new(),
             definitions: BTreeMap::new(),
@@ -224,13 +222,14 @@ impl Motion {
         }
         core.definitions.extend(states);
         let given = core.definitions.keys().copied().collect();
-        let formulas = match core.orbit {
-            Some(_) => None,
+        match core.orbit {
+            Some(_) => core.resolution = Resolution::default(),
             None => {
                 let roots: Vec<Expr> = core.definitions.values().copied().collect();
-                Some(core.compile(graph, &roots)?)
+                let formulas = core.compile(graph, &roots)?;
+                core.resolution = resolve(&core, &formulas);
             }
-        };
+        }
         for &Observable { leaf, definition, angle } in &setup.observables {
             let mut resolved = core.resolve(graph, definition)?;
             if angle {
@@ -243,7 +242,7 @@ impl Motion {
             }
             core.definitions.insert(leaf, resolved);
         }
-        Ok(Motion { core, given, formulas, prepared: None, pool: Mutex::default() })
+        Ok(Motion { core, given, prepared: None, pool: Mutex::default() })
     }
 
     /// Compiles everything that [`Motion::at`] and [`Motion::dual_at`] shall yield: values now and at fixed times, and
@@ -345,9 +344,9 @@ impl Motion {
 
     /// Times at which to look: `density` Chebyshev points of every step, and the ends of steps; ascending.
     ///
-    /// A motion by formulas is cut into stretches on which its states are polynomials to 12 digits.
+    /// A motion by formulas is cut into stretches on each of which its states are polynomials up to rounding.
     pub fn sample_times(&self, density: usize) -> Vec<f64> {
-        let cuts = self.stretches();
+        let cuts = self.core.boundaries();
         let mut times = Vec::with_capacity(cuts.len() * (density + 1));
         for pair in cuts.windows(2) {
             let (a, b) = (pair[0], pair[1]);
@@ -363,29 +362,10 @@ impl Motion {
         times
     }
 
-    /// The ends of the steps; for formulas, of stretches on which they are polynomials to 12 digits.
-    fn stretches(&self) -> Vec<f64> {
-        let boundaries = self.core.boundaries();
-        let Some(program) = &self.formulas else { return boundaries };
-        const DEGREE: usize = 14;
-        let mut explorer = Explorer::new(&self.core, program, DEGREE);
-        let stretches = explorer.cover(&boundaries, |_, piece| {
-            let fine = |(c, x): (&Vec<f64>, &Bounded)| {
-                let size = x.value.abs().max(c.get(1).map_or(0.0, |c| c.abs() * piece.radius()));
-                tail(c, DEGREE, piece.radius()) <= 1e-12 * size + 16.0 * x.error
-            };
-            piece.outputs.iter().zip(&piece.values).all(fine)
-        });
-        let mut times: Vec<f64> = stretches
-            .iter()
-            .flat_map(|s| match s {
-                Stretch::Piece(p) => [p.start, p.end],
-                Stretch::Gap { start, end, .. } => [*start, *end],
-            })
-            .collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times
+    /// Where the formulas of a motion by formulas are not known from samples: they have no value, or may have none, or do
+    /// more between two samples than samples can show.
+    pub fn unresolved(&self) -> &[Incomplete] {
+        &self.core.resolution.gaps
     }
 
     /// All zeros along the motion of an expression in leaves.

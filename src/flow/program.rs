@@ -3,8 +3,9 @@
 use num_dual::Dual;
 
 use super::core::Core;
+use super::trajectory::ORDER;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -46,11 +47,19 @@ impl Base for Bounded {
     }
 }
 
+impl Base for Interval {
+    fn from_bounded(x: Bounded) -> Interval {
+        Interval::ball(x.value, x.error)
+    }
+}
+
 /// The memory of one program and its field over series of one degree.
 #[derive(Clone, Debug)]
 pub(super) struct Bench<B> {
     degree: usize,
     field: Option<Slots<Jet<B>>>,
+    /// Whether states are the polynomials of the steps, not grown anew.
+    of_steps: bool,
     slots: Slots<Jet<B>>,
     state: Vec<B>,
     coefficients: Vec<B>,
@@ -119,7 +128,15 @@ impl Program {
 
     /// Whether an angle's turns are among the inputs.
     pub(super) fn needs_turns(&self) -> bool {
-        self.inputs.iter().any(|i| matches!(i, Input::Turns(_)))
+        self.turns().next().is_some()
+    }
+
+    /// The angles whose turns are among the inputs.
+    pub(super) fn turns(&self) -> impl Iterator<Item = usize> + '_ {
+        self.inputs.iter().filter_map(|i| match i {
+            Input::Turns(angle) => Some(*angle),
+            _ => None,
+        })
     }
 
     /// Memory for series up to `degree`.
@@ -138,7 +155,13 @@ impl Program {
             o.flow.slots(degree, &constants)
         });
         let n = orbit.map_or(0, |o| o.states.len());
-        Bench { degree, field, slots, state: vec![B::ZERO; n], coefficients: vec![B::ZERO; n * (degree + 1)] }
+        let coefficients = vec![B::ZERO; n * (degree + 1)];
+        Bench { degree, field, of_steps: false, slots, state: vec![B::ZERO; n], coefficients }
+    }
+
+    /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
+    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+        Bench { field: None, of_steps: true, ..self.bench(core, degree) }
     }
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
@@ -162,6 +185,15 @@ impl Program {
                 let time = B::from_bounded(Bounded::exact(t));
                 let grown = orbit.flow.expand(field, bench.degree, time, &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
+            } else if bench.of_steps {
+                let mut polynomial = [0.0; ORDER + 1];
+                let polynomial = &mut polynomial[..row.min(ORDER + 1)];
+                for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
+                    orbit.trajectory.around(place, i, polynomial);
+                    for (to, &from) in bench.coefficients[i * row..].iter_mut().zip(polynomial.iter()) {
+                        *to = B::from_bounded(Bounded::exact(from));
+                    }
+                }
             } else {
                 bench.coefficients.copy_from_slice(&bench.state);
             }
@@ -199,6 +231,19 @@ impl Program {
             }
         }
         self.tape.run(&orders, &mut bench.slots);
+    }
+
+    /// Expands all outputs around all times of an interval, for programs in the time and constants alone.
+    pub(super) fn run_over(&self, core: &Core, bench: &mut Bench<Interval>, time: Interval) {
+        debug_assert!(!self.moving && !self.needs_turns() && core.orbit.is_none());
+        for (at, input) in self.inputs.iter().enumerate() {
+            if *input == Input::Time {
+                let slot = bench.slots.value_mut(at);
+                slot.set_coefficient(0, time);
+                slot.set_coefficient(1, Interval::point(1.0));
+            }
+        }
+        self.tape.run(&Orders::all(bench.degree), &mut bench.slots);
     }
 
     /// Whether an operation was evaluated at its branch point with an argument that looks constant to the degree of the

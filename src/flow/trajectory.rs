@@ -127,6 +127,28 @@ impl Trajectory {
         }
     }
 
+    /// The polynomial of a state around another time of its step: the first coefficients.
+    ///
+    /// This is the polynomial of the step, written anew; a series that is grown at that time is the same up to the error of
+    /// the trajectory, and takes ten times as long.
+    pub(super) fn around(&self, place: Place, state: usize, out: &mut [f64]) {
+        let branch = self.branch(place.backward);
+        let at = place.step * self.dimension + state;
+        let mut c = [f64::NAN; ORDER + 1];
+        if let Some(stored) = branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)) {
+            c.copy_from_slice(stored);
+            for lowest in 0..ORDER.min(out.len()) {
+                for k in (lowest..ORDER).rev() {
+                    c[k] += place.since * c[k + 1];
+                }
+            }
+            c[0] = self.value(place, state);
+        }
+        for (to, from) in out.iter_mut().zip(c) {
+            *to = from;
+        }
+    }
+
     /// The value of a state with its error.
     pub(super) fn bounded(&self, place: Place, state: usize) -> Bounded {
         let value = self.value(place, state);

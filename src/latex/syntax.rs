@@ -234,3 +234,30 @@ impl Node {
         }
     }
 }
+
+/// What may stand at a place without parentheses; from loose to tight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Least {
+    /// Anything.
+    Sum,
+    /// What is tighter than a sum.
+    Dot,
+    /// What is tighter than a scalar product.
+    Cross,
+    /// What is tighter than a vector product.
+    Product,
+    /// Only what is one factor.
+    Factor,
+}
+
+/// How tightly a formula holds together: what it may stand beside without parentheses. Every writer of formulas asks here.
+pub fn tightness(node: &Node) -> Least {
+    match &node.kind {
+        NodeKind::Sum(_) | NodeKind::Limit(..) => Least::Sum,
+        NodeKind::Number(r) if *r < Rational::ZERO => Least::Sum,
+        NodeKind::Dot(_) => Least::Dot,
+        NodeKind::Cross { bracket: false, .. } => Least::Cross,
+        NodeKind::Product(_) | NodeKind::Quotient { slash: true, .. } => Least::Product,
+        _ => Least::Factor,
+    }
+}

@@ -4,7 +4,9 @@
 //! that it needs; whether the result is clear enough to be read is for the reader to say.
 
 use super::name;
-use super::syntax::{Bracket, Chain, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target};
+use super::syntax::{
+    Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
+};
 use crate::expr::Rational;
 
 /// A chain of relations as LaTeX.
@@ -41,27 +43,6 @@ fn relation(kind: RelationKind) -> &'static str {
         RelationKind::LessEqual => r"\le",
         RelationKind::Greater => ">",
         RelationKind::GreaterEqual => r"\ge",
-    }
-}
-
-/// What may stand at a place without parentheses; from loose to tight.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Least {
-    Sum,
-    Dot,
-    Cross,
-    Product,
-    Factor,
-}
-
-fn tightness(node: &Node) -> Least {
-    match &node.kind {
-        NodeKind::Sum(_) | NodeKind::Limit(..) => Least::Sum,
-        NodeKind::Number(r) if *r < Rational::ZERO => Least::Sum,
-        NodeKind::Dot(_) => Least::Dot,
-        NodeKind::Cross { bracket: false, .. } => Least::Cross,
-        NodeKind::Product(_) | NodeKind::Quotient { slash: true, .. } => Least::Product,
-        _ => Least::Factor,
     }
 }
 

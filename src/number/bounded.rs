@@ -315,10 +315,15 @@ impl Number for Bounded {
         *self = Bounded { value, error: (deviation + U * value) * UP }.checked()?;
         Ok(())
     }
-    /// e^(a+e) − e^a = e^a·(e^e − 1).
+    /// e^(a+e) − e^a = e^a·(e^e − 1), which is less than e^(a+e).
     fn exp(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {
         let value = centre(|x| x.exp(&(), &a.value))?;
-        self.elementary(value, (value * UP + TINY) * pxfm::f_expm1(a.error) * UP)
+        let mut deviation = (value * UP + TINY) * pxfm::f_expm1(a.error) * UP;
+        if !deviation.is_finite() {
+            // A large error of a large negative exponent: the product of 0 and ∞ is no bound, the largest power is.
+            deviation = pxfm::f_exp((a.value + a.error) + a.magnitude() * f64::EPSILON) * UP + TINY;
+        }
+        self.elementary(value, deviation)
     }
     /// ln a − ln(a − e) = ln(1 + e/(a − e)).
     fn ln(&mut self, _: &(), a: &Bounded) -> Result<(), NoValue> {

@@ -19,13 +19,17 @@ struct Style {
     formula: fn(&str) -> String,
     id: fn(&str) -> String,
     text: fn(&str) -> String,
+    /// Conditions of the file by their words, without their ids.
+    in_words: bool,
 }
 
-const TERMINAL: Style = Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned() };
-const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose };
+const TERMINAL: Style =
+    Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: false };
+const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, in_words: true };
 
 /// For the page, which typesets what stands between backticks.
-const PAGE: Style = Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned() };
+const PAGE: Style =
+    Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
 
 /// The sentences on what separates the trajectories of a claim, formulas between backticks.
 pub(super) fn separation_in_words(s: &Separation) -> Vec<String> {
@@ -40,6 +44,7 @@ pub(super) fn worth_in_words(a: &AssumptionAccount) -> String {
 fn condition(c: &ConditionName, style: &Style) -> String {
     let formula = (style.formula)(&c.formula);
     let text = match (&c.id, &c.says) {
+        (Some(_), Some(says)) if style.in_words => format!("{} ({formula})", (style.text)(says)),
         (Some(id), Some(says)) => format!("{} ({}: {formula})", (style.id)(id), (style.text)(says)),
         (_, Some(says)) => format!("{formula} {}", (style.text)(says)),
         (Some(id), None) => format!("{} ({formula})", (style.id)(id)),
@@ -78,13 +83,12 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
         s.fails.len(),
         listed(&s.fails, style)
     );
-    let tried = format!("{} tried, {} of them undecided somewhere", count(s.tried, "condition"), s.undecided);
+    let tried = count(s.tried, "condition");
+    let tried = format!("{tried} tried, {} that might explain it undecided somewhere", s.undecided);
     match &s.explanation {
         Some(e) => {
-            out.push(format!(
-                "On these trajectories it holds exactly where {}; {sides}; {tried}.",
-                explanation(e, style)
-            ));
+            out.push(format!("On these trajectories it holds exactly where {}.", explanation(e, style)));
+            out.push(format!("This is {sides}; {tried}."));
             if !s.rivals.is_empty() {
                 let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
                 let more = if s.more_rivals > 0 { format!("; and {} more", s.more_rivals) } else { String::new() };
@@ -157,11 +161,6 @@ fn brief(s: &Separation, style: &Style) -> String {
     format!("holds exactly where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
 }
 
-/// What separates the trajectories of a claim, for a list of claims in `report.md`.
-pub(super) fn in_brief(conditions: &ConditionsAccount) -> Option<String> {
-    conditions.separation.as_ref().map(|s| brief(s, &MARKDOWN))
-}
-
 /// For the terminal: a line for every claim that is split, and for every assumption that is not needed.
 pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     let mut split = String::new();
@@ -198,23 +197,24 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
     out
 }
 
-/// For a claim in `report.md`.
-pub(super) fn section(conditions: &ConditionsAccount) -> String {
-    let mut out = String::new();
-    if let Some(separation) = &conditions.separation {
-        out.push_str(&format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" ")));
+/// What separates the trajectories of a claim, for its section in `report.md`.
+pub(super) fn separation(conditions: &ConditionsAccount) -> String {
+    let Some(separation) = &conditions.separation else { return String::new() };
+    format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" "))
+}
+
+/// What each assumption of a claim is worth, for its section in `report.md`.
+pub(super) fn assumptions(conditions: &ConditionsAccount) -> String {
+    if conditions.assumptions.is_empty() {
+        return String::new();
     }
-    if !conditions.assumptions.is_empty() {
-        let mut lines: Vec<String> = Vec::new();
-        for assumption in &conditions.assumptions {
-            let text = worth(assumption, &MARKDOWN);
-            let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
-            lines.push(format!("- {line}\n"));
-        }
-        let idle = conditions.assumptions.iter().any(|a| a.need == Need::NotNeeded);
-        let heading = if idle { "Assumptions, one of which is not needed" } else { "Assumptions" };
-        out.push_str(&format!("<details><summary>{heading}</summary>\n\n{}\n</details>\n\n", lines.concat()));
+    let mut out = String::from("Assumptions:\n\n");
+    for assumption in &conditions.assumptions {
+        let text = worth(assumption, &MARKDOWN);
+        let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
+        out.push_str(&format!("- {line}\n"));
     }
+    out.push('\n');
     out
 }
 

@@ -60,13 +60,6 @@ fn erratum_json(erratum: &Erratum) -> Value {
 /// Most survivors that are listed in a report for people.
 pub(super) const SURVIVORS_SHOWN: usize = 6;
 
-/// What is said of a pair in a table.
-pub(super) fn note(pair: &PairAccount) -> Option<String> {
-    let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
-    let weak = if d.is_weak() { "**weak**: " } else { "" };
-    Some(format!("{weak}rejects {} of {} altered formulas", d.rejected, d.of))
-}
-
 /// Whether a verdict says little.
 pub(super) fn is_weak(pair: &PairAccount) -> bool {
     pair.discrimination.as_ref().is_some_and(|d| d.is_weak())
@@ -131,15 +124,18 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
         let everywhere: Vec<String> = variants
             .survivors
             .iter()
-            .filter(|s| s.everywhere)
-            .map(|s| format!("- {}: {}\n", s.class.word(), math(&s.formula)))
+            .enumerate()
+            .filter(|(_, s)| s.everywhere)
+            .map(|(n, s)| format!("- `{n}`, {}: {}\n", s.class.word(), math(&s.formula)))
             .collect();
         if !everywhere.is_empty() {
             let more = everywhere.len().saturating_sub(SURVIVORS_SHOWN);
             let shown: String = everywhere.into_iter().take(SURVIVORS_SHOWN).collect();
             let rest = if more > 0 { format!("- and {more} more, in report.json\n") } else { String::new() };
             out.push_str(&format!(
-                "<details><summary>Altered formulas that no motion rejects</summary>\n\n{shown}{rest}\n</details>\n\n"
+                "<details><summary>Altered formulas that no motion rejects</summary>\n\n{shown}{rest}\n`rederive search \
+                 {} --variant N` looks for a motion that would.\n\n</details>\n\n",
+                name(claim)
             ));
         }
     }

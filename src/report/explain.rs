@@ -49,7 +49,9 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> S
     if let Some(identity) = &claim.identity {
         out.push('\n');
         out.push_str(&paragraph(&identity.sentence(), 2));
-        out.push_str(&list("Under the conditions", &identity.conditions));
+        for (title, lines) in identity.terms() {
+            out.push_str(&list(title, &lines));
+        }
         out.push_str(&list("Refuting point", identity.witness.as_slice()));
     }
     out.push('\n');

@@ -76,6 +76,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "reason": m.reason,
         })).collect::<Vec<_>>(),
         "units": super::units::json(&account.units),
+        "alone": super::alone::json(account),
         "summary": {
             "holds": summary.holds,
             "fails": summary.fails,
@@ -105,6 +106,10 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
             "log2_error": i.log2_error.map(number),
             "from": i.from,
             "conditions": i.conditions,
+            "exceptions": i.exceptions,
+            "given_only_where": i.given_only_where,
+            "assumptions": i.assumptions.as_ref().map(|a| json!({ "used": a.used, "unused": a.unused })),
+            "presupposed": i.presupposed,
             "generic": i.generic,
             "reason": i.reason,
             "witness": i.witness,

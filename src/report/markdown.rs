@@ -4,7 +4,7 @@ use super::certificates::certificate_note;
 use super::discrimination;
 use super::graph::{DerivationGraph, rests_in_words};
 use super::numbers::{count, size, time, value};
-use super::tally::{Group, Standing, declared, glyph, groups, name, says};
+use super::tally::{Group, declared, glyph, groups, name};
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 
@@ -12,11 +12,13 @@ use crate::derivation::{DEFAULT_PRECISION, Derivation};
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     let mut out = format!("# {}\n\n", prose(&derivation.title));
     out.push_str(&format!("What is checked: {}\n\n", prose(&derivation.concerns)));
-    for text in derivation.source.iter().chain(&derivation.remark) {
-        out.push_str(&format!("{}\n\n", prose(text)));
+    if let Some(source) = &derivation.source {
+        out.push_str(&format!("{}\n\n", prose(source)));
     }
-    out.push_str(&findings(derivation, account));
+    out.push_str("Pictures, curves and every pair: `index.html`. All numbers: `report.json`.\n\n");
+    out.push_str(&super::overview::section(derivation, account));
     out.push_str(&matrix(account));
+    out.push_str(&super::alone::section(account));
     let graph = DerivationGraph::new(derivation, account);
     out.push_str(&graph.section());
     out.push_str(&conventions(derivation));
@@ -83,43 +85,22 @@ pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
 }
 
 /// A link target: the name of a claim as a forge makes an anchor of it is not the same everywhere, so it is given.
-fn anchor(claim: &ClaimAccount) -> String {
-    format!("claim-{}", name(claim).replace('/', "--"))
+fn anchor(name: &str) -> String {
+    format!("claim-{}", name.replace('/', "--"))
 }
 
-/// The summary in words.
-fn findings(derivation: &Derivation, account: &Account) -> String {
-    let s = account.summary();
-    let mut out = String::from("## What was found\n\n");
-    let claims = count(account.claims.len(), "claim");
-    let trajectories = count(account.trajectories.len(), "trajectory");
-    out.push_str(&format!(
-        "{claims} (each reading counted) on {trajectories}. Of the verdicts, {} are that the claim holds, {} that it fails, \
-         {} that it does not apply, {} are undecided. ",
-        s.holds, s.fails, s.not_applicable, s.undecided
-    ));
-    out.push_str(&match s.unexpected {
-        0 => "Every verdict is as the derivation file expects.\n\n".to_owned(),
-        1 => "**One verdict is not as the derivation file expects.**\n\n".to_owned(),
-        n => format!("**{n} verdicts are not as the derivation file expects.**\n\n"),
-    });
-    // What fails comes first: it is what a reader looks for.
-    let order = [Standing::Fails, Standing::Mixed, Standing::Open, Standing::Nowhere, Standing::Holds];
-    for standing in order {
-        let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
-        if found.is_empty() {
-            continue;
-        }
-        out.push_str(&format!("**{} {}:**\n\n", count(found.len(), "claim"), standing.words(found.len())));
-        for claim in found {
-            let link = format!("[{}](#{})", name(claim), anchor(claim));
-            let brief = super::conditions::in_brief(&claim.conditions).filter(|_| standing == Standing::Mixed);
-            let brief = brief.map(|b| format!(" *Here it {b}.*")).unwrap_or_default();
-            out.push_str(&format!("- {link}: {}{brief}\n", prose(&says(derivation, claim))));
-        }
-        out.push('\n');
+/// A link to the section on a claim.
+pub(super) fn link_to(name: &str) -> String {
+    format!("[{name}](#{})", anchor(name))
+}
+
+/// Something that is unfolded on request.
+fn folded(summary: &str, body: &str) -> String {
+    if body.is_empty() {
+        String::new()
+    } else {
+        format!("<details><summary>{summary}</summary>\n\n{body}</details>\n\n")
     }
-    out
 }
 
 fn matrix(account: &Account) -> String {
@@ -127,7 +108,10 @@ fn matrix(account: &Account) -> String {
     out.push_str(
         "H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ",
     );
-    out.push_str("The numbers are those of the [trajectories](#trajectories).\n\n");
+    out.push_str("The columns, with the [trajectories](#trajectories) by number: ");
+    let columns: Vec<String> =
+        account.trajectories.iter().enumerate().map(|(i, t)| format!("{} `{}`", i + 1, t.id)).collect();
+    out.push_str(&format!("{}.\n\n", columns.join(", ")));
     let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
     let head: Vec<&str> = std::iter::once("claim").chain(numbers.iter().map(String::as_str)).collect();
     let cell = |pair: Option<&PairAccount>| match pair {
@@ -139,7 +123,7 @@ fn matrix(account: &Account) -> String {
         }
     };
     let row = |claim: &ClaimAccount| {
-        let link = format!("[{}](#{})", name(claim), anchor(claim));
+        let link = link_to(&name(claim));
         let pair = |id: &str| claim.results.iter().find(|r| r.trajectory == id);
         std::iter::once(link).chain(account.trajectories.iter().map(|t| cell(pair(&t.id)))).collect()
     };
@@ -167,7 +151,9 @@ fn symbols(derivation: &Derivation) -> String {
         let unit = s.unit.as_deref().map(prose).unwrap_or_default();
         vec![math(&s.name), s.role_word().to_owned(), shape, unit, formula, notes.join("; ")]
     });
-    format!("## Symbols\n\n{}", table(&["symbol", "role", "shape", "unit", "definition", "notes"], rows))
+    let number = count(derivation.symbols.len(), "symbol");
+    let table = table(&["symbol", "role", "shape", "unit", "definition", "notes"], rows);
+    format!("## Symbols\n\n{}", folded(&number, &table))
 }
 
 fn systems(derivation: &Derivation) -> String {
@@ -199,7 +185,8 @@ fn trajectories(account: &Account) -> String {
         ]
     });
     let head = ["no.", "id", "title", "t", "source", "parameters and initial values", "steps", "error at most"];
-    out.push_str(&table(&head, rows));
+    let summary = format!("{}, with parameters and initial values", count(account.trajectories.len(), "trajectory"));
+    out.push_str(&folded(&summary, &table(&head, rows)));
     for t in &account.trajectories {
         if let Some(problem) = &t.problem {
             out.push_str(&format!("`{}`: {}\n\n", t.id, prose(problem)));
@@ -220,11 +207,11 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         let declared = declared(derivation, claim);
         let parent = declared.and_then(|d| d.parent_says.as_ref());
         if let Some(parent) = parent.filter(|_| last != claim.id) {
-            out.push_str(&format!("### {}: {}\n\n", claim.id, prose(parent)));
+            out.push_str(&format!("<a id=\"{}\"></a>\n\n### {}: {}\n\n", anchor(&claim.id), claim.id, prose(parent)));
         }
         last = &claim.id;
         let level = if claim.reading.is_some() { "####" } else { "###" };
-        out.push_str(&format!("<a id=\"{}\"></a>\n\n", anchor(claim)));
+        out.push_str(&format!("<a id=\"{}\"></a>\n\n", anchor(&name(claim))));
         out.push_str(&format!("{level} {}: {}\n\n", name(claim), prose(&claim.says)));
         let mut notes: Vec<String> = claim.place.iter().map(|p| format!("Place: {}.", prose(p))).collect();
         if let Some(label) = declared.and_then(|d| d.label.as_ref()) {
@@ -244,34 +231,44 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             let all: Vec<String> = claim.assumptions.iter().map(|a| math(a)).collect();
             out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
         }
-        if let Some(rests) = graph.rests_of(claim) {
-            out.push_str(&rests_in_words(&rests, math));
-        }
         if let Some(remark) = &claim.remark {
             out.push_str(&format!("> {}\n\n", prose(remark)));
         }
         if let Some(identity) = &claim.identity {
             out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
-            if identity.generic {
-                out.push_str("The proof leaves out special cases of what is given; see the conditions.\n\n");
-            }
-            if !identity.conditions.is_empty() {
-                let list: String = identity.conditions.iter().map(|c| format!("- `{c}`\n")).collect();
-                out.push_str(&format!("<details><summary>Conditions</summary>\n\n{list}\n</details>\n\n"));
-            }
-            out.push_str(&certificate_note(claim, identity));
-            if let Some(witness) = &identity.witness {
-                out.push_str(&format!("<details><summary>Refuting point</summary>\n\n`{witness}`\n\n</details>\n\n"));
-            }
         }
-        out.push_str(&super::conditions::section(&claim.conditions));
-        out.push_str(&discrimination::section(claim));
+        out.push_str(&super::conditions::separation(&claim.conditions));
         let mut groups = groups(claim);
         groups.sort_by_key(|g| ["fails", "holds", "undecided"].iter().position(|w| *w == g.word).unwrap_or(3));
         for group in groups {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
+        out.push_str(&folded("What it rests on, and what the evidence is worth", &evidence(claim, graph)));
     }
+    out
+}
+
+/// What only some readers ask: premises, conditions of the proof, assumptions, altered formulas.
+fn evidence(claim: &ClaimAccount, graph: &DerivationGraph) -> String {
+    let mut out = String::new();
+    if let Some(rests) = graph.rests_of(claim) {
+        out.push_str(&rests_in_words(&rests, math));
+    }
+    if let Some(identity) = &claim.identity {
+        if identity.generic {
+            out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
+        }
+        for (title, lines) in identity.terms() {
+            let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();
+            out.push_str(&format!("{title}:\n\n{list}\n"));
+        }
+        out.push_str(&certificate_note(claim, identity));
+        if let Some(witness) = &identity.witness {
+            out.push_str(&format!("Refuting point: `{witness}`\n\n"));
+        }
+    }
+    out.push_str(&super::conditions::assumptions(&claim.conditions));
+    out.push_str(&discrimination::section(claim));
     out
 }
 
@@ -307,7 +304,10 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
     out
 }
 
-/// The pairs of a claim with the same verdict: in one line, with the numbers folded away, and a witness.
+/// Most trajectories that are named beside a verdict that is as expected.
+const NAMED: usize = 8;
+
+/// The pairs of a claim with the same verdict, in one line: where, the largest residual, and a witness or a reason.
 fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     let names: Vec<String> = group.pairs.iter().map(|p| format!("`{}`", p.trajectory)).collect();
     let verdict = match group.word {
@@ -316,9 +316,12 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
         "undecided" => "Undecided",
         _ => "Does not apply",
     };
+    let shown = if names.len() > NAMED + 1 && !group.unexpected { NAMED } else { names.len() };
     let on = if group.pairs.len() == claim.results.len() && names.len() > 3 {
         let all = count(names.len(), "trajectory");
         if names.len() < of { format!("on all {all} on which it is tried") } else { format!("on all {all}") }
+    } else if shown < names.len() {
+        format!("on {}: {} and {} more", names.len(), names[..shown].join(", "), names.len() - shown)
     } else {
         format!("on {}", names.join(", "))
     };
@@ -327,52 +330,66 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
         (true, None) => " — **not expected**".to_owned(),
         (false, _) => String::new(),
     };
-    let mut out = format!("**{verdict}** {on}{expected}.\n\n");
-    if let Some(telling) = group.telling().filter(|_| group.word == "fails") {
-        out.push_str(&witness(telling));
+    let mut out = format!("**{verdict}** {on}{expected}.");
+    if let Some(pair) = group.telling() {
+        out.push_str(&if group.word == "fails" { witness(pair) } else { told(pair, group.word == "holds") });
     }
-    out.push_str(&format!("<details><summary>{}</summary>\n\n", count(group.pairs.len(), "verdict")));
-    let rows = group.pairs.iter().map(|p| {
-        let evidence = p.verdict.evidence();
-        let residual = evidence.residual.as_ref();
-        vec![
-            format!("`{}`", p.trajectory),
-            p.verdict.outcome().strength().unwrap_or_default().to_owned(),
-            residual.map(|r| size(r.max)).unwrap_or_default(),
-            residual.map(|r| size(r.bound)).unwrap_or_default(),
-            residual.map(|r| time(r.at)).unwrap_or_default(),
-            if evidence.samples > 0 { evidence.samples.to_string() } else { String::new() },
-            notes(p),
-        ]
-    });
-    let head = ["trajectory", "strength", "largest residual", "its error bound", "at t", "samples", "notes"];
-    out.push_str(&table(&head, rows));
-    out.push_str("</details>\n\n");
+    out.push_str("\n\n");
     out
 }
 
-/// Reason, sign, and times left out.
-fn notes(pair: &PairAccount) -> String {
+/// The pair that tells most of those that do not fail.
+fn told(pair: &PairAccount, holds: bool) -> String {
     let evidence = pair.verdict.evidence();
-    let mut all: Vec<String> = evidence.reason.iter().map(|r| prose(r)).collect();
-    all.extend(discrimination::note(pair));
-    all.extend(evidence.branch.iter().map(|b| format!("sign: {}", prose(b))));
-    for e in &evidence.excluded {
-        all.push(format!("left out {} … {}: {}", time(e.from), time(e.to), prose(&e.reason)));
+    let mut out = String::new();
+    if let Some(r) = evidence.residual.as_ref().filter(|_| holds) {
+        out.push_str(&format!(
+            " Largest residual {}, with the error bound {}, on `{}` at t = {} ({}, {}).",
+            size(r.max),
+            size(r.bound),
+            pair.trajectory,
+            time(r.at),
+            pair.verdict.outcome().strength().unwrap_or_default(),
+            count(evidence.samples, "sample"),
+        ));
     }
-    all.join("; ")
+    if let Some(reason) = &evidence.reason {
+        out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(reason)));
+    }
+    if let Some(e) = evidence.excluded.first() {
+        out.push_str(&format!(
+            " Left out on `{}`: {} … {}, {}",
+            pair.trajectory,
+            time(e.from),
+            time(e.to),
+            prose(&e.reason)
+        ));
+        out.push_str(if evidence.excluded.len() > 1 { ", and more." } else { "." });
+    }
+    out
 }
 
+/// A refuting point: both sides in a line, and what they depend on.
 fn witness(pair: &PairAccount) -> String {
     let Some(w) = &pair.verdict.evidence().witness else { return String::new() };
-    let mut out = format!("Witness: `{}` at t = {}, {}.\n\n", pair.trajectory, value(w.t), math(&w.formula));
-    let sides = [("left side", w.left), ("right side", w.right)];
-    let mut rows: Vec<Vec<String>> = sides.iter().map(|(n, v)| vec![(*n).to_owned(), value(*v)]).collect();
-    rows.push(vec!["error bound of the difference".to_owned(), size(w.bound)]);
-    rows.extend(w.values.iter().map(|(n, v)| vec![math(n), value(*v)]));
-    out.push_str(&table(&["quantity", "value"], rows));
+    let mut out = format!(
+        " On `{}` at t = {}: {} has the left side **{}**, the right side **{}**, and the error bound {}.",
+        pair.trajectory,
+        value(w.t),
+        math(&w.formula),
+        value(w.left),
+        value(w.right),
+        size(w.bound)
+    );
+    if !w.values.is_empty() {
+        let values: Vec<String> = w.values.iter().map(|(n, v)| format!("{} = {}", math(n), value(*v))).collect();
+        out.push_str(&format!(" There {}.", values.join(", ")));
+    }
     out
 }
+
+/// Most values of a measure that are written for a trajectory.
+const VALUES_SHOWN: usize = 4;
 
 fn measures(derivation: &Derivation, account: &Account) -> String {
     let mut out = String::new();
@@ -384,19 +401,18 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
         out.push_str(&measure.unit.as_ref().map(|u| format!(", in {}", prose(u))).unwrap_or_default());
         out.push_str(".\n\n");
         let found = account.measurements.iter().filter(|m| m.measure == measure.id);
-        let rows = found.flat_map(|m| {
-            let name = format!("`{}`", m.trajectory);
-            let mut rows: Vec<Vec<String>> = m
-                .values
-                .iter()
-                .map(|(t, v, b)| vec![name.clone(), time(*t), value(*v), size(*b), String::new()])
-                .collect();
-            if let Some(reason) = &m.reason {
-                rows.push(vec![name, String::new(), String::new(), String::new(), prose(reason)]);
-            }
-            rows
+        let rows = found.map(|m| {
+            let shown = m.values.iter().take(VALUES_SHOWN);
+            let mut cells: Vec<String> =
+                shown.map(|(t, v, b)| format!("{} ± {} (t = {})", time(*v), size(*b), time(*t))).collect();
+            let more = m.values.len().saturating_sub(VALUES_SHOWN);
+            cells.extend((more > 0).then(|| format!("{more} more")));
+            cells.extend(m.reason.iter().map(|r| prose(r)));
+            vec![format!("`{}`", m.trajectory), cells.join("; ")]
         });
-        out.push_str(&table(&["trajectory", "t", "value", "error bound", "notes"], rows));
+        let rows: Vec<Vec<String>> = rows.collect();
+        let summary = format!("Values on {}", count(rows.len(), "trajectory"));
+        out.push_str(&folded(&summary, &table(&["trajectory", "value ± error bound (time)"], rows)));
     }
     if out.is_empty() { out } else { format!("## Measured\n\n{out}") }
 }

@@ -8,7 +8,9 @@
 //! a file's text reaches the page unescaped: known libraries pass `\operatorname{<script>}` through.
 
 use crate::expr::Rational;
-use crate::latex::syntax::{Bracket, Chain, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target};
+use crate::latex::syntax::{
+    Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
+};
 use crate::latex::{self, Scope};
 
 /// Invisible multiplication and function application, for what reads a formula aloud.
@@ -88,27 +90,6 @@ fn relation(kind: RelationKind) -> &'static str {
         RelationKind::LessEqual => "≤",
         RelationKind::Greater => ">",
         RelationKind::GreaterEqual => "≥",
-    }
-}
-
-/// What may stand at a place without parentheses; from loose to tight.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Least {
-    Sum,
-    Dot,
-    Cross,
-    Product,
-    Factor,
-}
-
-fn tightness(node: &Node) -> Least {
-    match &node.kind {
-        NodeKind::Sum(_) | NodeKind::Limit(..) => Least::Sum,
-        NodeKind::Number(r) if *r < Rational::ZERO => Least::Sum,
-        NodeKind::Dot(_) => Least::Dot,
-        NodeKind::Cross { bracket: false, .. } => Least::Cross,
-        NodeKind::Product(_) | NodeKind::Quotient { slash: true, .. } => Least::Product,
-        _ => Least::Factor,
     }
 }
 

@@ -9,9 +9,11 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+mod alone;
 mod certificates;
 mod conditions;
 mod diff;
+mod digest;
 mod discrimination;
 mod explain;
 mod finding;
@@ -22,6 +24,7 @@ mod junit;
 mod markdown;
 mod mathml;
 mod numbers;
+mod overview;
 mod page;
 mod paper;
 mod plot;
@@ -33,6 +36,7 @@ mod tally;
 mod tex;
 mod text;
 mod units;
+mod wording;
 mod write;
 
 pub use certificates::{CERTIFICATES, certificate_text, certificates};

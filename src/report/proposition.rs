@@ -36,14 +36,8 @@ pub fn proposition_text(
                 out.push_str(&paragraph(&format!("But note: {reason}."), 2));
             }
             out.push_str(&routes(account));
-            let heading = if account.generic {
-                "  under conditions, some of which leave out special cases\n"
-            } else {
-                "  where\n"
-            };
-            if !account.conditions.is_empty() {
-                out.push_str(heading);
-                out.push_str(&lines(&account.conditions, 4));
+            for (title, list) in account.terms() {
+                out.push_str(&format!("  {title}\n{}", lines(&list, 4)));
             }
         }
         "refuted" => match &evidence.counterexample {
@@ -136,6 +130,10 @@ pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) ->
         "trials": evidence.trials.as_ref().map(trials),
         "branch": evidence.branch,
         "conditions": account.conditions,
+        "exceptions": account.exceptions,
+        "given_only_where": account.given_only_where,
+        "assumptions": account.assumptions.as_ref().map(|a| json!({ "used": a.used, "unused": a.unused })),
+        "presupposed": account.presupposed,
         "generic": account.generic,
         "reason": account.reason,
         "contradiction": evidence.contradiction,

@@ -85,6 +85,16 @@ pub fn schema() -> Value {
         ("log2_error", number("log2 of the bound for the probability that a proof is wrong")),
         ("from", texts("What was given: ids of claims and systems")),
         ("conditions", texts("What has to hold for the formulas to have values")),
+        ("exceptions", texts("What the proof does not reach")),
+        ("given_only_where", texts("Where alone what is given can hold, special cases aside")),
+        (
+            "assumptions",
+            or_null(object(&[
+                ("used", texts("Assumptions of the claim that the proof needs")),
+                ("unused", texts("Assumptions of the claim that it does not need")),
+            ])),
+        ),
+        ("presupposed", texts("Assumptions of what is given that the claim does not make itself")),
         ("generic", flag("Whether the proof leaves out special cases of what is given")),
         ("reason", text_or_null("Why undecided; a remark on a proof")),
         ("witness", text_or_null("A point at which everything given holds and the claim does not")),
@@ -174,7 +184,7 @@ pub fn schema() -> Value {
         ("graph", graph()),
         ("summary", summary),
     ]);
-    let report = with_optional(report, &[("paper", paper())]);
+    let report = with_optional(report, &[("paper", paper()), ("alone", list(alone()))]);
     let mut out = Map::new();
     out.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));
     out.insert("title".to_owned(), json!("A report of rederive"));
@@ -182,6 +192,21 @@ pub fn schema() -> Value {
         out.append(&mut fields);
     }
     Value::Object(out)
+}
+
+/// What one motion alone could have decided.
+fn alone() -> Value {
+    object(&[
+        ("trajectory", text("Its id")),
+        ("tried", whole("Claims that were tried on it")),
+        ("not_applicable", whole("Claims that do not apply to it")),
+        ("holds", whole("Claims that hold on it")),
+        ("misleading", texts("Claims that hold on it and fail on others")),
+        ("weak", whole("Claims that hold on it weakly")),
+        ("rejected", whole("Altered formulas of the claims that hold on it which it rejects")),
+        ("of", whole("Altered formulas of the claims that hold on it")),
+        ("sentence", text("The same in words")),
+    ])
 }
 
 /// The random test of an identity.
@@ -266,7 +291,7 @@ fn conditions() -> Value {
         ("sufficient", list(part.clone())),
         ("necessary", list(part)),
         ("tried", whole("Conditions that were tried")),
-        ("undecided", whole("Of these, undecided somewhere")),
+        ("undecided", whole("Of these, such as might explain it but are undecided somewhere")),
     ]);
     let assumption = object(&[
         ("formula", text("As written")),

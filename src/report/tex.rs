@@ -9,6 +9,7 @@
 
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, Standing, declared, groups, name, says};
+use super::wording::{self, Part};
 use crate::check::{Account, ClaimAccount};
 use crate::derivation::{Derivation, FormKind};
 use crate::latex::{self, Scope, syntax};
@@ -235,30 +236,20 @@ fn display(text: &str, scope: &Scope) -> String {
     }
 }
 
-/// What a comparison is called: a formula, then perhaps its component.
+/// What a comparison is called: a formula, then perhaps its component, or words.
 fn label(text: &str, scope: &Scope) -> String {
-    match text.split_once("   [") {
-        Some((head, component)) => {
-            format!("{}, component {}", inline(head, scope), inline(component.trim_end_matches(']'), scope))
-        }
-        None => inline(text, scope),
-    }
+    let label = wording::label(text);
+    let component = label.component.map(|c| format!(", component {}", inline(c, scope))).unwrap_or_default();
+    format!("{}{}{}{component}", escaped(label.before), inline(label.formula, scope), escaped(label.after))
 }
 
 /// A text of the file: `$…$` and `` `…` `` are formulas where they can be read as such.
 fn prose(text: &str, scope: &Scope) -> String {
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let mut out = String::new();
-    let mut rest = text.as_str();
-    while let Some(start) = rest.find(['$', '`']) {
-        let mark = &rest[start..=start];
-        let after = &rest[start + 1..];
-        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
-        out.push_str(&escaped(&rest[..start]));
-        out.push_str(&inline(&after[..end], scope));
-        rest = &after[end + 1..];
-    }
-    out + &escaped(rest)
+    let written = |part: &Part<'_>| match part {
+        Part::Words(words) => escaped(words),
+        Part::Formula(text) => inline(text, scope),
+    };
+    wording::parts(&wording::one_line(text)).iter().map(written).collect()
 }
 
 /// Text in which nothing is a command.

@@ -175,7 +175,13 @@ impl Tape {
 
     /// Runs all instructions: the one evaluation loop. Inputs are taken from the slots, see [`Slots::set`].
     pub fn run<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
-        for &Instruction { op, a, b, out } in &self.instructions {
+        self.run_some(cx, slots, &self.instructions);
+    }
+
+    /// Runs some of the instructions, where the others have their results from before: those that depend on inputs which
+    /// have changed since, in an order in which every argument comes before its use.
+    pub fn run_some<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>, instructions: &[Instruction]) {
+        for &Instruction { op, a, b, out } in instructions {
             let (a, b, out) = (a as usize, b as usize, out as usize);
             let reason = slots.missing[a].or(slots.missing[b]);
             slots.missing[out] = if reason.is_some() {

@@ -102,7 +102,7 @@ for (const id of fs.readdirSync(reports).sort()) {
   });
 
   // With it: every link leads somewhere, formulas are laid out, filters work, the address keeps the state.
-  let formulas, opened = "";
+  let formulas, opened = "", special = 0;
   await visit({ viewport: { width: 1280, height: 900 } }, url, async page => {
     const dead = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')]
       .map(a => decodeURIComponent(a.getAttribute("href").slice(1))).filter(h => !document.getElementById(h)));
@@ -142,6 +142,25 @@ for (const id of fs.readdirSync(reports).sort()) {
       check(pasted.includes(`left = ${failing.witness.left}`), `${id}: the witness is there in full`);
       opened = address;
     }
+    // What is looked for, and what is tried at events, is drawn as what it is.
+    const data = await page.evaluate(() => JSON.parse(document.getElementById("/data").textContent));
+    const motions = json.trajectories.map(t => t.id);
+    const drawn = (name, some) => Object.entries(data.pairs[name] ?? {}).find(([, pair]) => pair[0] && some(pair[0]));
+    const kinds = { sought: ["Looked for: ", c => c[10] === 0, Object.keys(data.pairs)], events: ["each time", () => true, Object.keys(data.events)] };
+    for (const [kind, [words, some, names]] of Object.entries(kinds)) {
+      const name = names.find(n => drawn(n, some));
+      if (!name) continue;
+      await page.goto(`${url}#${name}@${motions[drawn(name, some)[0]]}`);
+      await page.waitForTimeout(50);
+      const detail = page.locator("tr.here + tr.pair");
+      check((await detail.innerText()).includes(words), `${id}: ${name} says what is drawn (${kind})`);
+      check(await detail.locator("svg").count() === 2, `${id}: ${name} has two drawings (${kind})`);
+      if (kind === "events") check(await detail.locator("line.when").count() >= 2, `${id}: the events of ${name} are marked`);
+      special++;
+    }
+    // Every claim is told in the summary, and its links lead somewhere (see above).
+    const told = await page.locator("#\\/findings .whole, #\\/findings .stands > li").count();
+    check(told === new Set(json.claims.map(c => c.id)).size, `${id}: the summary tells of ${told} claims`);
     // Keys in the matrix.
     await page.goto(url + "#/matrix");
     await page.locator('.matrix td a[tabindex="0"]').focus();
@@ -179,9 +198,15 @@ for (const id of fs.readdirSync(reports).sort()) {
   await visit({ viewport: { width: 360, height: 740 }, colorScheme: "dark" }, url, async page => {
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     check(width <= 360, `${id}: on a phone the page is ${width} wide`);
+    if (opened) {
+      await page.goto(url + opened);
+      await page.waitForTimeout(50);
+      const drawing = await page.locator("tr.here + tr.pair svg").first().boundingBox();
+      check(drawing.width <= 360, `${id}: on a phone a drawing is ${drawing.width} wide`);
+    }
     await accessible(page, `${id}, narrow and dark`);
   });
-  console.log(`${id}: ${size} bytes, ${formulas.formulas} formulas, ${formulas.scripts} indices, ${formulas.fractions} fractions`);
+  console.log(`${id}: ${size} bytes, ${formulas.formulas} formulas, ${formulas.scripts} indices, ${formulas.fractions} fractions, ${special} special curves`);
 }
 fs.rmSync(profile, { recursive: true, force: true });
 console.log(`${checks} checks passed`);

@@ -4,6 +4,7 @@ use super::lower::{Generator, Generators};
 use super::outcome::{Condition, Premises};
 use super::polynomial::factors;
 use super::prove::Lowered;
+use super::restate::restated;
 use super::sign::Facts;
 use super::solve::{Resolved, unmarked};
 use crate::expr::{Expr, Graph, Node, Op};
@@ -54,6 +55,20 @@ fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
     image[&e]
 }
 
+/// A lowered expression in terms of the formulas as given; numbers that were made up on the way stay.
+pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
+    let e = without_signs(graph, generators, e);
+    graph.substitute(e, |graph, leaf| {
+        Some(match *generators.get(leaf)? {
+            Generator::Cosine(a) => graph.unary(Op::Cos, a),
+            Generator::Sine(a) => graph.unary(Op::Sin, a),
+            Generator::Exponential(a) => graph.unary(Op::Exp, a),
+            Generator::Opaque(e) => e,
+            Generator::Sign | Generator::Half | Generator::Free => return None,
+        })
+    })
+}
+
 /// Conditions that are not among the facts, in words of the formulas as given.
 pub(super) fn conditions(
     graph: &mut Graph,
@@ -65,50 +80,45 @@ pub(super) fn conditions(
     pivots: &[Expr],
 ) -> Vec<Condition> {
     let generators = &lowered.generators;
-    let raise = |graph: &mut Graph, e: Expr| {
-        let e = without_signs(graph, generators, e);
-        graph.substitute(e, |graph, leaf| {
-            Some(match *generators.get(leaf)? {
-                Generator::Cosine(a) => graph.unary(Op::Cos, a),
-                Generator::Sine(a) => graph.unary(Op::Sin, a),
-                Generator::Exponential(a) => graph.unary(Op::Exp, a),
-                Generator::Opaque(e) => e,
-                Generator::Sign | Generator::Half | Generator::Free => return None,
-            })
-        })
-    };
     let mut out = domains(graph, formulas);
     let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
-    for case in cases {
-        from_cases.extend(case.radicands.iter().map(|&e| Condition::Radicand(e)));
+    // Of several cases none restricts the premises.
+    let possible: Vec<&Resolved> = cases.iter().filter(|c| !c.empty).collect();
+    for case in possible.iter().filter(|_| possible.len() == 1) {
+        from_cases.extend(case.radicands.iter().map(|&e| Condition::Discriminant(e)));
     }
     let unknown = |graph: &Graph, c: &Condition| match *c {
         Condition::Pivot(e) => !lowered.facts.sign(graph, generators, e).nonzero,
-        Condition::Radicand(e) => !lowered.facts.sign(graph, generators, e).not_negative,
+        Condition::Discriminant(e) => !lowered.facts.sign(graph, generators, e).not_negative,
         _ => true,
     };
     from_cases.retain(|c| unknown(graph, c));
     for c in from_cases {
         out.push(match c {
-            Condition::Pivot(e) => Condition::Pivot(raise(graph, e)),
-            Condition::Radicand(e) => Condition::Radicand(raise(graph, e)),
+            Condition::Pivot(e) => Condition::Pivot(raised(graph, generators, e)),
+            Condition::Discriminant(e) => Condition::Discriminant(raised(graph, generators, e)),
             other => other,
         });
     }
     out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
     // Declared facts need no mention.
     let mut facts = Facts::default();
-    facts.positive.extend(given.positive.iter().copied());
-    facts.not_negative.extend(given.not_negative.iter().copied());
+    given.positive.iter().for_each(|&e| facts.note_positive(graph, e));
+    given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
     for &e in &given.nonzero {
         facts.nonzero.insert(e);
         facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
     }
+    let mut out: Vec<Condition> = out.into_iter().flat_map(|c| restated(graph, generators, &facts, c)).collect();
+    // What a formula needs anyway need not be said of the proof.
+    let own: Vec<Condition> = out.clone();
     let mut seen = FastSet::default();
     out.retain(|c| {
         let known = match *c {
-            Condition::Denominator(e) | Condition::Pivot(e) => facts.sign(graph, generators, e).nonzero,
-            Condition::Radicand(e) => facts.sign(graph, generators, e).not_negative,
+            Condition::Pivot(e) => own.contains(&Condition::Denominator(e)) || facts.sign(graph, generators, e).nonzero,
+            Condition::Denominator(e) => facts.sign(graph, generators, e).nonzero,
+            Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,
+            Condition::Radicand(e) | Condition::Discriminant(e) => facts.sign(graph, generators, e).not_negative,
             Condition::Positive(e) => {
                 let k = facts.sign(graph, generators, e);
                 k.nonzero && k.not_negative

@@ -5,7 +5,7 @@ use super::lower::{Generator, Generators};
 use super::outcome::{Options, Reason};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Draws, Finite, FiniteField, NoValue, Number};
-use crate::tape::{Slots, Tape};
+use crate::tape::{Instruction, Slots, Tape};
 
 /// What is asked of one case, all in normal form (see [`roots`](super::roots)).
 #[derive(Clone, Debug, Default)]
@@ -20,6 +20,9 @@ pub(super) struct Question {
     pub(super) assumed: Vec<Expr>,
     /// Denominators: must not vanish.
     pub(super) nonzeros: Vec<Expr>,
+    /// Divided by while solving. With them, a choice of signs at which no pivot vanishes, and a denominator does, is void:
+    /// the formulas have no value there, and nothing is claimed.
+    pub(super) pivots: Option<Vec<Expr>>,
 }
 
 /// What the trials say.
@@ -31,6 +34,8 @@ pub(super) enum Trials {
     Fail { failing: usize, of: usize },
     /// No choice of signs satisfies the premises.
     Contradiction,
+    /// The same, but on every admitted choice of signs some formula has no value.
+    Void(Bound),
     /// A denominator vanishes at every point tried, for some choice of signs that the premises admit.
     NoValue,
     /// Not settled.
@@ -38,13 +43,24 @@ pub(super) enum Trials {
 }
 
 /// The error bound of the trials of one case.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Bound {
     pub(super) log2_error: f64,
     pub(super) degree: f64,
     pub(super) height: f64,
     pub(super) primes: Vec<u64>,
     pub(super) signs: usize,
+}
+
+impl Bound {
+    /// Both together.
+    pub(super) fn absorb(&mut self, other: Bound) {
+        self.log2_error = sum_log2(self.log2_error, other.log2_error);
+        self.degree = self.degree.max(other.degree);
+        self.height = self.height.max(other.height);
+        self.primes.extend(other.primes);
+        self.signs = self.signs.max(other.signs);
+    }
 }
 
 /// Points tried in one trial, until all roots exist and no denominator vanishes.
@@ -56,6 +72,7 @@ const CONSTANT_COUNT: f64 = 32.0;
 
 enum Sheet {
     Excluded,
+    Void,
     Holds,
     Fails,
     NoRoot,
@@ -78,6 +95,7 @@ pub(super) fn trials(
     let roots: Vec<Expr> =
         [&question.residuals, &question.filters, &question.zeros, &question.assumed, &question.nonzeros]
             .into_iter()
+            .chain(&question.pivots)
             .flatten()
             .copied()
             .collect();
@@ -88,7 +106,10 @@ pub(super) fn trials(
     if signs.len() > options.most_signs.min(20) as usize {
         return Trials::Unsettled(Reason::TooManyRoots(signs.len()));
     }
-    let tested = question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
+    let mut tested = question.residuals.len() + question.filters.len() + question.zeros.len() + question.assumed.len();
+    if question.pivots.is_some() {
+        tested += question.nonzeros.len();
+    }
     let Some((degree, height)) = bounds(&tape, &leaves, generators, tested, signs.len()) else {
         return Trials::Unsettled(Reason::TooLarge);
     };
@@ -104,6 +125,8 @@ pub(super) fn trials(
     let is_sign = |l: Leaf| generators.get(l) == Some(&Generator::Sign);
     let rigid: Vec<bool> = question.filters.iter().map(|&e| graph.leaves([e]).into_iter().all(is_sign)).collect();
     let mut bound = Bound { log2_error: each * count as f64, degree, height, primes: Vec::new(), signs: signs.len() };
+    let mut held = false;
+    let choices = Choices::new(&tape, signs);
     for _ in 0..count {
         let field = FiniteField::draw(draws);
         bound.primes.push(field.prime());
@@ -114,8 +137,12 @@ pub(super) fn trials(
             for &i in &free {
                 slots.set(i, Ok(field.draw_element(draws)));
             }
-            match all_sheets(&tape, &field, &mut slots, &signs, (question, &rigid)) {
+            match all_sheets(&tape, &field, &mut slots, &choices, (question, &rigid)) {
                 None => {
+                    (passed, held) = (true, true);
+                    break;
+                }
+                Some(Trials::Void(_)) => {
                     passed = true;
                     break;
                 }
@@ -128,7 +155,71 @@ pub(super) fn trials(
             return last;
         }
     }
-    Trials::Vanish(bound)
+    if held { Trials::Vanish(bound) } else { Trials::Void(bound) }
+}
+
+/// The choices of signs, in an order in which little has to be computed again from one to the next.
+struct Choices {
+    /// The inputs that are signs: the first changes most often.
+    signs: Vec<usize>,
+    /// Instructions that depend on no sign.
+    fixed: Vec<Instruction>,
+    /// For each sign the instructions that depend on it, and on none before it.
+    of: Vec<Vec<Instruction>>,
+}
+
+impl Choices {
+    fn new(tape: &Tape, mut signs: Vec<usize>) -> Choices {
+        // For each slot a bit for every sign that it depends on, by the position in `signs`.
+        let dependence = |signs: &[usize]| {
+            let mut on = vec![0u32; tape.slot_count()];
+            for (bit, &i) in signs.iter().enumerate() {
+                on[i] = 1 << bit;
+            }
+            for step in tape.instructions() {
+                on[step.out as usize] = on[step.a as usize] | on[step.b as usize];
+            }
+            on
+        };
+        // The signs on which most depends change least often.
+        let on = dependence(&signs);
+        let load = |bit: usize| on.iter().filter(|&&o| o >> bit & 1 == 1).count();
+        let mut loads: Vec<(usize, usize)> = signs.iter().enumerate().map(|(bit, &i)| (load(bit), i)).collect();
+        loads.sort_unstable();
+        signs = loads.into_iter().map(|(_, i)| i).collect();
+        let on = dependence(&signs);
+        let (mut fixed, mut of) = (Vec::new(), vec![Vec::new(); signs.len()]);
+        for &step in tape.instructions() {
+            match on[step.out as usize].trailing_zeros() as usize {
+                first if first < signs.len() => of[first].push(step),
+                _ => fixed.push(step),
+            }
+        }
+        Choices { signs, fixed, of }
+    }
+
+    fn count(&self) -> u64 {
+        1 << self.signs.len()
+    }
+
+    /// Everything for one choice, given that the one before it was the last that was run.
+    fn run(&self, choice: u64, tape: &Tape, field: &FiniteField, slots: &mut Slots<Finite>) {
+        for (bit, &i) in self.signs.iter().enumerate() {
+            slots.set(i, Ok(field.integer(if choice >> bit & 1 == 0 { 1 } else { -1 })));
+        }
+        // The bits in which a number differs from the one before are those up to its lowest one.
+        let changed = match choice {
+            0 => {
+                tape.run_some(field, slots, &self.fixed);
+                self.signs.len()
+            }
+            _ => choice.trailing_zeros() as usize + 1,
+        };
+        // What depends on an early sign may depend on what depends on late ones only.
+        for steps in self.of[..changed].iter().rev() {
+            tape.run_some(field, slots, steps);
+        }
+    }
 }
 
 /// One point, all choices of signs; `None` when everything holds.
@@ -136,28 +227,24 @@ fn all_sheets(
     tape: &Tape,
     field: &FiniteField,
     slots: &mut Slots<Finite>,
-    signs: &[usize],
+    choices: &Choices,
     (question, rigid): (&Question, &[bool]),
 ) -> Option<Trials> {
-    let (mut holds, mut fails, mut no_value, mut partial) = (0, 0, false, None);
-    for choice in 0..1u64 << signs.len() {
-        for (bit, &i) in signs.iter().enumerate() {
-            slots.set(i, Ok(field.integer(if choice >> bit & 1 == 0 { 1 } else { -1 })));
-        }
-        tape.run(field, slots);
+    let (mut holds, mut fails, mut void, mut no_value) = (0, 0, false, false);
+    for choice in 0..choices.count() {
+        choices.run(choice, tape, field, slots);
         match sheet(tape, field, slots, question, rigid) {
             Sheet::Excluded => {}
             Sheet::Holds => holds += 1,
+            Sheet::Void => void = true,
             Sheet::Fails => fails += 1,
             Sheet::NoValue => no_value = true,
-            Sheet::Partial(filter) => partial = Some(filter),
+            // Whatever the other choices say.
+            Sheet::Partial(filter) => return Some(Trials::Unsettled(Reason::Unsolved(question.filters[filter]))),
             Sheet::NoRoot => return Some(Trials::Unsettled(Reason::NoPoint)),
             Sheet::Unsupported => return Some(Trials::Unsettled(Reason::TooLarge)),
             Sheet::NotZero => return Some(Trials::Unsettled(Reason::Coincidence)),
         }
-    }
-    if let Some(filter) = partial {
-        return Some(Trials::Unsettled(Reason::Unsolved(question.filters[filter])));
     }
     if fails > 0 {
         return Some(Trials::Fail { failing: fails, of: holds + fails });
@@ -165,7 +252,11 @@ fn all_sheets(
     if no_value {
         return Some(Trials::NoValue);
     }
-    if holds == 0 { Some(Trials::Contradiction) } else { None }
+    match (holds, void) {
+        (0, false) => Some(Trials::Contradiction),
+        (0, true) => Some(Trials::Void(Bound::default())),
+        _ => None,
+    }
 }
 
 fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Question, rigid: &[bool]) -> Sheet {
@@ -201,12 +292,23 @@ fn sheet(tape: &Tape, field: &FiniteField, slots: &Slots<Finite>, question: &Que
     if excluded {
         return Sheet::Excluded;
     }
+    let mut vanishing = false;
     for _ in &question.nonzeros {
         match next() {
-            Ok(v) if v.is_zero() => missing = missing.or(Some(NoValue::OutOfDomain)),
+            Ok(v) if v.is_zero() => {
+                vanishing = true;
+                missing = missing.or(Some(NoValue::OutOfDomain));
+            }
             Ok(_) => {}
             Err(reason) => missing = missing.or(Some(reason)),
         }
+    }
+    if let Some(pivots) = &question.pivots
+        && vanishing
+        && !not_zero
+        && pivots.iter().all(|_| next().is_ok_and(|v| !v.is_zero()))
+    {
+        return Sheet::Void;
     }
     let mut fails = false;
     for residual in residuals {

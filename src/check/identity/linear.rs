@@ -19,7 +19,7 @@ pub(super) type Combination = BTreeMap<Monomial, Rational>;
 const LONGEST: usize = 48;
 
 /// Memory of the expansions of one graph.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Combinations {
     known: FastMap<Expr, Combination>,
 }

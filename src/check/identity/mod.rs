@@ -9,19 +9,23 @@
 //! 1. Premises are differentiated by time where rates ask for it; explicit definitions are inserted (`prepare`).
 //! 2. Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
 //!    combinations of monomials (`linear`).
-//! 3. Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
+//! 3. |a| in a premise is written σ·a with a sign σ (`absolute`). Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
 //!    is several equations, since all leaves are real. The other premises are solved, equation by equation, for unknowns in
 //!    which they have degree 1 or 2 (`solve`): the common solutions are parametrised by the leaves that stay free. Products
 //!    are split into cases.
 //! 4. Roots and |·| are brought to a normal form (`roots`): σ·√b, with one sign σ = ±1 for each distinct b.
 //! 5. Every case is evaluated at random points over GF(p²), p drawn, for **all** choices of the signs (`field`).
-//!    All residuals 0: the case is proved. Some not 0: not an identity on that choice of signs.
+//!    All residuals 0: the case is proved. Some not 0: not an identity on that choice of signs. A choice of signs on which a
+//!    denominator of a formula vanishes and no pivot of step 3 does is void, since the formulas have no value there; its
+//!    denominators are then counted in the bound, because it must be told from a choice on which they vanish by chance.
 //! 6. In the second case real points decide (`witness`): one that satisfies every premise as given, and at which the two
-//!    sides differ by more than their error bounds, refutes. None found: undecided.
+//!    sides differ by more than their error bounds, refutes. None found: the case is taken apart by the signs in its
+//!    definitions, of which what is given may exclude one; or it is undecided.
 //! 7. What was divided by in step 3 is looked at by itself: the case that it vanishes is solved and tested in the same way.
 //!    What cannot be settled so is reported as a condition, [`Condition::Pivot`]. Pivots of definitions on which neither the
 //!    conclusion nor a choice of cases depends do not count: those premises could have been left out. A contradiction counts
-//!    as one only if it remains where pivots vanish.
+//!    as one only if it remains where pivots vanish, and where bases of powers are 0. Conditions are restated briefly
+//!    (`restate`).
 //!
 //! # The bound
 //!
@@ -65,8 +69,9 @@
 //! * Common solutions of the premises at which a [`Condition::Pivot`] vanishes were not reached, unless they are limits of
 //!   others: a triangular resolution describes the generic components only. Where all solutions are of that kind, a formula
 //!   divides by 0 identically, and the answer is [`Reason::NoValue`].
-//! * Premises that have no real solution at all imply everything. A proof shows [`Proof::example`], a real point that
-//!   satisfies them, or says that none was found.
+//! * Premises that have no real solution at all imply everything, and so do those whose real solutions all lie where a pivot
+//!   vanishes. A proof shows [`Proof::example`], a real point that satisfies them and at which no pivot vanishes, or says
+//!   that none was found. Steps of derivations take a proof with pivots and without an example for none.
 //!
 //! # What is not decided
 //!
@@ -89,6 +94,7 @@
 //! J. T. Schwartz, *J. ACM* 27 (1980) 701; R. Zippel, EUROSAM 1979, LNCS 72, 216; G. H. Gonnet, STOC 1984, 334;
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
+mod absolute;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -99,8 +105,10 @@ mod growth;
 mod insertion;
 mod linear;
 mod lower;
+mod lowered;
 #[cfg(feature = "certificates")]
 mod membership;
+mod memory;
 pub mod order;
 mod orthogonal;
 mod outcome;
@@ -108,6 +116,7 @@ mod polynomial;
 mod prepare;
 mod probe;
 mod prove;
+mod restate;
 mod roots;
 mod sign;
 mod solve;
@@ -115,5 +124,7 @@ mod witness;
 
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub(super) use conditions::domains;
+pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
 pub use prove::{Branches, branches_test, identity_test};
+pub(super) use prove::{branches_test_after, identity_test_after};

@@ -137,7 +137,7 @@ pub fn of_conditions(graph: &mut Graph, conditions: &[Condition], parameters: &[
     for condition in conditions {
         let (requirement, e) = match *condition {
             Condition::Denominator(e) | Condition::Pivot(e) => (Requirement::NotZero, e),
-            Condition::Radicand(e) => (Requirement::NotNegative, e),
+            Condition::Radicand(e) | Condition::Discriminant(e) => (Requirement::NotNegative, e),
             Condition::Positive(e) => (Requirement::Positive, e),
             Condition::Unit(e) => match *graph.node(e) {
                 // |√x| ≤ 1

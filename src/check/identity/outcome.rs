@@ -34,11 +34,20 @@ pub struct Options {
     pub attempts: u32,
     /// How many pivots are looked at by themselves: the case that they vanish.
     pub special_cases: u32,
+    /// Solving the premises is given up when it has made this many nodes.
+    pub most_nodes: usize,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { seed: 0x5EED, target_log2_error: -100.0, most_signs: 10, attempts: 240, special_cases: 8 }
+        Options {
+            seed: 0x5EED,
+            target_log2_error: -100.0,
+            most_signs: 10,
+            attempts: 240,
+            special_cases: 8,
+            most_nodes: 20_000,
+        }
     }
 }
 
@@ -85,8 +94,10 @@ pub enum Condition {
     /// Divided by while solving the premises: not 0. Common solutions at which it vanishes were not tested, unless they are
     /// limits of others.
     Pivot(Expr),
-    /// Under a square root of a formula, or a discriminant of a premise: not negative.
+    /// Under a square root of a formula: not negative.
     Radicand(Expr),
+    /// Of a premise that is quadratic in an unknown: not negative wherever the premises hold, which nothing but they says.
+    Discriminant(Expr),
     /// Argument of arccos or arcsin: in [−1, 1].
     Unit(Expr),
     /// Argument of a logarithm or base of a power: positive.
@@ -144,6 +155,12 @@ pub enum Reason {
     Unsolved(Expr),
     /// Some formula divides by something that vanishes identically under the premises.
     NoValue,
+    /// Every way of solving the premises divides by something that vanishes wherever they hold.
+    Degenerate,
+    /// The premises have no solution at which this base of a power is positive; where it is 0 was not decided.
+    Boundary(Expr),
+    /// The premises have no solution unless this vanishes, and that case was not decided.
+    OnlyWhere(Expr),
     /// It fails over the field on `failing` of `of` choices of signs of roots, but no real point was found where it fails.
     Branches {
         /// Choices at which an equation fails.
@@ -167,6 +184,14 @@ pub enum Reason {
     Defect(String),
 }
 
+impl Reason {
+    /// Whether the premises were not solved, in any order: not a matter of the points that were tried.
+    pub(super) fn is_about_solving(&self) -> bool {
+        let divided = matches!(self, Reason::Unsolved(_) | Reason::OnlyWhere(_) | Reason::Degenerate);
+        divided || matches!(self, Reason::TooLarge | Reason::TooManyRoots(_))
+    }
+}
+
 impl Identity {
     /// The word of the report contract.
     pub fn word(&self) -> &'static str {
@@ -183,7 +208,16 @@ impl std::fmt::Display for Reason {
         match self {
             Reason::Contradiction => f.write_str("the premises contradict each other; nothing follows from them"),
             Reason::Unsolved(_) => f.write_str("a premise could not be solved for any of its unknowns"),
-            Reason::NoValue => f.write_str("a formula divides by something that is 0 whenever the premises hold"),
+            Reason::NoValue => f.write_str("a formula divides by something that is 0 wherever the premises hold"),
+            Reason::Degenerate => {
+                f.write_str("the premises were not solved: each way divides by something that is 0 wherever they hold")
+            }
+            Reason::Boundary(_) => {
+                f.write_str("the premises hold at most where the base of a power is 0, which was not decided")
+            }
+            Reason::OnlyWhere(_) => f.write_str(
+                "the premises hold at most where something vanishes that was divided by; that was not decided",
+            ),
             Reason::Branches { failing, of } => write!(
                 f,
                 "it depends on the signs of roots: false for {failing} of {of} choices, and no real point decides"

@@ -1,6 +1,10 @@
 //! Random evaluation of lowered expressions over GF(p²).
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use super::lower::{Generator, Generators};
+use super::memory::Structure;
 use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::number::{Draws, Finite, FiniteField, NoValue};
@@ -28,8 +32,8 @@ pub(super) struct Probe {
     points: Vec<FastMap<Leaf, Finite>>,
     /// What was seen: the points stay, so it does not change.
     sights: FastMap<Expr, Sight>,
-    /// Expression → numerator.
-    pub(super) tops: FastMap<Expr, Expr>,
+    /// What does not depend on points.
+    pub(super) structure: Rc<RefCell<Structure>>,
     /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
     pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
     /// The terms of sums of squares, see the solver.
@@ -46,7 +50,7 @@ const POINTS_WITH_SIGNS: usize = 10;
 const TRIES: usize = 16;
 
 impl Probe {
-    pub(super) fn new(draws: &mut Draws) -> Probe {
+    pub(super) fn new(draws: &mut Draws, structure: Rc<RefCell<Structure>>) -> Probe {
         let field = FiniteField::draw(draws);
         let draws = Draws::new(draws.bits());
         Probe {
@@ -54,7 +58,7 @@ impl Probe {
             draws,
             points: vec![FastMap::default(); TRIES],
             sights: FastMap::default(),
-            tops: FastMap::default(),
+            structure,
             nonzero: FastMap::default(),
             squares: FastMap::default(),
             solvable: FastMap::default(),
@@ -100,6 +104,19 @@ impl Probe {
         }
         tape.run(&field, &mut slots);
         (0..exprs.len()).map(|i| tape.output(i, &slots).copied()).collect()
+    }
+
+    /// Whether an expression has a value ≠ 0 at every point at which the roots in it exist, and at some.
+    pub(super) fn never_vanishes(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> bool {
+        let mut seen = false;
+        for point in 0..TRIES {
+            match self.values(graph, generators, point, &[e])[0] {
+                Ok(v) if !v.is_zero() => seen = true,
+                Err(NoValue::Indeterminate) => {}
+                _ => return false,
+            }
+        }
+        seen
     }
 
     /// Whether an expression is identically zero, see [`Sight`].

@@ -155,6 +155,9 @@ impl<'a> Roots<'a> {
             if self.facts.not_negative.contains(&node) {
                 self.facts.not_negative.insert(image);
             }
+            if self.facts.not_positive.contains(&node) {
+                self.facts.not_positive.insert(image);
+            }
             if self.facts.nonzero.contains(&node) {
                 self.facts.nonzero.insert(image);
             }
@@ -223,6 +226,10 @@ impl<'a> Roots<'a> {
         self.facts.sign(self.graph, self.generators, e).not_negative
     }
 
+    fn not_positive(&self, e: Expr) -> bool {
+        self.facts.sign(self.graph, self.generators, e).not_positive
+    }
+
     /// |e|.
     fn absolute(&mut self, e: Expr) -> Expr {
         if self.graph.is_zero(e) {
@@ -231,13 +238,18 @@ impl<'a> Roots<'a> {
         if self.not_negative(e) {
             return e;
         }
+        if self.not_positive(e) {
+            return self.graph.neg(e);
+        }
         let (q, parts) = factors(self.graph, e);
         let (q, parts) = self.without_content(q, parts);
         let mut out = self.graph.constant(if q < Rational::ZERO { -q } else { q });
         for (base, k) in parts {
             let power = self.graph.powi(base, k);
             out = self.graph.mul(out, power);
-            if k % 2 != 0 && !self.not_negative(base) {
+            if k % 2 != 0 && self.not_positive(base) {
+                out = self.graph.neg(out);
+            } else if k % 2 != 0 && !self.not_negative(base) {
                 let sign = self.sign_of(base);
                 out = self.graph.mul(out, sign);
             }
@@ -323,7 +335,11 @@ impl<'a> Roots<'a> {
         let mut out = self.graph.integer(1);
         let mut rest = self.graph.integer(1);
         let mut rest_empty = true;
-        for (base, k) in parts {
+        for (mut base, k) in parts {
+            if k % 2 != 0 && self.not_positive(base) {
+                base = self.graph.neg(base);
+                q = -q;
+            }
             let odd = k.rem_euclid(2);
             let whole = (k - odd) / 2;
             if whole != 0 {

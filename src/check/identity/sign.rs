@@ -5,10 +5,12 @@ use crate::expr::FastSet;
 use crate::expr::{Expr, Graph, Node, Op, Rational};
 
 /// Facts about lowered expressions, and what follows from them by structure.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Facts {
     pub(super) positive: FastSet<Expr>,
     pub(super) not_negative: FastSet<Expr>,
+    /// Negatives of what is not negative.
+    pub(super) not_positive: FastSet<Expr>,
     pub(super) nonzero: FastSet<Expr>,
 }
 
@@ -23,13 +25,37 @@ pub(super) struct Known {
     pub(super) nonzero: bool,
 }
 
+/// −e, in the forms in which it may occur: −e, and b − a for a − b.
+fn mirrored(graph: &mut Graph, e: Expr) -> [Expr; 2] {
+    let negative = graph.neg(e);
+    match *graph.node(e) {
+        Node::Binary(Op::Sub, a, b) => [negative, graph.sub(b, a)],
+        _ => [negative; 2],
+    }
+}
+
 impl Facts {
+    /// Notes that e > 0.
+    pub(super) fn note_positive(&mut self, graph: &mut Graph, e: Expr) {
+        self.positive.insert(e);
+        let mirrored = mirrored(graph, e);
+        self.not_positive.extend(mirrored);
+        self.nonzero.extend(mirrored);
+    }
+
+    /// Notes that e ≥ 0.
+    pub(super) fn note_not_negative(&mut self, graph: &mut Graph, e: Expr) {
+        self.not_negative.insert(e);
+        self.not_positive.extend(mirrored(graph, e));
+    }
+
     /// Signs of a node and everything below it, wherever it has a value.
     pub(super) fn sign(&self, graph: &Graph, generators: &Generators, e: Expr) -> Known {
         let mut known = crate::expr::FastMap::default();
         for node in graph.reachable([e]) {
             let mut k = self.step(graph, generators, node, &known);
             k.not_negative |= self.positive.contains(&node) || self.not_negative.contains(&node);
+            k.not_positive |= self.not_positive.contains(&node);
             k.nonzero |= self.positive.contains(&node) || self.nonzero.contains(&node);
             known.insert(node, k);
         }

@@ -12,7 +12,8 @@
 //! Leaving an equation out only enlarges the set on which the conclusion is tested, so redundant equations need not be
 //! recognised with certainty.
 
-use super::linear::{Combinations, Monomial, expression};
+mod reduce;
+
 use super::lower::{Generator, Generators};
 use super::polynomial::{coefficients, factors, fraction, product};
 use super::probe::{InPowers, Probe, Sight};
@@ -40,6 +41,10 @@ pub(super) struct Resolved {
     unsolved_needs: BTreeSet<usize>,
     /// Whether the premises cannot hold in this case, where the pivots are not 0.
     pub(super) empty: bool,
+    /// A denominator of a premise that vanishes wherever the others hold: the premise has no value then.
+    pub(super) void: Option<Expr>,
+    /// Whether it is empty because something vanishes that a formula divides by.
+    pub(super) no_value: bool,
     /// Factors set to 0, for the description of the case.
     pub(super) split_on: Vec<Expr>,
 }
@@ -47,8 +52,8 @@ pub(super) struct Resolved {
 /// Why there is no resolution.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Failed {
-    /// A premise divides by something that vanishes identically under the others.
-    NoValue,
+    /// What was divided by vanishes identically.
+    Degenerate,
     /// More cases than are looked at.
     TooManyCases,
 }
@@ -79,10 +84,14 @@ pub(super) struct Solver<'a> {
     pub(super) generators: &'a mut Generators,
     pub(super) probe: &'a mut Probe,
     pub(super) facts: &'a Facts,
+    /// What is given of signs.
+    pub(super) given_facts: &'a Facts,
     /// Leaves that must stay free: they stand in arguments of transcendental functions.
     pub(super) frozen: &'a FastSet<Leaf>,
     /// In which order.
     pub(super) strategy: Strategy,
+    /// Whether the first equation comes before all others.
+    pub(super) special: bool,
     /// Leaves that are solved for only when nothing else can be.
     pub(super) parameters: &'a FastSet<Leaf>,
     /// The size of the graph at which solving is given up.
@@ -139,6 +148,12 @@ pub(super) fn closed(graph: &mut Graph, definitions: &[(Leaf, Expr)]) -> FastMap
 }
 
 impl Resolved {
+    /// One value for a sign.
+    pub(super) fn define_sign(&mut self, leaf: Leaf, value: Expr) {
+        self.definitions.push((leaf, value));
+        self.needs.push(BTreeSet::new());
+    }
+
     /// The pivots of the definitions that expressions depend on. The equations that the other definitions come from could
     /// have been left out: so could what was divided by for them.
     pub(super) fn pivots_for(&self, graph: &Graph, exprs: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
@@ -195,6 +210,8 @@ impl Solver<'_> {
             match self.advance(&mut case)? {
                 Next::Done => done.push(case.out),
                 Next::Contradiction => done.push(Resolved { empty: true, ..case.out }),
+                Next::NoValue => done.push(Resolved { empty: true, no_value: true, ..case.out }),
+                Next::Void(denominator) => done.push(Resolved { void: Some(denominator), ..case.out }),
                 Next::Split(equation, parts) => {
                     for part in parts.into_iter().rev() {
                         let mut one = case.clone();
@@ -246,11 +263,12 @@ impl Solver<'_> {
         let mut split = None;
         let mut seen = FastSet::default();
         while let Some(one) = pending.pop() {
-            let top = match self.probe.tops.get(&one.e) {
-                Some(&top) => top,
+            let known = self.probe.structure.borrow().tops.get(&one.e).copied();
+            let top = match known {
+                Some(top) => top,
                 None => {
                     let (top, _) = fraction(self.graph, one.e);
-                    self.probe.tops.insert(one.e, top);
+                    self.probe.structure.borrow_mut().tops.insert(one.e, top);
                     top
                 }
             };
@@ -259,12 +277,17 @@ impl Solver<'_> {
             }
             match self.probe.sight(self.graph, self.generators, top) {
                 Sight::Zero => continue,
-                Sight::Nowhere => return Err(Failed::NoValue),
+                Sight::Nowhere => {
+                    return match self.vanishing_denominator(case, one.plain) {
+                        Some(denominator) => Ok(Some(Next::Void(denominator))),
+                        None => Err(Failed::Degenerate),
+                    };
+                }
                 Sight::Nonzero => {}
             }
             let (_, parts) = factors(self.graph, top);
-            let mut parts: Vec<Expr> =
-                parts.into_iter().filter(|&(base, k)| k > 0 && !self.is_known(base)).map(|(base, _)| base).collect();
+            let bases: Vec<Expr> = parts.into_iter().filter(|&(_, k)| k > 0).map(|(base, _)| base).collect();
+            let mut parts: Vec<Expr> = bases.iter().copied().filter(|&base| !self.is_known(base)).collect();
             if parts.len() > 1 {
                 // A variable that must stay free is not set to 0; that it is not 0 becomes a condition.
                 let free = |base: &Expr| match self.graph.node(*base) {
@@ -275,7 +298,11 @@ impl Solver<'_> {
                 parts.retain(|base| !free(base));
             }
             match parts.as_slice() {
-                [] => return Ok(Some(Next::Contradiction)),
+                // That a formula has a value is not given.
+                [] => {
+                    let given = bases.into_iter().all(|base| self.is_given(base));
+                    return Ok(Some(if given { Next::Contradiction } else { Next::NoValue }));
+                }
                 &[base] => {
                     if let Some(terms) = self.squares(base) {
                         pending.extend(terms.into_iter().rev().map(|e| Pending { e, plain: e, ..one }));
@@ -283,7 +310,9 @@ impl Solver<'_> {
                     }
                     let reduced = self.on_circle(case, base);
                     let (_, again) = factors(self.graph, reduced);
-                    if again.len() > 1 {
+                    if let Some(parts) = self.without_leaf(reduced) {
+                        split.get_or_insert((kept.len(), parts));
+                    } else if again.len() > 1 {
                         split.get_or_insert((kept.len(), again.into_iter().map(|(b, _)| b).collect::<Vec<_>>()));
                     }
                     kept.push(Pending { e: reduced, ..one });
@@ -298,136 +327,6 @@ impl Solver<'_> {
         Ok(split.map(|(equation, parts)| Next::Split(equation, parts)))
     }
 
-    /// The terms of a sum of squares without their squares: over the real numbers each of them vanishes with the sum.
-    fn squares(&mut self, e: Expr) -> Option<Vec<Expr>> {
-        if let Some(known) = self.probe.squares.get(&e) {
-            return known.clone();
-        }
-        if let Some(terms) = self.written_squares(e) {
-            self.probe.squares.insert(e, Some(terms.clone()));
-            return Some(terms);
-        }
-        let sum = Combinations::default().of(self.graph, e);
-        let positive = sum.values().next().is_some_and(|q| *q > Rational::ZERO);
-        let even = |(m, q): (&Monomial, &Rational)| {
-            (*q > Rational::ZERO) == positive && m.iter().all(|&(_, k)| k > 0 && k % 2 == 0)
-        };
-        let found = (sum.len() > 1 && sum.iter().all(even)).then(|| {
-            let root = |m: &Monomial| m.iter().map(|&(base, k)| (base, k / 2)).collect();
-            let roots: Vec<Monomial> = sum.keys().map(root).collect();
-            roots.iter().map(|m| expression(self.graph, m, &Rational::ONE)).collect::<Vec<_>>()
-        });
-        self.probe.squares.insert(e, found.clone());
-        found
-    }
-
-    /// The same for a sum that is written as one of squares.
-    fn written_squares(&mut self, e: Expr) -> Option<Vec<Expr>> {
-        let mut open = vec![(e, false)];
-        let mut terms: Vec<(bool, Vec<(Expr, i32)>)> = Vec::new();
-        while let Some((e, minus)) = open.pop() {
-            match *self.graph.node(e) {
-                Node::Binary(Op::Add, a, b) => open.extend([(b, minus), (a, minus)]),
-                Node::Binary(Op::Sub, a, b) => open.extend([(b, !minus), (a, minus)]),
-                Node::Unary(Op::Neg, a) => open.push((a, !minus)),
-                _ if self.graph.is_zero(e) => {}
-                _ => {
-                    let (q, parts) = factors(self.graph, e);
-                    if !parts.iter().all(|&(_, k)| k > 0 && k % 2 == 0) {
-                        return None;
-                    }
-                    terms.push(((q > Rational::ZERO) != minus, parts));
-                }
-            }
-        }
-        let sign = terms.first()?.0;
-        if terms.len() < 2 || terms.iter().any(|(s, _)| *s != sign) {
-            return None;
-        }
-        let root = |parts: &Vec<(Expr, i32)>| parts.iter().map(|&(base, k)| (base, k / 2)).collect::<Vec<_>>();
-        let roots: Vec<Vec<(Expr, i32)>> = terms.iter().map(|(_, parts)| root(parts)).collect();
-        Some(roots.iter().map(|parts| product(self.graph, &Rational::ONE, parts)).collect())
-    }
-
-    /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
-    fn on_circle(&mut self, case: &mut Case, e: Expr) -> Expr {
-        let pairs: BTreeSet<(Leaf, Leaf)> =
-            self.graph.leaves([e]).into_iter().filter_map(|l| self.generators.circle(l)).collect();
-        let mut e = e;
-        for (c, s) in pairs {
-            let leaves = self.graph.leaves([e]);
-            if !(leaves.contains(&c) && leaves.contains(&s)) {
-                continue;
-            }
-            let mut kept = None;
-            for (keep, reduce) in [(c, s), (s, c)] {
-                let Some(all) = coefficients(self.graph, e, reduce, HIGHEST) else { continue };
-                if all.len() < 3 {
-                    continue;
-                }
-                let (even, odd) = self.halves(&all, keep);
-                let flat = |this: &mut Self, e| this.probe.sight(this.graph, this.generators, e) == Sight::Zero;
-                if flat(self, odd) {
-                    case.out.taken_as_zero.push(odd);
-                    e = even;
-                    kept = None;
-                    break;
-                }
-                let root = self.graph.leaf(reduce);
-                let term = self.graph.mul(root, odd);
-                if flat(self, even) {
-                    case.out.taken_as_zero.push(even);
-                    e = term;
-                    kept = None;
-                    break;
-                }
-                kept.get_or_insert(self.graph.add(even, term));
-            }
-            if let Some(reduced) = kept {
-                e = reduced;
-            }
-        }
-        e
-    }
-
-    /// Even and odd part of a polynomial in one of the pair, with its square replaced by 1 − keep².
-    fn halves(&mut self, all: &[Expr], keep: Leaf) -> (Expr, Expr) {
-        let g = &mut *self.graph;
-        let keep = g.leaf(keep);
-        let (one, square) = (g.integer(1), g.powi(keep, 2));
-        let other = g.sub(one, square);
-        let mut parts = [g.integer(0), g.integer(0)];
-        for (k, &coefficient) in all.iter().enumerate() {
-            let power = g.powi(other, (k / 2) as i32);
-            let factor = if k / 2 == 0 { one } else { power };
-            let term = g.mul_structural(coefficient, factor);
-            parts[k % 2] = g.add(parts[k % 2], term);
-        }
-        (parts[0], parts[1])
-    }
-
-    /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
-    fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
-        let all = &candidate.coefficients;
-        let lowest = *all.first()?;
-        let e = case.pending[candidate.equation].e;
-        let x = self.graph.leaf(candidate.unknown);
-        if e == x || self.probe.sight(self.graph, self.generators, lowest) != Sight::Zero {
-            return None;
-        }
-        case.out.taken_as_zero.extend(candidate.vanishing.iter().copied());
-        if !self.graph.is_zero(lowest) {
-            case.out.taken_as_zero.push(lowest);
-        }
-        let mut quotient = self.graph.integer(0);
-        for &c in all[1..].iter().rev() {
-            let raised = self.graph.mul_structural(quotient, x);
-            quotient = self.graph.add(raised, c);
-        }
-        let parts = [x, quotient].into_iter().filter(|&e| !self.is_known(e)).collect();
-        Some(Next::Split(candidate.equation, parts))
-    }
-
     /// Whether an expression is known to be ≠ 0.
     fn is_known(&mut self, e: Expr) -> bool {
         if let Some(&known) = self.probe.nonzero.get(&e) {
@@ -436,6 +335,37 @@ impl Solver<'_> {
         let known = self.facts.sign(self.graph, self.generators, e).nonzero;
         self.probe.nonzero.insert(e, known);
         known
+    }
+
+    /// Whether it is known from what is given.
+    fn is_given(&self, e: Expr) -> bool {
+        self.given_facts.sign(self.graph, self.generators, e).nonzero
+    }
+
+    /// A denominator of a premise that vanishes under the definitions of a case, none of whose pivots vanishes.
+    fn vanishing_denominator(&mut self, case: &Case, plain: Expr) -> Option<Expr> {
+        let map = closed(self.graph, &case.out.definitions);
+        let pivots = case.out.pivots.clone();
+        for (pivot, _) in pivots {
+            let pivot = insert_definitions(self.graph, &map, pivot);
+            if !self.probe.never_vanishes(self.graph, self.generators, pivot) {
+                return None;
+            }
+        }
+        let denominators: Vec<Expr> = self
+            .graph
+            .reachable([plain])
+            .iter()
+            .filter_map(|&e| match *self.graph.node(e) {
+                Node::Binary(Op::Div, _, b) => Some(b),
+                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
+                _ => None,
+            })
+            .collect();
+        denominators.into_iter().find(|&e| {
+            let e = insert_definitions(self.graph, &map, e);
+            self.probe.sight(self.graph, self.generators, e) == Sight::Zero
+        })
     }
 
     fn class(&self, leaf: Leaf) -> Option<u8> {
@@ -454,7 +384,7 @@ impl Solver<'_> {
     }
 
     fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
-        let Pending { e, derived, .. } = case.pending[equation];
+        let Pending { e, derived, from, .. } = case.pending[equation];
         let mut out = Vec::new();
         let size = self.graph.reachable([e]).len();
         let mut leaves: Vec<(u8, Leaf)> =
@@ -476,9 +406,10 @@ impl Solver<'_> {
             let degree = all.len() as u8;
             // What holds without rates comes first: a rate must not be divided by something that it makes 0.
             let late = match derived {
-                false => 0,
-                true if unknown.rate > 0 => 1,
-                true => 2,
+                _ if self.special && from == 0 => 0,
+                false => 1,
+                true if unknown.rate > 0 => 2,
+                true => 3,
             };
             let position = out.len();
             out.push(Candidate {
@@ -504,7 +435,7 @@ impl Solver<'_> {
             return known.clone();
         }
         let mut found = None;
-        if let Some(mut all) = coefficients(self.graph, e, unknown, HIGHEST) {
+        if let Some(mut all) = self.written_in_powers(e, unknown) {
             let mut vanishing = Vec::new();
             while let Some(&last) = all.last()
                 && all.len() > 1
@@ -518,6 +449,15 @@ impl Solver<'_> {
             }
         }
         self.probe.solvable.insert((e, unknown), found.clone());
+        found
+    }
+
+    fn written_in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<Vec<Expr>> {
+        if let Some(known) = self.probe.structure.borrow().powers.get(&(e, unknown)) {
+            return known.clone();
+        }
+        let found = coefficients(self.graph, e, unknown, HIGHEST);
+        self.probe.structure.borrow_mut().powers.insert((e, unknown), found.clone());
         found
     }
 
@@ -608,6 +548,10 @@ impl Solver<'_> {
 enum Next {
     Done,
     Contradiction,
+    /// Something vanishes that a formula divides by.
+    NoValue,
+    /// This denominator seems to vanish, as far as random points tell.
+    Void(Expr),
     /// The equation with this number is a product of these factors.
     Split(usize, Vec<Expr>),
 }

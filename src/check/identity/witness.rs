@@ -6,6 +6,7 @@
 //! formulas as given, and exactly from the lowered formulas where every root is rational.
 
 use super::exact::Exact;
+use super::linear::Combinations;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
@@ -30,6 +31,53 @@ pub(super) struct Scene<'a> {
     pub(super) explicit: &'a FastMap<Leaf, Expr>,
     /// Definitions of the case, closed.
     pub(super) defined: &'a FastMap<Leaf, Expr>,
+    /// What gets its value from a generator that is solved for, see [`targets`].
+    pub(super) targets: Vec<Target>,
+}
+
+/// A leaf that the argument of a generator is solved for, because the generator itself is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Target {
+    /// Number of the generator: a cosine or an exponential.
+    generator: usize,
+    leaf: Leaf,
+    /// The argument is a multiple of leaf or of 1/leaf: 1 or −1.
+    power: i32,
+}
+
+/// For each cosine and exponential that is solved for, what its argument can be solved for: its only leaf, or one that
+/// stands in no other argument.
+pub(super) fn targets(graph: &Graph, generators: &Generators, defined: &FastMap<Leaf, Expr>) -> Vec<Target> {
+    let arguments: Vec<(usize, Expr)> =
+        generators.list.iter().enumerate().filter_map(|(at, g)| Some((at, g.argument()?))).collect();
+    let mut out: Vec<Target> = Vec::new();
+    for (at, generator) in generators.list.iter().enumerate() {
+        let (argument, own) = match *generator {
+            Generator::Cosine(a) => (a, at..at + 2),
+            Generator::Exponential(a) => (a, at..at + 1),
+            _ => continue,
+        };
+        if !own.clone().any(|i| generators.leaf(i).is_some_and(|l| defined.contains_key(&l))) {
+            continue;
+        }
+        let combination = Combinations::default().of(graph, argument);
+        let mut terms = combination.into_iter();
+        let (Some((monomial, _)), None) = (terms.next(), terms.next()) else { continue };
+        let single = monomial.len() == 1;
+        let found = monomial.iter().find_map(|&(base, power)| {
+            let &Node::Leaf(leaf) = graph.node(base) else { return None };
+            let known = defined.contains_key(&leaf) || generators.get(leaf).is_some();
+            let elsewhere = || {
+                let others = monomial.iter().filter(|(b, _)| *b != base).map(|&(b, _)| b);
+                let arguments = arguments.iter().filter(|(i, _)| !own.contains(i)).map(|&(_, a)| a);
+                others.chain(arguments).any(|e| graph.leaves([e]).contains(&leaf))
+            };
+            let free = power.abs() == 1 && !known && !out.iter().any(|t| t.leaf == leaf) && (single || !elsewhere());
+            free.then_some(Target { generator: at, leaf, power })
+        });
+        out.extend(found);
+    }
+    out
 }
 
 /// A point that satisfies all premises, and what the claim's sides are there.
@@ -141,7 +189,7 @@ impl Scene<'_> {
             let before = values.len();
             self.generate(&mut values, &mut exact, &circles)?;
             self.define(self.defined, &mut values, &mut exact)?;
-            self.invert_solved(&mut values, &exact, &mut circles)?;
+            self.invert_solved(&mut values, &exact, &mut circles, draws)?;
             self.define(self.explicit, &mut values, &mut exact)?;
             if values.len() == before {
                 break;
@@ -160,7 +208,7 @@ impl Scene<'_> {
             .filter_map(|&l| {
                 let value = PointValue {
                     exact: exact.get(&l).cloned(),
-                    circle: circles.get(&l).cloned(),
+                    circle: circles.get(&l).filter(|_| self.is_whole_angle(l)).cloned(),
                     decimal: values.get(&l)?.value,
                 };
                 Some((l, value))
@@ -168,6 +216,14 @@ impl Scene<'_> {
             .collect();
         found.point = Point { values: point };
         Some(found)
+    }
+
+    /// Whether a generator is the cosine of a leaf itself: cosine and sine of another part of it do not say what it is.
+    fn is_whole_angle(&self, leaf: Leaf) -> bool {
+        self.generators.list.iter().any(|g| match *g {
+            Generator::Cosine(a) => matches!(self.graph.node(a), Node::Leaf(l) if *l == leaf),
+            _ => false,
+        })
     }
 
     fn everything(&self) -> Vec<Expr> {
@@ -184,8 +240,7 @@ impl Scene<'_> {
 
     /// q and leaf when e = q·leaf.
     fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
-        let mut combinations = super::linear::Combinations::default();
-        let combination = combinations.of(self.graph, e);
+        let combination = Combinations::default().of(self.graph, e);
         let mut terms = combination.into_iter();
         let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
         match m.as_slice() {
@@ -203,14 +258,7 @@ impl Scene<'_> {
 
     /// Whether a leaf gets its value from a generator that is solved for.
     fn awaited(&self, leaf: Leaf) -> bool {
-        (0..self.generators.list.len()).any(|at| {
-            let argument = match self.generators.list[at] {
-                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) => a,
-                _ => return false,
-            };
-            self.generator_leaf(at).is_some_and(|g| self.defined.contains_key(&g))
-                && self.multiple_of_leaf(argument).is_some_and(|(_, l)| l == leaf)
-        })
+        self.targets.iter().any(|t| t.leaf == leaf)
     }
 
     /// Angles that occur only as such: half-angle tangents are rational.
@@ -251,7 +299,9 @@ impl Scene<'_> {
 
     fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut FastMap<Leaf, Rational>) {
         for at in 0..self.generators.list.len() {
-            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at)) {
+            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at))
+                && !self.defined.contains_key(&leaf)
+            {
                 let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
                 values.insert(leaf, Bounded::exact(f64::from(sign)));
                 exact.insert(leaf, Rational::from(sign));
@@ -324,6 +374,7 @@ impl Scene<'_> {
         values: &mut Values,
         exact: &FastMap<Leaf, Rational>,
         circles: &mut FastMap<Leaf, (Rational, Rational)>,
+        draws: &mut Draws,
     ) -> Option<()> {
         for at in 0..self.generators.list.len() {
             let Some(leaf) = self.generator_leaf(at) else { continue };
@@ -337,14 +388,23 @@ impl Scene<'_> {
             if !(solved(Some(leaf)) || circle && solved(sine)) {
                 continue;
             }
-            let (q, target) = self.multiple_of_leaf(argument)?;
-            if values.contains_key(&target) {
+            let target = self.targets.iter().find(|t| t.generator == at)?;
+            if values.contains_key(&target.leaf) {
                 continue;
             }
-            let inverse = if circle {
+            // The argument where the leaf is 1.
+            let one = rounded(&Rational::ONE)?;
+            values.insert(target.leaf, one);
+            let unit = match self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                true => decimals(self.graph, &[argument], values)[0],
+                false => None,
+            };
+            values.remove(&target.leaf);
+            let Some(unit) = unit else { continue };
+            let mut inverse = if circle {
                 let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
                 if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
-                    circles.insert(target, (c.clone(), s.clone()));
+                    circles.insert(target.leaf, (c.clone(), s.clone()));
                 }
                 // Either end of the cut is an angle with this cosine and sine.
                 function(|out| Number::arctan2(out, &(), &s, &c))
@@ -352,8 +412,16 @@ impl Scene<'_> {
                 let Some(e) = values.get(&leaf) else { continue };
                 function(|out| Number::ln(out, &(), e))
             };
-            let (inverse, q) = (inverse?, rounded(&q)?);
-            values.insert(target, function(|out| Number::div(out, &(), &inverse, &q))?);
+            // Every angle with this cosine and sine is one.
+            if circle && draws.bits() & 3 == 0 {
+                let turn = function(|out| Number::pi(out, &()));
+                let turns = Bounded::exact(if draws.bits() & 1 == 0 { 2.0 } else { -2.0 });
+                let turned = turn.and_then(|pi| function(|out| Number::mul(out, &(), &turns, &pi)));
+                inverse = turned.zip(inverse).and_then(|(t, a)| function(|out| Number::add(out, &(), &a, &t)));
+            }
+            let inverse = inverse?;
+            let (above, below) = if target.power > 0 { (inverse, unit) } else { (unit, inverse) };
+            values.insert(target.leaf, function(|out| Number::div(out, &(), &above, &below))?);
         }
         Some(())
     }
@@ -431,4 +499,19 @@ pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
         .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
     let (left, right) = best.sides[equation].clone();
     Some(Refutation { equation, point: best.point.clone(), left, right, second })
+}
+
+/// The first of these expressions that may vanish at a point; what has no value there counts as not vanishing.
+pub(super) fn vanishing(graph: &Graph, exprs: &[Expr], point: &Point) -> Option<Expr> {
+    let values: Values = point
+        .values
+        .iter()
+        .map(|&(leaf, ref v)| {
+            let rounding = v.decimal.abs() * 4.0 * f64::EPSILON;
+            let exact = v.exact.as_ref().and_then(rounded);
+            (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
+        })
+        .collect();
+    let at = decimals(graph, exprs, &values);
+    exprs.iter().zip(at).find_map(|(&e, v)| v.is_some_and(|v| v.contains_zero()).then_some(e))
 }

@@ -69,7 +69,7 @@ pub struct Separation {
     pub necessary: Vec<(ConditionName, usize)>,
     /// Conditions that were tried.
     pub tried: usize,
-    /// Conditions that are undecided on one of these trajectories, and so explain nothing.
+    /// Conditions that may explain something as far as they are decided, but are undecided on one of these trajectories.
     pub undecided: usize,
 }
 

@@ -2,6 +2,7 @@
 
 use super::Truth;
 use super::account::{ConditionName, Explanation, Join, Rival, Separation};
+use super::ask::Sides;
 use super::candidates::Candidate;
 use crate::check::account::ClaimAccount;
 use crate::check::verdict::Outcome;
@@ -19,6 +20,15 @@ const MOST_PARTS: usize = 60;
 pub(super) fn is_split(claim: &ClaimAccount) -> bool {
     let has = |want: fn(Outcome) -> bool| claim.results.iter().any(|p| want(p.verdict.outcome()));
     has(|o| matches!(o, Outcome::Holds(_))) && has(|o| matches!(o, Outcome::Fails(_)))
+}
+
+/// The trajectories on which a claim holds, and those on which it fails, by their positions among the ids.
+pub(super) fn sides(claim: &ClaimAccount, ids: &[String]) -> Sides {
+    let with = |want: fn(Outcome) -> bool| -> Vec<usize> {
+        let has = |id: &String| claim.results.iter().any(|p| p.trajectory == *id && want(p.verdict.outcome()));
+        (0..ids.len()).filter(|&i| has(&ids[i])).collect()
+    };
+    Sides { holds: with(|o| matches!(o, Outcome::Holds(_))), fails: with(|o| matches!(o, Outcome::Fails(_))) }
 }
 
 /// A condition, or several, on all trajectories.
@@ -53,8 +63,14 @@ fn implies(a: &Truth, b: &Truth) -> bool {
     a.iter().zip(b).all(|(a, b)| *a == Some(false) || *b == Some(true))
 }
 
-/// What separates the trajectories of a claim. `ids` are those of all trajectories, in the order of the truths.
-pub(super) fn separation(claim: &ClaimAccount, ids: &[String], judged: &[(&Candidate, &Truth)]) -> Separation {
+/// What separates the trajectories of a claim. `ids` are those of all trajectories, in the order of the truths; `judged` are
+/// the conditions that may explain something, of `tried` that were tried.
+pub(super) fn separation(
+    claim: &ClaimAccount,
+    ids: &[String],
+    judged: &[(&Candidate, &Truth)],
+    tried: usize,
+) -> Separation {
     let outcome = |id: &String| claim.results.iter().find(|p| p.trajectory == *id).map(|p| p.verdict.outcome());
     let stands: Vec<Option<bool>> = ids
         .iter()
@@ -83,7 +99,6 @@ pub(super) fn separation(claim: &ClaimAccount, ids: &[String], judged: &[(&Candi
     }
     let relevant: Vec<usize> = (0..ids.len()).filter(|&i| stands[i].is_some()).collect();
     let decided = |o: &Reason| relevant.iter().all(|&i| o.truth[i].is_some());
-    let tried = judged.len();
     let undecided = judged.iter().filter(|(_, t)| relevant.iter().any(|&i| t[i].is_none())).count();
     all.retain(decided);
     let exact = |truth: &Truth| relevant.iter().all(|&i| truth[i] == stands[i]);

@@ -10,20 +10,24 @@
 //! hand, by inclusion. Trajectories are all the evidence that there is: what they cannot tell apart is said to be so.
 
 mod account;
+mod ask;
 mod assumptions;
 mod candidates;
 mod explain;
 
 pub use account::{AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation};
 
+use std::collections::BTreeSet;
+
 use super::account::{Account, PairAccount};
 use super::independence::Gradients;
 use super::one_pair;
 use super::program::Program;
 use super::trial::{Course, Trial};
-use super::verdict::{Outcome, Verdict};
+use super::verdict::Verdict;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
+use ask::{Ask, Sides};
 use assumptions::Dropped;
 use candidates::Candidate;
 use rayon::prelude::*;
@@ -94,7 +98,7 @@ impl Probes {
         derivation: &Derivation,
         gradients: &[Option<Result<Gradients, String>>],
         start_of: &[usize],
-        courses: Vec<Course>,
+        courses: &mut [Course],
         account: &mut Account,
     ) {
         let split = account.claims.iter().any(explain::is_split);
@@ -103,51 +107,72 @@ impl Probes {
             whole.is_some_and(|c| assumptions::is_open(c, &derivation.trajectories[t].id, d.selects))
         };
         let count = self.candidates.len();
-        let asked: Vec<(&Claim, &[Program])> = self.asked().collect();
-        let on_one = |course: Course| -> (String, Vec<Option<Verdict>>) {
+        let on_one = |course: &mut Course| -> (String, Vec<Option<Verdict>>) {
             let t = course.trajectory;
-            let verdict = |(k, (claim, programs)): (usize, &(&Claim, &[Program]))| {
-                let dropped = k.checked_sub(count).and_then(|d| self.dropped.get(d));
-                let wanted = dropped.map_or(split, |d| open(d, t));
-                let program = programs.get(start_of[t]).filter(|_| wanted && claim.trajectories.contains(&t))?;
-                let gradients = dropped.and_then(|d| gradients.get(d.of)).and_then(Option::as_ref);
-                let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+            let verdict = |(d, dropped): (usize, &Dropped)| {
+                let wanted = open(dropped, t) && dropped.claim.trajectories.contains(&t);
+                let program = self.programs.get(count + d)?.get(start_of[t]).filter(|_| wanted)?;
+                let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
+                let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course };
                 Some(one_pair(derivation, &trial, gradients))
             };
-            (derivation.trajectories[t].id.clone(), asked.iter().enumerate().map(verdict).collect())
+            (derivation.trajectories[t].id.clone(), self.dropped.iter().enumerate().map(verdict).collect())
         };
-        let columns: Vec<(String, Vec<Option<Verdict>>)> =
-            courses.into_par_iter().with_max_len(1).map(on_one).collect();
-
-        let ids: Vec<String> = account.trajectories.iter().map(|t| t.id.clone()).collect();
-        let truth = |k: usize| -> Truth {
-            let on = |id: &String| columns.iter().find(|(of, _)| of == id)?.1.get(k)?.as_ref();
-            let standing = |id: &String| match on(id)?.outcome() {
-                // Times without a value are not times at which it is met.
-                Outcome::Holds(_) => on(id)?.evidence().excluded.is_empty().then_some(true),
-                Outcome::Fails(_) => Some(false),
-                Outcome::NotApplicable | Outcome::Undecided => None,
-            };
-            ids.iter().map(standing).collect()
-        };
-        let judged: Vec<(&Candidate, Truth)> = self.candidates.iter().enumerate().map(|(k, c)| (c, truth(k))).collect();
-        for claim in account.claims.iter_mut().filter(|c| explain::is_split(c)) {
-            // A claim explains nothing about itself.
-            let said =
-                derivation.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading).map(candidates::said);
-            let others: Vec<(&Candidate, &Truth)> =
-                judged.iter().filter(|(c, _)| Some(candidates::said(&c.claim)) != said).map(|(c, t)| (*c, t)).collect();
-            claim.conditions.separation = Some(explain::separation(claim, &ids, &others));
+        let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter_mut().with_max_len(1).map(on_one).collect();
+        if split {
+            self.explain(derivation, start_of, courses, account);
         }
         for (d, drop) in self.dropped.iter().enumerate() {
             let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
             let pair = |(trajectory, verdicts): &(String, Vec<Option<Verdict>>)| {
-                let verdict = verdicts.get(count + d)?.clone()?;
+                let verdict = verdicts.get(d)?.clone()?;
                 Some(PairAccount { trajectory: trajectory.clone(), verdict, expected: None, discrimination: None })
             };
             let without: Vec<PairAccount> = columns.iter().filter_map(pair).collect();
             let need = assumptions::need(claim, &without, &drop.text);
             claim.conditions.assumptions.push(need);
+        }
+    }
+
+    /// Adds to every claim that holds on some trajectories and fails on others what separates them.
+    fn explain(&self, derivation: &Derivation, start_of: &[usize], courses: &mut [Course], account: &mut Account) {
+        let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
+        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of };
+        let ids: Vec<String> = courses.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
+        let split: Vec<usize> = (0..account.claims.len()).filter(|&k| explain::is_split(&account.claims[k])).collect();
+        let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();
+        let all = || 0..self.candidates.len();
+        let mut stands = ask.first(courses);
+        // Those of the file may be used the other way round, too.
+        let from_file = |k: &usize| self.candidates[*k].name.id.is_some();
+        let mut asked: BTreeSet<(usize, usize)> = all().filter(from_file).flat_map(|k| stands.left(k)).collect();
+        loop {
+            for sides in &sides {
+                asked.extend(all().flat_map(|k| stands.asked(k, sides)));
+            }
+            if asked.is_empty() {
+                break;
+            }
+            ask.judge(&mut stands, &asked, courses);
+            asked.clear();
+        }
+        // What may explain a claim is compared on all other motions, too: which is the weakest, and where they differ.
+        for sides in &sides {
+            asked.extend(all().filter(|&k| stands.may_explain(k, sides)).flat_map(|k| stands.left(k)));
+        }
+        ask.judge(&mut stands, &asked, courses);
+        let judged: Vec<(&Candidate, Truth)> = all().map(|k| (&self.candidates[k], stands.truth(k))).collect();
+        for (&at, sides) in split.iter().zip(&sides) {
+            let claim = &mut account.claims[at];
+            // A claim explains nothing about itself.
+            let same = |c: &&crate::derivation::Claim| c.id == claim.id && c.reading == claim.reading;
+            let said = derivation.claims.iter().find(same).map(candidates::said);
+            let others = all().filter(|&k| Some(candidates::said(&self.candidates[k].claim)) != said);
+            let others: Vec<usize> = others.collect();
+            let may = |k: &&usize| from_file(k) || stands.may_explain(**k, sides);
+            let useful: Vec<(&Candidate, &Truth)> =
+                others.iter().filter(may).map(|&k| (judged[k].0, &judged[k].1)).collect();
+            claim.conditions.separation = Some(explain::separation(claim, &ids, &useful, others.len()));
         }
     }
 }

@@ -26,6 +26,9 @@ impl Definitions {
     /// Those that leave something out, in the order of trying.
     pub(super) const PARTS: [Definitions; 4] =
         [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now];
+    /// All, in the order of trying.
+    pub(super) const LEVELS: [Definitions; 5] =
+        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now, Definitions::All];
 }
 
 /// Everything that is named.

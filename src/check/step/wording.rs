@@ -11,17 +11,70 @@ use order::{Question, Requirement};
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
+/// Most names that are listed for one that is not.
+const MOST_NAMES: usize = 6;
+
+/// Why a proof with exceptions is none.
+const UNSEEN: &str = "it was proved outside of special cases only, and no real point was found outside of them";
 
 impl Step<'_> {
     /// Whether something that is shown to be locally constant may still jump: it contains a function with several
     /// branches, and the motion may pass from one to another. Quotients, sines and exponentials have one branch: what is
     /// constant on one side of a pole is the same constant on the other, since motions are analytic.
     pub(super) fn jumps(&self, equations: &Pairs) -> bool {
+        !self.leaps(equations).is_empty()
+    }
+
+    /// What a proof that goes along a motion does not reach, in words.
+    pub(super) fn continuation(&self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<String> {
+        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        if !(moved || integral) {
+            return Vec::new();
+        }
+        let mut out: Vec<String> =
+            leaping.iter().map(|&e| format!("beyond a time at which {} leaps", self.shown(e))).collect();
+        let divided = self.divided_by_systems();
+        let mut roots = self.along(equations);
+        self.add_definitions(&mut roots);
+        for e in self.graph.reachable(roots) {
+            let under = match *self.graph.node(e) {
+                Node::Binary(Op::Div, _, a) => a,
+                Node::Unary(Op::Powi(n), a) if n < 0 => a,
+                Node::Unary(Op::Tan, _) => e,
+                _ => continue,
+            };
+            let mut base = under;
+            while let Node::Unary(Op::Powi(_) | Op::Sqrt | Op::Abs, a) = *self.graph.node(base) {
+                base = a;
+            }
+            if divided.contains(&under) || divided.contains(&base) || !self.moves(base) {
+                continue;
+            }
+            let line = match under == e {
+                true => format!("beyond a pole of {}, unless the motion is analytic there", self.shown(e)),
+                false => {
+                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base))
+                }
+            };
+            if !out.contains(&line) {
+                out.push(line);
+            }
+        }
+        out
+    }
+
+    /// What is claimed along a motion.
+    fn along(&self, equations: &Pairs) -> Vec<Expr> {
         let integrals = self.claim.forms.iter().filter_map(|form| match form {
             Form::FirstIntegral(w) => Some(w.value.components.clone()),
             _ => None,
         });
-        let mut roots: Vec<Expr> = integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r])).collect();
+        integrals.flatten().chain(equations.iter().flat_map(|&(l, r)| [l, r])).collect()
+    }
+
+    /// The functions with several branches in what is claimed along a motion.
+    pub(super) fn leaps(&self, equations: &Pairs) -> Vec<Expr> {
+        let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
         let divided = self.divided_by_systems();
         let branching = |&e: &Expr| match *self.graph.node(e) {
@@ -32,7 +85,7 @@ impl Step<'_> {
             Node::Binary(Op::Arctan2 | Op::Pow | Op::Agm, a, b) => self.moves(a) || self.moves(b),
             _ => false,
         };
-        self.graph.reachable(roots).iter().any(branching)
+        self.graph.reachable(roots).into_iter().filter(branching).collect()
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
@@ -123,20 +176,29 @@ impl Step<'_> {
         let (zero, one) = (Rational::ZERO, Rational::ONE);
         match condition {
             Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
-            Condition::Radicand(e) => number(*e).is_some_and(|r| r < zero),
+            Condition::Radicand(e) | Condition::Discriminant(e) => number(*e).is_some_and(|r| r < zero),
             Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
             Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
         }
     }
 
-    fn shown(&self, e: Expr) -> String {
+    pub(super) fn shown(&self, e: Expr) -> String {
         let text = self.graph.to_latex(e);
         // Names of auxiliary numbers begin with an invisible character.
         let auxiliary = text.contains('\u{2063}');
         if text.len() <= LONGEST && !auxiliary {
             text
         } else {
-            format!("(an expression of {} characters)", text.chars().count())
+            let mut names: Vec<String> = self.graph.leaves([e]).iter().map(|&l| self.graph.leaf_latex(l)).collect();
+            names.retain(|n| !n.contains('\u{2063}'));
+            names.dedup();
+            if names.is_empty() {
+                names.push("auxiliary numbers".to_owned());
+            }
+            let more = names.len().saturating_sub(MOST_NAMES);
+            names.truncate(MOST_NAMES);
+            let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+            format!("(an expression in {}{rest}, too long to print)", names.join(", "))
         }
     }
 
@@ -161,30 +223,33 @@ impl Step<'_> {
     pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
         let integrals: Pairs = Vec::new();
         let jumps = self.jumps(&integrals);
-        let mut out = IdentityAccount {
-            verdict: identity.word(),
-            log2_error: None,
-            from,
-            conditions: Vec::new(),
-            generic: false,
-            reason: None,
-            witness: None,
-            evidence: IdentityEvidence::default(),
-        };
+        let mut out = IdentityAccount { verdict: identity.word(), from, ..IdentityAccount::default() };
         match identity {
             Identity::Proved(proof) => {
                 out.log2_error = Some(proof.log2_error);
                 for condition in &proof.conditions {
-                    out.conditions.push(match condition {
-                        Condition::Denominator(e) => format!("{} ≠ 0", self.shown(*e)),
-                        Condition::Pivot(e) => format!("{} ≠ 0 (the other case was not reached)", self.shown(*e)),
-                        Condition::Radicand(e) => format!("{} ≥ 0", self.shown(*e)),
-                        Condition::Unit(e) => format!("|{}| ≤ 1", self.shown(*e)),
-                        Condition::Positive(e) => format!("{} > 0", self.shown(*e)),
-                    });
+                    let (list, line) = match condition {
+                        Condition::Denominator(e) => (&mut out.conditions, format!("{} ≠ 0", self.shown(*e))),
+                        Condition::Pivot(e) => (&mut out.exceptions, format!("{} = 0", self.shown(*e))),
+                        Condition::Radicand(e) => (&mut out.conditions, format!("{} ≥ 0", self.shown(*e))),
+                        Condition::Discriminant(e) => (&mut out.given_only_where, format!("{} ≥ 0", self.shown(*e))),
+                        Condition::Unit(e) => (&mut out.conditions, format!("|{}| ≤ 1", self.shown(*e))),
+                        Condition::Positive(e) => (&mut out.conditions, format!("{} > 0", self.shown(*e))),
+                    };
+                    if !list.contains(&line) {
+                        list.push(line);
+                    }
                     out.generic |= matches!(condition, Condition::Pivot(_));
                 }
-                out.conditions.extend(self.orders_of(&proof.conditions));
+                let discriminant = |c: &Condition| matches!(c, Condition::Discriminant(_));
+                if let Some(words) = self.orders_of(&proof.conditions) {
+                    // What only the premises ask for does not restrict the claim.
+                    let list = match proof.conditions.iter().any(discriminant) {
+                        true => &mut out.given_only_where,
+                        false => &mut out.conditions,
+                    };
+                    list.push(words);
+                }
                 out.generic |= jumps;
                 if proof.conditions.iter().any(|c| self.is_impossible(c)) {
                     out.verdict = "undecided";
@@ -194,6 +259,13 @@ impl Step<'_> {
                 if proof.example.is_none() {
                     out.reason = Some("no real point was found that satisfies what is given".to_owned());
                     out.generic = true;
+                }
+                let left_out = |c: &Condition| matches!(c, Condition::Pivot(_));
+                if proof.example.is_none() && proof.conditions.iter().any(left_out) {
+                    // All real points may be among those that are left out.
+                    out.verdict = "undecided";
+                    out.log2_error = None;
+                    out.reason = Some(UNSEEN.to_owned());
                 }
             }
             Identity::Refuted(refutation) if complete => {
@@ -221,6 +293,16 @@ impl Step<'_> {
                 out.verdict = "undecided";
                 out.reason = Some("refuted without something given that could not be used".to_owned());
             }
+            Identity::Undecided(Reason::OnlyWhere(e)) => {
+                out.reason =
+                    Some(format!("what is given holds at most where {} = 0, which was not decided", self.shown(e)));
+            }
+            Identity::Undecided(Reason::Boundary(e)) => {
+                out.reason = Some(format!(
+                    "what is given holds at most where {} = 0, the base of a power, which was not decided",
+                    self.shown(e)
+                ));
+            }
             Identity::Undecided(Reason::Unsolved(e)) => {
                 out.reason =
                     Some(format!("a premise could not be solved for any of its unknowns: {} = 0", self.shown(e)));
@@ -236,7 +318,7 @@ impl Step<'_> {
             conditions.iter().filter(|c| !matches!(c, Condition::Pivot(_))).copied().collect();
         let roots = restricting.iter().map(|c| match *c {
             Condition::Denominator(e) | Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => e,
-            Condition::Pivot(e) => e,
+            Condition::Pivot(e) | Condition::Discriminant(e) => e,
         });
         let leaves = self.graph.leaves(roots);
         let parameters: Vec<Leaf> = leaves.into_iter().filter(|&l| self.is_positive_parameter(l)).collect();
@@ -249,7 +331,7 @@ impl Step<'_> {
         }
         let (claimed, assumed) = (all, Vec::new());
         let words = self.words_of(&Question { parameters, assumed, claimed });
-        Some(format!("of these, what is about {} holds {}", words.0, words.1))
+        Some(format!("for positive {}, so far as it is about them, that is so {}", words.0, words.1))
     }
 
     /// Names of the parameters, and in which orders of their sizes the claim holds.
@@ -314,13 +396,8 @@ impl Step<'_> {
         let words = found.words(&names);
         let mut out = IdentityAccount {
             verdict: "undecided",
-            log2_error: None,
-            from: Vec::new(),
             conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
-            generic: false,
-            reason: None,
-            witness: None,
-            evidence: IdentityEvidence::default(),
+            ..IdentityAccount::default()
         };
         if found.is_proved() {
             out.verdict = "proved";

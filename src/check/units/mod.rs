@@ -126,6 +126,28 @@ pub fn units(derivation: &Derivation) -> UnitsAccount {
     checker.out
 }
 
+/// Whether relations between pairs of sides, or expressions by themselves, are inconsistent in their units; `graph` is that of
+/// the derivation, or a copy with more in it. Nothing is inconsistent where nothing has a unit.
+pub(super) fn inconsistent(
+    derivation: &Derivation,
+    graph: &Graph,
+    formulas: &[Vec<(Expr, Option<Expr>)>],
+) -> Vec<bool> {
+    if !derivation.symbols.iter().any(|s| s.measured_in.is_some()) {
+        return vec![false; formulas.len()];
+    }
+    let inference = Inference::new(graph, derivation.scope.time(), derivation.scope.branch_sign());
+    let mut checker = Checker { derivation, inference, out: UnitsAccount::default(), seen: HashMap::new() };
+    checker.symbols();
+    let mut is_different = |(l, r): &(Expr, Option<Expr>)| {
+        let inside: Vec<Expr> = std::iter::once(*l).chain(*r).collect();
+        let fault = checker.inference.fault(&inside);
+        let fault = fault.or_else(|| r.and_then(|r| checker.inference.compared(*l, r)));
+        matches!(fault, Some(Fault::Different { .. }))
+    };
+    formulas.iter().map(|sides| sides.iter().any(&mut is_different)).collect()
+}
+
 /// The formulas of a derivation, one after the other.
 struct Checker<'d> {
     derivation: &'d Derivation,

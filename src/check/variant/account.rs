@@ -1,5 +1,7 @@
 //! What the reports are told about variants.
 
+use std::ops::Range;
+
 use super::super::account::{Account, ClaimAccount};
 use super::edit::EditClass;
 
@@ -53,6 +55,10 @@ pub struct ClassCount {
 pub struct Survivor {
     /// What was altered.
     pub class: EditClass,
+    /// The formula as the file has it.
+    pub printed: String,
+    /// Its place in the file; none for a definition that stands for a name.
+    pub place: Option<Range<usize>>,
     /// The altered formula.
     pub formula: String,
     /// Whether no motion on which the claim holds rejects it.

@@ -10,13 +10,13 @@
 
 use super::battery::{Battery, Value};
 use super::edit::EditClass;
-use super::gap::{Gap, atoms, filled, monomial};
+use super::gap::{Gap, filled, monomial};
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
 use super::vocabulary::Vocabulary;
 use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::latex;
 use crate::latex::syntax::{Chain, Node, NodeKind};
-use crate::number::Bounded;
+use crate::number::{Bounded, Number};
 use crate::tape::Tape;
 
 /// Largest power in a monomial.
@@ -99,10 +99,41 @@ fn power(x: f64, n: i32) -> f64 {
     if n < 0 { 1.0 / size } else { size }
 }
 
+/// ln |b/a|.
+fn change(a: Option<&f64>, b: Option<&f64>) -> f64 {
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let mut out = 0.0_f64;
+            Number::ln(&mut out, &(), &(b / a).abs()).map_or(f64::NAN, |()| out)
+        }
+        _ => f64::NAN,
+    }
+}
+
 /// The monomials c·∏ aⁿ that make the residual vanish, the simplest first.
 fn monomials(values: &[Vec<f64>], line: &Line) -> Vec<Found> {
     let mut out = Vec::new();
+    // How the logarithms change from the first point to the second, and to the last, which is of another motion where there
+    // are several, rules out almost everything at the cost of two sums.
+    let others = [1, line.at.len().saturating_sub(1)];
+    let changes: Vec<[f64; 2]> = values.iter().map(|v| others.map(|p| change(v.first(), v.get(p)))).collect();
+    let factor = |p: usize| line.coefficient(p, |_| 1.0);
+    let wanted = match line.constant || line.at.len() < 2 {
+        true => [f64::NAN; 2],
+        false => others.map(|p| change(factor(0).as_ref(), factor(p).as_ref())),
+    };
+    let near = |powers: &[(usize, i32)]| {
+        (0..2).all(|k| {
+            let found: f64 = powers.iter().map(|&(a, n)| f64::from(n) * changes[a][k]).sum();
+            // A looser bound than that of the values: this only chooses what is looked at. What is not known excludes nothing.
+            let apart = (found - wanted[k]).abs();
+            apart.is_nan() || apart <= 1e-5
+        })
+    };
     let agrees = |powers: &[(usize, i32)]| -> Option<Rational> {
+        if !near(powers) {
+            return None;
+        }
         let m = |p: usize| -> f64 { powers.iter().map(|&(a, n)| power(values[a][p], n)).product() };
         let mut c = None;
         let mut count = 0;
@@ -183,9 +214,10 @@ pub(super) fn completions(
     setting: &Setting,
     vocabulary: &Vocabulary,
     formula: &Formula,
+    atoms: &[Node],
     points: &Points,
 ) -> Vec<Chain> {
-    let (nodes, values) = valued_atoms(graph, setting, &atoms(&formula.tree, vocabulary), points);
+    let (nodes, values) = valued_atoms(graph, setting, atoms, points);
     let constant = |n: i64| Node::new(NodeKind::Number(Rational::from(n)), 0..0);
     let mut out: Vec<(i32, Chain)> = Vec::new();
     for (gap, probe, instead) in [(Gap::Factor, constant(0), true), (Gap::Term, constant(1), false)] {

@@ -6,8 +6,11 @@
 //! **Why trees and not text or graphs:** an edited tree can be printed as the formula that an author would have written, and
 //! the reader of formulas refuses what has no meaning.
 
-use std::ops::Range;
-
+use super::convention::{Convention, SymbolKey, renamed};
+use super::tree::{
+    as_number, exponent, is_transpose, negated, neighbours, raised, scaled, scripted, sum, transpose, walk, with_part,
+    without,
+};
 use super::vocabulary::Vocabulary;
 use crate::expr::Rational;
 use crate::latex::syntax::{Bracket, Chain, Name, Node, NodeKind, Sign, SubItem, SymbolNode, Target};
@@ -123,158 +126,6 @@ pub(super) fn edits(chain: &Chain, vocabulary: &Vocabulary) -> Edited<Chain> {
     out
 }
 
-/// A number as a formula writes it.
-pub(super) fn number(r: Rational, span: &Range<usize>) -> Node {
-    let node = |kind| Node::new(kind, span.clone());
-    if r.denominator().is_one() {
-        return node(NodeKind::Number(r));
-    }
-    let (top, bottom) = (Rational::from(r.numerator().clone()), Rational::from(r.denominator().clone()));
-    let part = |r| Box::new(node(NodeKind::Number(r)));
-    node(NodeKind::Quotient { top: part(top), bottom: part(bottom), slash: false })
-}
-
-/// The value of a node that is written as a number or a fraction of numbers.
-pub(super) fn as_number(node: &Node) -> Option<Rational> {
-    match &node.kind {
-        NodeKind::Number(r) => Some(r.clone()),
-        NodeKind::Quotient { top, bottom, .. } => match (&top.kind, &bottom.kind) {
-            (NodeKind::Number(a), NodeKind::Number(b)) if *b != Rational::ZERO => Some(a / b),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// A product without the factor at a place.
-fn without(parts: &[Node], at: usize, span: &Range<usize>) -> Option<Node> {
-    let rest: Vec<Node> = parts.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, n)| n.clone()).collect();
-    product(rest, span)
-}
-
-/// A product of factors; `None` of none.
-pub(super) fn product(mut parts: Vec<Node>, span: &Range<usize>) -> Option<Node> {
-    match parts.len() {
-        0 => None,
-        1 => parts.pop(),
-        _ => Some(Node::new(NodeKind::Product(parts), span.clone())),
-    }
-}
-
-/// A node times a number, written as simply as it can be.
-pub(super) fn scaled(node: &Node, factor: &Rational) -> Node {
-    let span = &node.span;
-    if let Some(r) = as_number(node) {
-        return number(r * factor, span);
-    }
-    match &node.kind {
-        NodeKind::Product(parts) => {
-            let mut parts = parts.clone();
-            match parts.first().and_then(as_number) {
-                Some(r) => {
-                    let r = r * factor;
-                    if r == Rational::ONE {
-                        parts.remove(0);
-                    } else {
-                        parts[0] = number(r, span);
-                    }
-                }
-                None => {
-                    if let NodeKind::Quotient { .. } = &parts[0].kind {
-                        parts[0] = scaled(&parts[0], factor);
-                    } else {
-                        parts.insert(0, number(factor.clone(), span));
-                    }
-                }
-            }
-            product(parts, span).unwrap_or_else(|| node.clone())
-        }
-        NodeKind::Quotient { top, bottom, slash } => {
-            let lead = |n: &Node| match &n.kind {
-                NodeKind::Product(parts) => parts.first().and_then(as_number),
-                _ => as_number(n),
-            };
-            let quotient = |top: Node, bottom: Node| {
-                let kind = NodeKind::Quotient { top: Box::new(top), bottom: Box::new(bottom), slash: *slash };
-                Node::new(kind, span.clone())
-            };
-            let whole = |r: Option<Rational>| r.is_some_and(|r| r.denominator().is_one() && r != Rational::ZERO);
-            let inverse = Rational::ONE / factor;
-            // \frac{x}{2m} times 2 is \frac{x}{m}, times ½ it is \frac{x}{4m}.
-            if whole(lead(top).map(|r| r * factor)) {
-                return quotient(scaled(top, factor), (**bottom).clone());
-            }
-            if whole(lead(bottom).map(|r| r * &inverse)) {
-                let under = scaled(bottom, &inverse);
-                if as_number(&under) == Some(Rational::ONE) {
-                    return (**top).clone();
-                }
-                return quotient((**top).clone(), under);
-            }
-            if factor.denominator().is_one() {
-                quotient(scaled(top, factor), (**bottom).clone())
-            } else {
-                quotient((**top).clone(), scaled(bottom, &inverse))
-            }
-        }
-        _ => {
-            let parts = vec![number(factor.clone(), span), node.clone()];
-            Node::new(NodeKind::Product(parts), span.clone())
-        }
-    }
-}
-
-/// The opposite of a node.
-pub(super) fn negated(node: &Node) -> Node {
-    if let NodeKind::Sum(terms) = &node.kind
-        && let [(sign, inner)] = terms.as_slice()
-    {
-        match sign {
-            Sign::Minus => return inner.clone(),
-            Sign::Plus => return Node::new(NodeKind::Sum(vec![(Sign::Minus, inner.clone())]), node.span.clone()),
-            Sign::PlusMinus | Sign::MinusPlus => {}
-        }
-    }
-    Node::new(NodeKind::Sum(vec![(Sign::Minus, node.clone())]), node.span.clone())
-}
-
-/// A sum of terms; without its sign where it is a single positive one.
-pub(super) fn sum(mut terms: Vec<(Sign, Node)>, span: &Range<usize>) -> Node {
-    if let [(Sign::Plus, _)] = terms.as_slice()
-        && let Some((_, only)) = terms.pop()
-    {
-        return only;
-    }
-    Node::new(NodeKind::Sum(terms), span.clone())
-}
-
-/// An exponent that is written as a whole number.
-pub(super) fn exponent(node: &Node) -> Option<i64> {
-    match &node.kind {
-        NodeKind::Number(r) if r.denominator().is_one() => i64::try_from(r.numerator().clone()).ok(),
-        NodeKind::Sum(terms) => match terms.as_slice() {
-            [(Sign::Minus, inner)] => exponent(inner).map(|n| -n),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// A whole exponent; none for 1.
-pub(super) fn raised(n: i64, span: &Range<usize>) -> Option<Box<Node>> {
-    let positive = Node::new(NodeKind::Number(Rational::from(n.abs())), span.clone());
-    match n {
-        1 => None,
-        n if n < 0 => Some(Box::new(Node::new(NodeKind::Sum(vec![(Sign::Minus, positive)]), span.clone()))),
-        _ => Some(Box::new(positive)),
-    }
-}
-
-/// The powers next to one; never 0, which leaves out the factor.
-fn neighbours(n: i64) -> impl Iterator<Item = i64> {
-    [n - 1, n + 1].into_iter().map(move |m| if m == 0 { m + (m - n) } else { m })
-}
-
 /// The function that is put for another by mistake.
 pub(super) fn confused(function: &str) -> Option<&'static str> {
     Some(match function {
@@ -288,133 +139,6 @@ pub(super) fn confused(function: &str) -> Option<&'static str> {
         "cot" => "tan",
         _ => return None,
     })
-}
-
-pub(super) fn is_transpose(node: &Node) -> bool {
-    matches!(&node.kind, NodeKind::Symbol(s) if matches!(s.name.as_str(), "T" | "\\top" | "rm:T") && s.sub.is_none())
-}
-
-/// The parts of a node, to be replaced, in the order of [`Node::children`].
-pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
-    match &mut node.kind {
-        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
-        NodeKind::Symbol(s) => s.sup.as_deref_mut().into_iter().chain(s.arguments.iter_mut().flatten()).collect(),
-        NodeKind::Scripted { base, sup, .. } => std::iter::once(&mut **base).chain(sup.as_deref_mut()).collect(),
-        NodeKind::Sum(terms) => terms.iter_mut().map(|(_, n)| n).collect(),
-        NodeKind::Product(parts) | NodeKind::Dot(parts) | NodeKind::Tuple(parts) => parts.iter_mut().collect(),
-        NodeKind::Function(_, _, arguments) => arguments.iter_mut().collect(),
-        NodeKind::Cross { left, right, .. } => vec![left, right],
-        NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
-        NodeKind::Derivative { of, by, .. } => vec![of, by],
-        NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
-        NodeKind::Exponential { exponent, .. } => vec![exponent],
-        NodeKind::Matrix(rows) => rows.iter_mut().flatten().collect(),
-        NodeKind::Limit(body, target) => match target {
-            Target::Finite(at) => vec![at, body],
-            Target::PlusInfinity | Target::MinusInfinity => vec![body],
-        },
-    }
-}
-
-pub(super) fn with_part(node: &Node, at: usize, part: Node) -> Node {
-    let mut out = node.clone();
-    if let Some(place) = parts_mut(&mut out).into_iter().nth(at) {
-        *place = part;
-    }
-    out
-}
-
-/// Every node of a tree, parents first.
-pub(super) fn walk<'n>(node: &'n Node, out: &mut Vec<&'n Node>) {
-    out.push(node);
-    for child in node.children() {
-        walk(child, out);
-    }
-}
-
-/// A rule that is applied to the whole formula.
-enum Convention {
-    /// Two symbols change places.
-    Exchange(SymbolKey, SymbolKey),
-    /// The angle is counted from a quarter turn further: sin becomes cos, cos becomes −sin.
-    QuarterTurn(SymbolKey),
-    /// The angle is counted in the other direction.
-    Backwards(SymbolKey),
-}
-
-/// A symbol without its indices and other attachments.
-#[derive(Clone, PartialEq)]
-struct SymbolKey {
-    name: Name,
-    sub: Vec<SubItem>,
-}
-
-impl SymbolKey {
-    fn is(&self, s: &SymbolNode) -> bool {
-        s.name == self.name && s.sub.as_deref().unwrap_or(&[]).starts_with(&self.sub)
-    }
-    fn is_alone(&self, node: &Node) -> bool {
-        matches!(&node.kind, NodeKind::Symbol(s) if self.is(s) && s.dots == 0 && s.sup.is_none() && s.arguments.is_none())
-    }
-}
-
-fn renamed(s: &SymbolNode, own: usize, name: &Name, sub: &[SubItem]) -> SymbolNode {
-    let rest = s.sub.as_deref().unwrap_or(&[]).get(own..).unwrap_or(&[]);
-    let all: Vec<SubItem> = sub.iter().chain(rest).cloned().collect();
-    SymbolNode { name: name.clone(), sub: (!all.is_empty()).then_some(all), ..s.clone() }
-}
-
-impl Convention {
-    fn apply(&self, node: &Node) -> Node {
-        let mut out = node.clone();
-        for part in parts_mut(&mut out) {
-            *part = self.apply(part);
-        }
-        match (self, &out.kind) {
-            (Convention::Exchange(a, b), NodeKind::Symbol(s)) => {
-                let new = match (a.is(s), b.is(s)) {
-                    (true, false) => renamed(s, a.sub.len(), &b.name, &b.sub),
-                    (false, true) => renamed(s, b.sub.len(), &a.name, &a.sub),
-                    _ => return out,
-                };
-                out.kind = NodeKind::Symbol(new);
-                out
-            }
-            (Convention::QuarterTurn(angle), NodeKind::Function(f, power, arguments)) => {
-                let [argument] = arguments.as_slice() else { return out };
-                if !angle.is_alone(argument) {
-                    return out;
-                }
-                let function =
-                    |f: &str, p| Node::new(NodeKind::Function(f.into(), p, arguments.clone()), out.span.clone());
-                match f.as_str() {
-                    "sin" => function("cos", *power),
-                    "cos" if power.is_some_and(|n| n % 2 == 0) => function("sin", *power),
-                    "cos" => {
-                        let minus = negated(&function("sin", None));
-                        let group = Node::new(NodeKind::Group(Box::new(minus), Bracket::Round), out.span.clone());
-                        match power {
-                            None => group,
-                            Some(n) => scripted(group, i64::from(*n)),
-                        }
-                    }
-                    _ => out,
-                }
-            }
-            (Convention::Backwards(angle), NodeKind::Symbol(s)) if angle.is(s) => {
-                let minus = negated(&Node::new(out.kind.clone(), out.span.clone()));
-                Node::new(NodeKind::Group(Box::new(minus), Bracket::Round), out.span.clone())
-            }
-            _ => out,
-        }
-    }
-}
-
-/// Something to a whole power.
-pub(super) fn scripted(base: Node, n: i64) -> Node {
-    let span = base.span.clone();
-    let sup = raised(n, &span);
-    Node::new(NodeKind::Scripted { base: Box::new(base), sub: None, sup, sup_first: false }, span)
 }
 
 struct Editor<'a> {
@@ -464,7 +188,7 @@ impl<'a> Editor<'a> {
     }
 
     fn key(&self, s: &SymbolNode) -> Option<SymbolKey> {
-        self.vocabulary.word(s).map(|(word, _)| SymbolKey { name: word.name.clone(), sub: word.sub.clone() })
+        self.vocabulary.word(s).map(|(word, _)| SymbolKey { name: s.name.clone(), sub: word.sub.clone() })
     }
 
     fn conventions(&self) -> Vec<Convention> {
@@ -691,19 +415,10 @@ impl<'a> Editor<'a> {
                 let left = found.map_or(0, |(w, _)| w.rank).saturating_sub(sub.len() - own);
                 let places = found.is_some_and(|(w, _)| w.rank > 0) && sub.len() > own;
                 if found.is_some() && (left == 0 || places) && s.arguments.is_none() {
-                    out.push((EditClass::Power, with_sup(raised(2, span))));
+                    out.extend(neighbours(1).map(|m| (EditClass::Power, with_sup(raised(m, span)))));
                 }
                 if left == 2 && sub.len() == own {
-                    let t = SymbolNode {
-                        name: "T".into(),
-                        dots: 0,
-                        sub: None,
-                        sup: None,
-                        sup_first: false,
-                        arguments: None,
-                        arguments_text: String::new(),
-                    };
-                    out.push((EditClass::Transpose, with_sup(Some(Box::new(kind(t))))));
+                    out.push((EditClass::Transpose, with_sup(Some(Box::new(transpose(span))))));
                 }
             }
         }

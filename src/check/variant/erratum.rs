@@ -4,33 +4,40 @@
 //! corrections: altered formulas that hold on every motion to which the claim applies.
 //!
 //! First single edits, then [`completion`](super::completion), then pairs of edits; the latter only where nothing nearer holds.
-//! What passes at a few points of every motion is handed to the checker as a claim of its own, as it is printed: only what
-//! gets the verdict `holds` on every motion is offered. So a correction is as strong as any verdict of this program.
+//! What passes at a few points of every motion is tried as a claim of its own, as it is printed, on the motions of the check:
+//! only what gets the verdict `holds` on every one is offered. So a correction is as strong as any verdict of this program.
 //!
 //! A correction that holds because it says nothing (x = x) is refused; one that is true by the definitions alone comes after
-//! those that are not.
+//! those that are not. In which order they are offered is said in `nearness`.
+
+use rayon::prelude::*;
 
 use super::account::{Correction, Erratum};
+use super::atom::atoms;
 use super::completion::{Points, completions};
 use super::difference::difference;
 use super::edit::{EditClass, edits};
 use super::equivalence::Sight;
 use super::gap::insertions;
-use super::generate::{ClaimVariants, Formula, Manner, Setting, Variant};
+use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
+use super::nearness::{Nearness, edits_between};
 use super::rejection::{self, Evidence, Placed};
-use super::vocabulary::Vocabulary;
+use super::tree::cancelled;
+use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, TOGETHER, Weighed};
 use crate::check::account::{ClaimAccount, PairAccount};
-use crate::check::trial::Values;
+use crate::check::program::Program;
+use crate::check::step::Step;
+use crate::check::trial::{Course, Trial, Values};
 use crate::check::verdict::Outcome;
-use crate::check::{CheckError, Options};
+use crate::check::{CheckError, one_pair};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Graph, Leaf, Rational};
-use crate::latex::syntax::{Chain, to_latex};
-use crate::latex::{self, RelationKind};
+use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::latex::syntax::{Chain, Node, to_latex};
+use crate::latex::{self, RelationKind, Role};
 
 /// Most candidates of one formula that are handed to the checker.
-const MOST_CANDIDATES: usize = 8;
+const MOST_CANDIDATES: usize = 12;
 /// Most pairs of edits of one formula that are tried.
 const MOST_PAIRS: usize = 4_000;
 /// Pairs of edits that are evaluated together.
@@ -61,9 +68,16 @@ struct Candidate {
     tree: Chain,
     text: String,
     classes: Vec<EditClass>,
-    empty: bool,
     difference: String,
-    changed: usize,
+    nearness: Nearness,
+}
+
+/// The motions on which a correction must hold.
+struct Asked {
+    /// Columns.
+    on: Vec<usize>,
+    /// Whether the claim has no value on some of them where it is stated to hold.
+    absent: bool,
 }
 
 /// Whether a claim is stated to hold on a motion, and does not: there a correction is asked for. A claim that holds nowhere is
@@ -72,8 +86,8 @@ fn asked(account: &ClaimAccount) -> Vec<bool> {
     let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_));
     let holds = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
     let stated = |p: &PairAccount| p.expected != Some("fails");
-    if account.results.iter().any(|p| fails(p) && stated(p)) {
-        return account.results.iter().map(|p| (fails(p) || holds(p)) && stated(p)).collect();
+    if account.results.iter().any(|p| (fails(p) && stated(p)) || is_absent(p)) {
+        return account.results.iter().map(|p| ((fails(p) || holds(p)) && stated(p)) || is_absent(p)).collect();
     }
     if account.results.iter().any(fails) && !account.results.iter().any(holds) {
         return account.results.iter().map(fails).collect();
@@ -81,9 +95,14 @@ fn asked(account: &ClaimAccount) -> Vec<bool> {
     vec![false; account.results.len()]
 }
 
+/// Whether a claim does not apply to a motion on which it is stated to hold.
+fn is_absent(pair: &PairAccount) -> bool {
+    pair.verdict.outcome() == Outcome::NotApplicable && pair.expected == Some("holds")
+}
+
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
-    pub fn offer(&self, accounts: &mut [ClaimAccount]) -> Result<(), CheckError> {
+    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &mut [Course]) -> Result<(), CheckError> {
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut motions: Vec<Vec<usize>> = Vec::new();
         for (k, account) in accounts.iter_mut().enumerate() {
@@ -97,29 +116,35 @@ impl Search<'_> {
                 .collect();
             if !on.is_empty() {
                 let mut erratum = Erratum::default();
-                candidates.extend(self.candidates(k, &on, &mut erratum));
+                let absent = account.results.iter().any(is_absent);
+                candidates.extend(self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum));
                 if let Some(variants) = &mut account.variants {
                     variants.erratum = Some(erratum);
                 }
             }
             motions.push(on);
         }
-        self.confirm(accounts, candidates, &motions)
+        self.confirm(accounts, candidates, &motions, courses)
     }
 
     /// What passes at the points at which the claim was tried.
-    fn candidates(&self, k: usize, on: &[usize], erratum: &mut Erratum) -> Vec<Candidate> {
+    fn candidates(&self, k: usize, asked: &Asked, erratum: &mut Erratum) -> Vec<Candidate> {
         let claim = &self.derivation.claims[self.claimed[k]];
         let variants = &self.altered.claims[k];
         let mut graph = self.altered.graphs[k / TOGETHER].clone();
         let setting = Setting { claim, starts: self.starts, shared: self.derivation.graph.len() };
         let vocabulary = Vocabulary::new(self.derivation, claim);
-        let rejections: Vec<_> = on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
+        let near = phrases(self.derivation, claim);
+        let rejections: Vec<_> = asked.on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
         let mut out = Vec::new();
         for (f, formula) in variants.formulas.iter().enumerate() {
-            if !rejections.iter().any(|r| r.formulas[f]) || is_inequality(formula) {
+            let absent = asked.absent && self.has_no_value(k, asked, &graph, formula);
+            if is_inequality(formula) || !absent && !rejections.iter().any(|r| r.formulas[f]) {
                 continue;
             }
+            // Where the print has no value, what is tried instead must have one.
+            let formula = &if absent { without_print(&mut graph, formula) } else { formula.clone() };
+            let screened = |graph: &mut Graph, trees| self.screened(k, asked, graph, &setting, formula, trees);
             let mut made: Vec<(Vec<EditClass>, Chain)> = Vec::new();
             for (v, variant) in variants.variants.iter().enumerate().filter(|(_, v)| v.formula == f) {
                 erratum.tried.0 += 1;
@@ -129,26 +154,42 @@ impl Search<'_> {
             }
             let empty = variants.empty.iter().filter(|v| v.formula == f);
             made.extend(empty.map(|v| (vec![v.class], v.tree.clone())));
-            let complete = self.complete(k, on, &mut graph, &setting, &vocabulary, formula);
+            if absent {
+                made = screened(&mut graph, made);
+            }
+            let atoms = atoms(&formula.tree, &vocabulary, &near);
+            let mut complete = insertions(&formula.tree, &vocabulary, &atoms);
+            complete.extend(self.completed(k, asked, &mut graph, &setting, &vocabulary, formula, &atoms));
             erratum.tried.1 += complete.len();
             let complete = complete.into_iter().map(|tree| (vec![EditClass::Missing], tree)).collect();
-            made.extend(self.screened(k, on, &mut graph, &setting, formula, complete));
+            made.extend(screened(&mut graph, complete));
             if made.is_empty() {
                 let pairs = pairs(variants, f, &vocabulary);
                 erratum.tried.2 += pairs.len();
-                made.extend(self.screened(k, on, &mut graph, &setting, formula, pairs));
+                made.extend(screened(&mut graph, pairs));
             }
-            out.extend(self.ranked(k, f, &mut graph, &setting, formula, made));
+            out.extend(self.ranked(k, f, &mut graph, &setting, &variants.formulas[f], &vocabulary, made));
         }
         out
     }
 
+    /// Whether a formula has no value at any of the points.
+    fn has_no_value(&self, k: usize, asked: &Asked, graph: &Graph, formula: &Formula) -> bool {
+        let sign = self.derivation.claims[self.claimed[k]].scope.branch_sign();
+        let group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
+        self.points(k, asked, 6).iter().all(|(start, points)| {
+            let Some(battery) = Battery::new(graph, &group, *start, Vec::new(), sign) else { return false };
+            let placed = Placed::new(battery, &self.altered.known);
+            points.iter().all(|point| !placed.has_values(point, 0, formula.parts.len()))
+        })
+    }
+
     /// The points of motions at which a claim is tried, a few of each: for each initial time.
-    fn points(&self, k: usize, on: &[usize], each: usize) -> Vec<(usize, Vec<&Values>)> {
+    fn points(&self, k: usize, asked: &Asked, each: usize) -> Vec<(usize, Vec<&Values>)> {
         let mut out: Vec<(usize, Vec<&Values>)> = Vec::new();
-        for &t in on {
+        for &t in &asked.on {
             let start = self.start_of[self.tried[t]];
-            let of = self.weighed[t].points(k, each);
+            let of = self.weighed[t].points(k, each, asked.absent);
             match out.iter_mut().find(|(s, _)| *s == start) {
                 Some((_, all)) => all.extend(of),
                 None => out.push((start, of)),
@@ -157,41 +198,42 @@ impl Search<'_> {
         out
     }
 
-    fn complete(
+    #[expect(clippy::too_many_arguments, reason = "a formula, its surroundings, and where it is tried")]
+    fn completed(
         &self,
         k: usize,
-        on: &[usize],
+        asked: &Asked,
         graph: &mut Graph,
         setting: &Setting,
         vocabulary: &Vocabulary,
         formula: &Formula,
+        atoms: &[Node],
     ) -> Vec<Chain> {
-        let each = FITTED.div_ceil(on.len()).max(4);
+        let each = FITTED.div_ceil(asked.on.len()).max(4);
         // A few motions, three points or more of each: with all of them for one initial time.
-        let Some(start) = on.first().map(|&t| self.start_of[self.tried[t]]) else { return Vec::new() };
-        let on: Vec<usize> = on.iter().copied().filter(|&t| self.start_of[self.tried[t]] == start).collect();
+        let Some(start) = asked.on.first().map(|&t| self.start_of[self.tried[t]]) else { return Vec::new() };
+        let on: Vec<usize> = asked.on.iter().copied().filter(|&t| self.start_of[self.tried[t]] == start).collect();
         let step = on.len().div_ceil(FITTED / 3).max(1);
         let (mut points, mut motions) = (Vec::new(), Vec::new());
         for &t in on.iter().step_by(step) {
-            for point in self.weighed[t].points(k, each) {
+            for point in self.weighed[t].points(k, each, asked.absent) {
                 points.push(point);
                 motions.push(t);
             }
         }
-        let mut trees = insertions(&formula.tree, vocabulary);
         // Two points agree with almost anything.
-        if points.len() >= 3 {
-            let points = Points { start, points, motions, known: &self.altered.known };
-            trees.extend(completions(graph, setting, vocabulary, formula, &points));
+        if points.len() < 3 {
+            return Vec::new();
         }
-        trees
+        let points = Points { start, points, motions, known: &self.altered.known };
+        completions(graph, setting, vocabulary, formula, atoms, &points)
     }
 
     /// Those of the trees that no point refutes.
     fn screened(
         &self,
         k: usize,
-        on: &[usize],
+        asked: &Asked,
         graph: &mut Graph,
         setting: &Setting,
         formula: &Formula,
@@ -200,7 +242,7 @@ impl Search<'_> {
         let claim = setting.claim;
         let sign = claim.scope.branch_sign();
         let known: &[Leaf] = &self.altered.known;
-        let points = self.points(k, on, 6);
+        let points = self.points(k, asked, 6);
         let mut out = Vec::new();
         let mut trees = trees.into_iter();
         loop {
@@ -236,6 +278,7 @@ impl Search<'_> {
     }
 
     /// Candidates, the closest to the print first, without those that say nothing or what another says.
+    #[expect(clippy::too_many_arguments, reason = "a formula, its surroundings, and what was made of it")]
     fn ranked(
         &self,
         k: usize,
@@ -243,23 +286,19 @@ impl Search<'_> {
         graph: &mut Graph,
         setting: &Setting,
         formula: &Formula,
+        vocabulary: &Vocabulary,
         made: Vec<(Vec<EditClass>, Chain)>,
     ) -> Vec<Candidate> {
         let print = to_latex(&formula.tree);
-        let mut with_distance: Vec<(usize, String, Vec<EditClass>, Chain)> = made
-            .into_iter()
-            .map(|(classes, tree)| {
-                let (difference, changed) = difference(&print, &to_latex(&tree));
-                (changed, difference, classes, tree)
-            })
-            .collect();
-        // What defines something usually stands on the right: there the slip is looked for first. Of equal ones the first is
-        // kept.
-        let left = |tree: &Chain| tree.sides.len() > 1 && tree.sides.first() != formula.tree.sides.first();
-        with_distance.sort_by_key(|(changed, _, classes, tree)| (rank(classes), *changed, left(tree)));
         let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
         let mut kept = Vec::new();
-        for (changed, difference, classes, tree) in with_distance {
+        for (classes, tree) in made {
+            // What is multiplied and divided again was never there; an addition that only undoes what is printed is none.
+            let plain = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree.clone() };
+            if plain != tree && classes == [EditClass::Missing] {
+                continue;
+            }
+            let tree = plain;
             let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
             // Both sides are one expression, or nothing is left that could be compared.
             let says_nothing = altered
@@ -268,89 +307,119 @@ impl Search<'_> {
             if says_nothing && altered.len() == formula.parts.len() {
                 continue;
             }
+            let (difference, changed) = difference(&print, &to_latex(&tree));
             let class = classes.first().copied().unwrap_or(EditClass::Missing);
-            group.variants.push(Variant { class, formula: 0, tree, altered });
-            kept.push((changed, difference, classes));
+            let variant = Variant { class, formula: 0, tree, altered };
+            kept.push((variant, classes, difference, changed));
+        }
+        let nearness = Nearness::of_all(self.derivation, setting.claim, graph, formula, vocabulary, &kept);
+        let mut kept: Vec<_> = kept.into_iter().zip(nearness).collect();
+        kept.sort_by(|a, b| a.1.cmp(&b.1));
+        let mut rest = Vec::new();
+        for ((variant, classes, difference, _), nearness) in kept {
+            group.variants.push(variant);
+            rest.push((classes, difference, nearness));
         }
         let sights = group.sights(self.derivation, setting.claim, graph, true);
         let by_algebra = group.sights(self.derivation, setting.claim, graph, false);
         let sights = sights.into_iter().zip(by_algebra);
+        // What is made of parameters alone can only be true by algebra.
+        let scope = &setting.claim.scope;
+        let residuals: Vec<Expr> = formula.parts.iter().flat_map(|p| p.difference.iter().copied()).collect();
+        let leaves = graph.leaves(residuals);
+        let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
         let mut out: Vec<Candidate> = Vec::new();
-        for ((variant, (sight, alone)), (changed, difference, classes)) in
-            group.variants.into_iter().zip(sights).zip(kept)
+        for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
+            group.variants.into_iter().zip(sights).zip(rest)
         {
-            if matches!(sight, Sight::Same | Sight::Repeated) {
+            if matches!(sight, Sight::Same | Sight::Repeated | Sight::Said) {
                 continue;
             }
             // What does not move anyway says nothing by being constant, and what was added only to make both sides one
             // expression says nothing either.
             let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
-            let made_up = alone == Sight::Empty && rank(&classes) > rank(&[EditClass::Sign]);
+            let made_up = moves && alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
             if trivial || made_up {
                 continue;
             }
             let text = to_latex(&variant.tree);
-            let empty = sight == Sight::Empty;
-            out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, empty, difference, changed });
+            nearness.empty = sight == Sight::Empty;
+            out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, difference, nearness });
         }
-        out.sort_by_key(|c| (rank(&c.classes), c.empty, c.changed, left(&c.tree), c.text.len()));
+        out.sort_by(|a, b| a.nearness.cmp(&b.nearness));
         out.truncate(MOST_CANDIDATES);
         out
     }
 
-    /// Hands the candidates to the checker, and writes those that hold everywhere into the accounts.
+    /// Tries the candidates on the motions of the check, and writes those that hold everywhere into the accounts.
     fn confirm(
         &self,
         accounts: &mut [ClaimAccount],
         candidates: Vec<Candidate>,
         motions: &[Vec<usize>],
+        courses: &mut [Course],
     ) -> Result<(), CheckError> {
         let mut scratch = self.derivation.clone();
-        let mut ids = Vec::new();
-        let mut read = Vec::new();
+        let mut read: Vec<(Candidate, usize, Vec<Program>)> = Vec::new();
         for (n, candidate) in candidates.into_iter().enumerate() {
+            if candidate.text.split_once('=').is_some_and(|(left, right)| left.trim() == right.trim()) {
+                continue;
+            }
             let trajectories: Vec<usize> = motions[candidate.claim].iter().map(|&t| self.tried[t]).collect();
             let claim = &self.derivation.claims[self.claimed[candidate.claim]];
             let manner = self.altered.claims[candidate.claim].formulas[candidate.formula].manner;
             let id = format!("correction {n}");
-            if let Some(claim) = as_claim(&mut scratch.graph, claim, &id, &candidate, manner, trajectories) {
-                scratch.claims.push(claim);
-                ids.push(id);
-                read.push(candidate);
+            let claim = as_claim(&mut scratch.graph, claim, &id, &candidate, manner, trajectories);
+            let Some(claim) = claim else { continue };
+            let at = scratch.claims.len();
+            scratch.claims.push(claim);
+            let mut programs: Vec<Program> = self.starts.iter().map(|s| Program::new(&mut scratch, at, s)).collect();
+            let known = &self.altered.known;
+            if programs.iter_mut().all(|p| p.compile(&mut scratch.graph, known).is_ok()) {
+                read.push((candidate, at, programs));
             }
         }
-        let mut used: Vec<usize> = read.iter().flat_map(|c| &motions[c.claim]).copied().collect();
-        used.sort_unstable();
-        used.dedup();
-        let name = |t: &usize| self.derivation.trajectories[self.tried[*t]].id.clone();
-        let found = if ids.is_empty() {
-            Vec::new()
-        } else {
-            let options = Options {
-                claims: ids.clone(),
-                trajectories: used.iter().map(name).collect(),
-                plain: true,
-                ..Options::default()
+        let scratch = &scratch;
+        let on_one = |(t, course): (usize, &mut Course)| -> Vec<Option<bool>> {
+            let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
+                let program = programs.get(self.start_of[self.tried[t]])?;
+                motions[candidate.claim].contains(&t).then(|| {
+                    let trial = Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course };
+                    matches!(one_pair(scratch, &trial, None).outcome(), Outcome::Holds(_))
+                })
             };
-            crate::check::check_claims(&mut scratch, &options, &|_, _| {})?.claims
+            read.iter().map(holds).collect()
         };
-        for (candidate, id) in read.iter().zip(&ids) {
-            let Some(account) = found.iter().find(|a| a.id == *id) else { continue };
-            if candidate.text.split_once('=').is_some_and(|(left, right)| left.trim() == right.trim()) {
-                continue;
-            }
-            let holds = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
-            if account.results.is_empty() || !account.results.iter().all(holds) {
-                continue;
-            }
+        let found: Vec<Vec<Option<bool>>> = courses.par_iter_mut().enumerate().with_max_len(1).map(on_one).collect();
+        let holds = |n: usize| {
+            let mut tried = found.iter().filter_map(|column| column[n]).peekable();
+            tried.peek().is_some() && tried.all(|holds| holds)
+        };
+        let held: Vec<(&Candidate, usize)> =
+            read.iter().enumerate().filter(|(n, _)| holds(*n)).map(|(_, (c, at, _))| (c, *at)).collect();
+        let proved: Vec<bool> = held
+            .par_iter()
+            .with_max_len(1)
+            .map(|(_, at)| match Step::of(scratch, &scratch.claims[*at]).and_then(Step::decide).transpose() {
+                Ok(identity) => Ok(identity.is_some_and(|i| i.verdict == "proved")),
+                Err(defect) => Err(CheckError::Defect(defect)),
+            })
+            .collect::<Result<_, _>>()?;
+        let mut order: Vec<usize> = (0..held.len()).collect();
+        order.sort_by(|&a, &b| {
+            let key = |i: usize| (held[i].0.claim, held[i].0.formula);
+            key(a).cmp(&key(b)).then_with(|| held[a].0.nearness.than(proved[a], &held[b].0.nearness, proved[b]))
+        });
+        for i in order {
+            let (candidate, _) = held[i];
             let printed = &self.altered.claims[candidate.claim].formulas[candidate.formula].text;
             let correction = Correction {
                 printed: printed.clone(),
                 formula: candidate.text.clone(),
                 difference: candidate.difference.clone(),
                 classes: candidate.classes.clone(),
-                proved: account.identity.as_ref().is_some_and(|i| i.verdict == "proved"),
-                holds_on: account.results.len(),
+                proved: proved[i],
+                holds_on: motions[candidate.claim].len(),
             };
             let erratum = accounts[candidate.claim].variants.as_mut().and_then(|v| v.erratum.as_mut());
             if let Some(erratum) = erratum.filter(|e| e.corrections.len() < MOST_OFFERED) {
@@ -375,14 +444,17 @@ impl Search<'_> {
     }
 }
 
+/// A formula of which nothing is known but its tree, so that nothing is compared with its print: every part says 0 = 0.
+fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
+    let zero = graph.integer(0);
+    let nothing =
+        |part: &Part| Part { difference: vec![zero; part.difference.len()], sides: (zero, zero), ..part.clone() };
+    Formula { parts: formula.parts.iter().map(nothing).collect(), ..formula.clone() }
+}
+
 /// Whether a formula says something else than equations: then an edit that holds says little.
 fn is_inequality(formula: &Formula) -> bool {
     formula.parts.iter().any(|p| p.kind != RelationKind::Equal)
-}
-
-/// Single edits first, then what completes a formula, then pairs.
-fn rank(classes: &[EditClass]) -> usize {
-    2 * classes.len() + usize::from(classes == [EditClass::Missing])
 }
 
 /// The candidate as a claim of its own; `None` where it cannot be read as it is printed.

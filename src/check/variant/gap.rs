@@ -1,17 +1,17 @@
 //! Where something may be missing in a formula, and what may be put there.
 //!
-//! **In:** a syntax tree. **Out:** the trees with one factor or term more, at every place; and the atoms that such a factor
-//! or term may be made of.
+//! **In:** a syntax tree. **Out:** the trees with one factor or term more, at every place. What such a factor or term may be
+//! made of is the business of `atom`.
 
 use std::ops::Range;
 
-use super::edit::{
-    Place, as_number, confused, is_transpose, negated, number, parts_mut, place_of, product, raised, scaled, scripted,
-    sum, walk, with_part,
+use super::edit::{Place, place_of};
+use super::tree::{
+    anywhere, as_number, negated, number, product, raised, scaled, scripted, sum, transpose, walk, with_part,
 };
 use super::vocabulary::Vocabulary;
 use crate::expr::Rational;
-use crate::latex::syntax::{Bracket, Chain, Node, NodeKind, Sign, SubItem, SymbolNode};
+use crate::latex::syntax::{Bracket, Chain, Name, Node, NodeKind, Sign, SubItem, SymbolNode};
 
 /// Where something may be missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,8 @@ impl Filler<'_> {
         }
         for (at, child) in node.children().into_iter().enumerate() {
             let place = match &node.kind {
-                NodeKind::Quotient { .. } => Place::Whole,
+                NodeKind::Quotient { .. } | NodeKind::Cross { .. } | NodeKind::Dot(_) => Place::Whole,
+                NodeKind::Group(..) if self.gap == Gap::Term && !matches!(child.kind, NodeKind::Sum(_)) => Place::Whole,
                 _ => place_of(node, at, child, self.vocabulary),
             };
             for child in self.within(child, place) {
@@ -165,7 +166,7 @@ pub(super) fn monomial(coefficient: &Rational, factors: &[(&Node, i32)]) -> Node
 }
 
 /// An atom to a positive power.
-fn power(atom: &Node, n: i32) -> Node {
+pub(super) fn power(atom: &Node, n: i32) -> Node {
     if n == 1 {
         return atom.clone();
     }
@@ -185,11 +186,13 @@ fn power(atom: &Node, n: i32) -> Node {
     }
 }
 
+/// Most atoms that are put into a formula one by one.
+const MOST_INSERTED: usize = 20;
+
 /// A formula with one quantity more, as a factor or as a term, at every place: nested ones, and matrices and vectors, too.
-pub(super) fn insertions(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Chain> {
+pub(super) fn insertions(chain: &Chain, vocabulary: &Vocabulary, atoms: &[Node]) -> Vec<Chain> {
     let mut out = Vec::new();
-    let small = atoms(chain, vocabulary);
-    for atom in &small {
+    for atom in atoms.iter().take(MOST_INSERTED) {
         for n in [1, 2] {
             out.extend(filled(chain, Gap::Factor, &power(atom, n), false, vocabulary));
             let term = power(atom, n);
@@ -197,135 +200,75 @@ pub(super) fn insertions(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Chain> {
             out.extend(filled(chain, Gap::Term, &negated(&term), false, vocabulary));
         }
     }
-    let span = 0..0;
+    let letters = letters(chain, vocabulary);
     for word in vocabulary.tensors() {
-        let plain = SymbolNode {
-            name: word.name.clone(),
-            dots: 0,
-            sub: (!word.sub.is_empty()).then(|| word.sub.clone()),
-            sup: None,
-            sup_first: false,
-            arguments: None,
-            arguments_text: String::new(),
-        };
+        let span = 0..0;
+        let plain = word.symbol();
         let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
         let mut all = vec![symbol(plain.clone())];
         if word.rank == 2 {
-            let t = symbol(SymbolNode { name: "T".into(), ..plain.clone() });
-            all.push(symbol(SymbolNode { sup: Some(Box::new(t)), ..plain.clone() }));
+            let turned = |s: &SymbolNode| SymbolNode { sup: Some(Box::new(transpose(&span))), ..s.clone() };
+            all.push(symbol(turned(&plain)));
             all.push(symbol(SymbolNode { sup: raised(-1, &span), ..plain.clone() }));
+            if word.moves {
+                let dotted = SymbolNode { dots: 1, ..plain.clone() };
+                all.extend([symbol(turned(&dotted)), symbol(dotted)]);
+            }
         }
         for factor in &all {
             out.extend(filled(chain, Gap::Factor, factor, false, vocabulary));
+            // Matrices do not commute: behind each factor, too.
+            for (k, side) in chain.sides.iter().enumerate() {
+                for side in anywhere(side, &|node| behind_each(node, factor)) {
+                    let mut edited = chain.clone();
+                    edited.sides[k] = side;
+                    out.push(edited);
+                }
+            }
+        }
+        // One component for each value of an index of the formula; of a diagonal matrix there is one for each, too.
+        if word.rank == 1 || word.is_diagonal() {
+            for letter in &letters {
+                let mut sub = plain.sub.clone().unwrap_or_default();
+                sub.push(SubItem::Name(letter.clone()));
+                let component = symbol(SymbolNode { sub: Some(sub), ..plain.clone() });
+                let one = Box::new(number(Rational::ONE, &span));
+                let under = NodeKind::Quotient { top: one, bottom: Box::new(component.clone()), slash: false };
+                for factor in [component, Node::new(under, span.clone())] {
+                    out.extend(filled(chain, Gap::Factor, &factor, false, vocabulary));
+                }
+            }
         }
     }
     out
 }
 
-/// Most atoms that monomials are made of.
-const MOST_ATOMS: usize = 20;
-
-/// What a missing factor or term may be made of: the factors that the formula has, without their powers; like components and
-/// functions; the scalars that are declared.
-pub(super) fn atoms(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Node> {
-    let mut nodes = Vec::new();
-    for side in &chain.sides {
-        walk(side, &mut nodes);
-    }
-    let span = 0..0;
-    let mut out: Vec<Node> = Vec::new();
-    let mut put = |node: Node| {
-        let plain = without_places(&node);
-        if !out.contains(&plain) {
-            out.push(plain);
-        }
+/// Products with one factor more behind each of their factors.
+fn behind_each(node: &Node, factor: &Node) -> Vec<Node> {
+    let NodeKind::Product(parts) = &node.kind else { return Vec::new() };
+    let with = |at: usize| {
+        let mut parts = parts.clone();
+        parts.insert(at, factor.clone());
+        Node::new(NodeKind::Product(parts), node.span.clone())
     };
-    let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
-    for node in &nodes {
-        match &node.kind {
-            NodeKind::Symbol(s)
-                if !is_transpose(node)
-                    && (vocabulary.word(s).is_some_and(|(w, _)| !w.is_function) || s.arguments.is_some()) =>
-            {
-                put(symbol(SymbolNode { sup: None, sup_first: false, ..s.clone() }));
-            }
-            NodeKind::Function(f, _, arguments) => {
-                let function = |f: &str| Node::new(NodeKind::Function(f.into(), None, arguments.clone()), span.clone());
-                put(function(f));
-                if let Some(other) = confused(f).filter(|_| matches!(f.as_str(), "sin" | "cos")) {
-                    put(function(other));
-                }
-            }
-            NodeKind::Exponential { .. } | NodeKind::Root(..) | NodeKind::Pi => put((*node).clone()),
-            _ => {}
-        }
-    }
-    // Like components: I_2 where I_1 occurs.
-    for node in &nodes {
-        if let NodeKind::Symbol(s) = &node.kind
-            && let Some((word, own)) = vocabulary.word(s)
-            && let Some([SubItem::Digit(_)]) = s.sub.as_deref().and_then(|sub| sub.get(own..))
-        {
-            for d in 1..=word.extents.iter().max().copied().unwrap_or(3).min(3) {
-                let mut sub = s.sub.clone().unwrap_or_default();
-                sub[own] = SubItem::Digit(d);
-                put(symbol(SymbolNode { sub: Some(sub), sup: None, sup_first: false, ..s.clone() }));
-            }
-        }
-    }
-    // Sines and cosines of what stands in their arguments, and values at the start where such a value occurs.
-    for node in &nodes {
-        if let NodeKind::Function(f, _, arguments) = &node.kind
-            && matches!(f.as_str(), "sin" | "cos")
-        {
-            let mut inner = Vec::new();
-            arguments.iter().for_each(|a| walk(a, &mut inner));
-            for part in inner {
-                let NodeKind::Symbol(s) = &part.kind else { continue };
-                if vocabulary.word(s).is_some_and(|(w, _)| w.moves && w.rank == 0) && s.dots == 0 {
-                    for f in ["sin", "cos"] {
-                        put(Node::new(NodeKind::Function(f.into(), None, vec![part.clone()]), span.clone()));
-                    }
-                }
-            }
-        }
-    }
-    let at_start = nodes.iter().find_map(|n| match &n.kind {
-        NodeKind::Symbol(s) if s.arguments.as_ref().is_some_and(|a| a.len() == 1 && a[0].is_zero()) => Some(s),
-        _ => None,
-    });
-    if let Some(start) = at_start {
-        for node in &nodes {
-            if let NodeKind::Symbol(s) = &node.kind
-                && s.arguments.is_none()
-                && vocabulary.word(s).is_some_and(|(w, _)| w.moves)
-            {
-                let (arguments, arguments_text) = (start.arguments.clone(), start.arguments_text.clone());
-                put(symbol(SymbolNode { arguments, arguments_text, sup: None, sup_first: false, ..(*s).clone() }));
-            }
-        }
-    }
-    for word in vocabulary.scalars() {
-        put(symbol(SymbolNode {
-            name: word.name.clone(),
-            dots: 0,
-            sub: (!word.sub.is_empty()).then(|| word.sub.clone()),
-            sup: None,
-            sup_first: false,
-            arguments: None,
-            arguments_text: String::new(),
-        }));
-    }
-    out.truncate(MOST_ATOMS);
-    out
+    (1..=parts.len()).map(with).collect()
 }
 
-/// The same tree with all places removed, so that trees can be compared.
-fn without_places(node: &Node) -> Node {
-    let mut out = node.clone();
-    out.span = 0..0;
-    for part in parts_mut(&mut out) {
-        *part = without_places(part);
+/// The letters that stand as indices in a formula.
+fn letters(chain: &Chain, vocabulary: &Vocabulary) -> Vec<Name> {
+    let mut nodes = Vec::new();
+    chain.sides.iter().for_each(|side| walk(side, &mut nodes));
+    let mut out: Vec<Name> = Vec::new();
+    for node in nodes {
+        let NodeKind::Symbol(s) = &node.kind else { continue };
+        let own = vocabulary.word(s).map_or(0, |(_, own)| own);
+        for item in s.sub.as_deref().unwrap_or(&[]).iter().skip(own) {
+            if let SubItem::Name(letter) = item
+                && !out.contains(letter)
+            {
+                out.push(letter.clone());
+            }
+        }
     }
     out
 }

@@ -4,7 +4,7 @@
 //! rejects, and for every claim which survive, the fewest motions that reject the others, and, where it fails, what it should
 //! have said.
 //!
-//! The order of work: `edit` alters syntax trees, one place at a time; `generate` keeps those with a meaning; `equivalence`
+//! The order of work: `edit` and `convention` alter syntax trees, one place at a time or throughout; `generate` keeps those with a meaning; `equivalence`
 //! removes those that say what the print says; `battery` makes one program of what is left; `rejection` tries it at the points
 //! at which the claim was tried; `cover` chooses motions; `erratum` looks for what should have been printed.
 //!
@@ -12,8 +12,11 @@
 //! not tried, and why, is counted and reported.
 
 mod account;
+mod alone;
+mod atom;
 mod battery;
 mod completion;
+mod convention;
 mod cover;
 mod difference;
 mod edit;
@@ -21,10 +24,14 @@ mod equivalence;
 mod erratum;
 mod gap;
 mod generate;
+mod nearness;
+mod point;
 mod rejection;
+mod tree;
 mod vocabulary;
 
 pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
+pub use alone::Alone;
 pub use edit::EditClass;
 pub use equivalence::SEED;
 
@@ -39,6 +46,7 @@ use super::trial::{Course, Values};
 use super::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
+use crate::latex::Role;
 use battery::Battery;
 use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
 use rejection::{Evidence, Placed, Rejections};
@@ -81,24 +89,45 @@ pub fn altered_formulas(derivation: &Derivation, claim: usize) -> Vec<AlteredFor
     out
 }
 
-/// Whether two formulas of a claim are the same equation (or, for `constant`, are constant for the same reason), as far as
-/// the definitions of the symbols tell. Texts that cannot be read are not.
-pub fn says_the_same(derivation: &Derivation, claim: usize, printed: &str, other: &str, constant: bool) -> bool {
-    let Some(of) = derivation.claims.get(claim) else { return false };
+/// How far two formulas of a claim are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Sameness {
+    /// They are the same equation (or are constant for the same reason), as the definitions of the symbols have it.
+    Defined,
+    /// They are so where the equations hold that the claim assumes.
+    Assumed,
+}
+
+/// Whether, and how far, two formulas of a claim are the same; `constant`: they are expressions that shall be constant. Texts
+/// that cannot be read are not.
+pub fn says_the_same(
+    derivation: &Derivation,
+    claim: usize,
+    printed: &str,
+    other: &str,
+    constant: bool,
+) -> Option<Sameness> {
+    let of = derivation.claims.get(claim)?;
     let starts = [Rational::ZERO];
     let mut graph = derivation.graph.clone();
     let start = graph.constant(Rational::ZERO);
     let setting = Setting { claim: of, starts: &starts, shared: graph.len().max(start.index() + 1) };
     let manner = if constant { Manner::Constant } else { Manner::Relation };
-    let Some(formula) = Formula::read(&mut graph, &setting, printed, manner) else { return false };
-    let Some(tree) = generate::tree(other, &of.scope) else { return false };
-    let Some(altered) = setting.altered(&mut graph, &formula, &tree) else { return false };
+    let formula = Formula::read(&mut graph, &setting, printed, manner)?;
+    let tree = generate::tree(other, &of.scope)?;
+    let altered = setting.altered(&mut graph, &formula, &tree)?;
     if altered.is_empty() {
-        return true;
+        return Some(Sameness::Defined);
     }
     let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
     let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
-    group.sights(derivation, of, &mut graph, true) == [equivalence::Sight::Same]
+    match group.sights(derivation, of, &mut graph, true).as_slice() {
+        [equivalence::Sight::Same] => match group.sights_defined(derivation, of, &mut graph).as_slice() {
+            [equivalence::Sight::Same] => Some(Sameness::Defined),
+            _ => Some(Sameness::Assumed),
+        },
+        _ => None,
+    }
 }
 
 /// Claims that share a copy of the graph.
@@ -135,13 +164,25 @@ impl Altered {
         Altered { graphs, claims: claims.into_iter().flatten().collect(), placed: Vec::new(), known: Vec::new() }
     }
 
-    /// The leaves that must be known to try them, the sign of ± apart.
-    pub fn leaves(&self, starts: usize, sign: Leaf) -> Vec<Leaf> {
+    /// The leaves that must be known to try them, and to look for corrections, the sign of ± apart: what a formula lacks may
+    /// be anything that is given, a state, or its rate.
+    pub fn leaves(&self, derivation: &Derivation, starts: usize, sign: Leaf) -> Vec<Leaf> {
         let mut out = Vec::new();
         for (k, claim) in self.claims.iter().enumerate().filter(|(_, c)| !c.variants.is_empty()) {
             for start in 0..starts {
                 out.extend(self.graphs[k / TOGETHER].leaves(claim.roots(start)));
             }
+        }
+        let highest = out.iter().map(|l: &Leaf| l.rate).max().unwrap_or(0).max(1);
+        for symbol in derivation.symbols.iter().map(|s| s.symbol) {
+            let rates = match derivation.scope.role(symbol) {
+                Some(Role::Parameter) => 0,
+                Some(Role::State) => highest,
+                _ => continue,
+            };
+            let count = derivation.graph.component_count(symbol) as u16;
+            let leaf = |(component, rate): (u16, u8)| Leaf { symbol, component, rate, instant: None };
+            out.extend((0..count).flat_map(|c| (0..=rates).map(move |r| (c, r))).map(leaf));
         }
         out.sort_unstable();
         out.dedup();
@@ -233,7 +274,7 @@ impl Altered {
         Some((Some(rejections), own))
     }
 
-    /// Writes what was found into the accounts: one entry of `weighed` for each of the motions `tried`.
+    /// Writes what was found into the accounts: one entry of `weighed`, and one course, for each of the motions `tried`.
     ///
     /// # Errors
     /// Those of a check, when corrections are tried.
@@ -243,13 +284,15 @@ impl Altered {
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
         places: &Places,
+        courses: &mut [Course],
     ) -> Result<(), CheckError> {
         let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
         for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
             account.variants = Some(self.account(k, account, variants, weighed, &tried));
         }
         let Places { claimed, tried, starts, start_of } = *places;
-        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }.offer(accounts)
+        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }
+            .offer(accounts, courses)
     }
 
     fn account(
@@ -278,8 +321,11 @@ impl Altered {
         }
         let sets: Vec<Vec<bool>> = holds.iter().map(|(_, r)| (*r).clone()).collect();
         let (cover, cover_is_least) = cover::least_cover(&sets);
+        let of = |v: usize| &variants.formulas[variants.variants[v].formula];
         let survivor = |&v: &usize| Survivor {
             class: variants.variants[v].class,
+            printed: of(v).text.clone(),
+            place: of(v).place.clone(),
             formula: variants.variants[v].text(),
             everywhere: holds.iter().all(|(_, r)| !r[v]),
         };
@@ -318,10 +364,10 @@ struct OfClaim {
 }
 
 impl Weighed {
-    /// At most so many points at which a claim was tried.
-    fn points(&self, k: usize, most: usize) -> Vec<&Values> {
+    /// At most so many points at which a claim was tried; `all`: also those at which it has no value.
+    fn points(&self, k: usize, most: usize, all: bool) -> Vec<&Values> {
         let of = &self.of_claims[k];
-        let counts = |t: f64| !of.excluded.iter().any(|(a, b)| (*a..=*b).contains(&t));
+        let counts = |t: f64| all || !of.excluded.iter().any(|(a, b)| (*a..=*b).contains(&t));
         let shared = self.kept.iter().filter(|(t, _)| !of.at_events && counts(*t)).map(|(_, p)| p);
         of.own.iter().chain(shared).take(most).collect()
     }

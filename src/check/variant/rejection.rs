@@ -34,6 +34,12 @@ impl Placed {
         Placed { battery, inputs }
     }
 
+    /// Whether a formula has a value at a point, in all of its parts.
+    pub fn has_values(&self, point: &Values, formula: usize, parts: usize) -> bool {
+        let outputs = self.at(point, 1.0, &mut self.battery.slots());
+        (0..parts).all(|part| outputs.own(formula, part).is_ok())
+    }
+
     fn at(&self, point: &Values, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
         let value = |i: &Option<usize>| i.and_then(|i| point.get(i).copied()).unwrap_or(Err(NoValue::Indeterminate));
         self.battery.at(self.inputs.iter().map(value), sign, slots)

@@ -3,9 +3,9 @@
 //! **In:** the declarations of a derivation and of a claim. **Out:** a [`Vocabulary`]: which symbols are of one kind, so that
 //! a slip of the pen may put one for the other: the same shape, the same role, both angles or neither.
 
-use crate::derivation::{Claim, Derivation, SymbolEntry};
+use crate::derivation::{Claim, Derivation, Motion, SymbolEntry};
 use crate::expr::{Graph, Shape, Symbol};
-use crate::latex::syntax::{Name, NodeKind, SubItem, SymbolNode};
+use crate::latex::syntax::{Chain, Name, NodeKind, SubItem, SymbolNode};
 use crate::latex::{self, Role, Scope};
 
 /// A declared symbol as a formula writes it.
@@ -23,6 +23,8 @@ pub(super) struct Word {
     pub moves: bool,
     /// Whether it is a function of arguments in parentheses.
     pub is_function: bool,
+    /// Whether it is declared for the claim alone.
+    pub is_own: bool,
     /// Whether an index of a formula stands inside its name, as in `I_{(1-2)}`.
     has_places: bool,
     role: Role,
@@ -49,6 +51,7 @@ impl Word {
             extents: shape.extents().to_vec(),
             moves: matches!(entry.role, Role::State | Role::Observable),
             is_function: !entry.arguments.is_empty(),
+            is_own: false,
             has_places,
             role: entry.role,
             diagonal,
@@ -108,7 +111,8 @@ impl Vocabulary {
             if !is_known(derivation, claim, entry.symbol) {
                 continue;
             }
-            let Some(word) = Word::new(&derivation.graph, &claim.scope, entry) else { continue };
+            let Some(mut word) = Word::new(&derivation.graph, &claim.scope, entry) else { continue };
+            word.is_own = claim.symbols.iter().any(|own| own.symbol == entry.symbol);
             match words.iter_mut().find(|w| w.name == word.name && w.sub == word.sub) {
                 Some(hidden) => *hidden = word,
                 None => words.push(word),
@@ -120,8 +124,16 @@ impl Vocabulary {
     /// The word that a symbol of a formula is, and how much of its subscript belongs to the name.
     pub fn word(&self, s: &SymbolNode) -> Option<(&Word, usize)> {
         let sub = s.sub.as_deref().unwrap_or(&[]);
-        let fits = self.words.iter().filter(|w| w.name == s.name && sub.starts_with(&w.sub));
-        fits.max_by_key(|w| w.sub.len()).map(|w| (w, w.sub.len()))
+        let named = |name: &str, tensors: bool| {
+            let fits = |w: &&Word| w.name == name && sub.starts_with(&w.sub) && (w.rank > 0 || !tensors);
+            self.words.iter().filter(fits).max_by_key(|w| w.sub.len()).map(|w| (w, w.sub.len()))
+        };
+        // `\boldsymbol\Omega` may stand for a declared vector `\Omega`, and `m_3` for a component of `{\bf m}`.
+        named(&s.name, false).or_else(|| match s.name.split_once(':') {
+            Some(("bf" | "vec", bare)) => named(bare, true),
+            Some(_) => None,
+            None => ["bf", "vec"].iter().find_map(|style| named(&format!("{style}:{}", s.name), true)),
+        })
     }
 
     /// The words that may have been meant in place of one, in the order of their declaration.
@@ -134,8 +146,54 @@ impl Vocabulary {
         self.words.iter().filter(|w| w.rank > 0 && !w.is_function && !w.has_places)
     }
 
-    /// The scalars of a formula's language: everything without indices that is not a function, the time apart.
-    pub fn scalars(&self) -> impl Iterator<Item = &Word> {
-        self.words.iter().filter(|w| w.rank == 0 && !w.is_function && !w.has_places && w.role != Role::Time)
+    /// The scalars of a formula's language: everything without indices that is not a function. What is given comes first, the
+    /// time before all, and what is computed last.
+    pub fn scalars(&self) -> Vec<&Word> {
+        let mut out: Vec<&Word> =
+            self.words.iter().filter(|w| w.rank == 0 && !w.is_function && !w.has_places).collect();
+        out.sort_by_key(|w| match w.role {
+            Role::Time => 0,
+            Role::Parameter => 1,
+            Role::State => 2,
+            _ => 3,
+        });
+        out
     }
+}
+
+impl Word {
+    /// Whether it is a matrix that is given by one number for each index.
+    pub fn is_diagonal(&self) -> bool {
+        self.diagonal
+    }
+
+    /// The symbol by itself.
+    pub fn symbol(&self) -> SymbolNode {
+        SymbolNode {
+            name: self.name.clone(),
+            dots: 0,
+            sub: (!self.sub.is_empty()).then(|| self.sub.clone()),
+            sup: None,
+            sup_first: false,
+            arguments: None,
+            arguments_text: String::new(),
+        }
+    }
+}
+
+/// What else is written of the same matter: the other formulas of a claim, and the equations of the systems whose motions it
+/// is tried on. What a formula lacks often stands there.
+pub(super) fn phrases(derivation: &Derivation, claim: &Claim) -> Vec<Chain> {
+    let mut texts: Vec<&str> = claim.formulas.iter().map(|f| f.text.as_str()).collect();
+    texts.extend(claim.assuming.iter().map(|w| w.text.as_str()));
+    for system in &derivation.systems {
+        let moves = claim.trajectories.iter().any(|&t| {
+            let motion = derivation.trajectories.get(t).map(|t| &t.motion);
+            matches!(motion, Some(Motion::Integrated { system: of, .. }) if derivation.systems[*of].id == system.id)
+        });
+        if moves {
+            texts.extend(system.equations.iter().map(|w| w.text.as_str()));
+        }
+    }
+    texts.into_iter().filter_map(|text| latex::parse(text, &claim.scope).ok()).flatten().collect()
 }

@@ -134,13 +134,13 @@ fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scop
             p {
                 b { "For all values: " }
                 (sentence(identity, scope))
-                @if identity.generic { " The proof leaves out special cases of what is given; see the conditions." }
+                @if identity.generic { " The proof leaves out special cases of what is given; see below." }
                 (support::certificate(claim, identity, scope))
             }
-            @if !identity.conditions.is_empty() {
+            @for (title, lines) in identity.terms() {
                 details {
-                    summary { "Conditions" }
-                    ul { @for c in &identity.conditions { li { (condition(c, scope)) } } }
+                    summary { (title) }
+                    ul { @for c in &lines { li { (condition(c, scope)) } } }
                 }
             }
             @if let Some(witness) = &identity.witness {

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::super::tally::{declared, name};
 use super::claims::pasted;
-use super::text::label;
+use super::text::{formula, label};
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 use crate::derivation::Derivation;
 
@@ -42,33 +42,50 @@ impl Strings {
 ///
 /// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
 /// where there is none; curves are `[formula, samples, [least, largest], [first, last], [lowest, highest decade], t, left,
-/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`.
+/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`. The limit is 0 where the
+/// relation is looked for at some time, and null where it is no equation. `events` gives the equation at which a claim is
+/// tried, a position in `strings`: its samples are events.
 pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
     let mut strings = Strings::default();
-    let mut claims = serde_json::Map::new();
+    let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
     for claim in &account.claims {
         let mut pairs = serde_json::Map::new();
         for pair in &claim.results {
             let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, claim, pair, &mut strings)) {
+            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, account, claim, pair, &mut strings)) {
                 pairs.insert(t.to_string(), packed);
             }
         }
-        claims.insert(name(claim), Value::Object(pairs));
+        if let Some((d, at)) = declared(derivation, claim).and_then(|d| Some((d, d.at.as_ref()?))) {
+            events.insert(name(claim), strings.put(formula(&at.text, &d.scope).into_string()).into());
+        }
+        if !pairs.is_empty() {
+            claims.insert(name(claim), Value::Object(pairs));
+        }
     }
     let time = derivation.scope.time().map(|l| l.symbol);
     let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    let document = json!({ "unit": unit, "strings": strings.all, "pairs": claims });
+    let document = json!({ "unit": unit, "strings": strings.all, "events": events, "pairs": claims });
     // `<` could end the element that the text stands in.
     document.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
 
-fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, strings: &mut Strings) -> Option<Value> {
+fn packed(
+    derivation: &Derivation,
+    account: &Account,
+    claim: &ClaimAccount,
+    pair: &PairAccount,
+    strings: &mut Strings,
+) -> Option<Value> {
     let evidence = pair.verdict.evidence();
-    let scope = declared(derivation, claim).map_or(&derivation.scope, |d| &d.scope);
+    let declared = declared(derivation, claim);
+    let scope = declared.map_or(&derivation.scope, |d| &d.scope);
+    // Events are few: they are shown on the whole span of the motion, and one is enough.
+    let at_events = declared.is_some_and(|d| d.at.is_some());
+    let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
     let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
-    let drawn = evidence.series.as_deref().filter(|s| s.points.len() > 1);
-    let curves = drawn.map(|s| curves(s, text(&s.formula, strings), strings));
+    let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
+    let curves = drawn.map(|s| curves(s, span, text(&s.formula, strings), strings));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence
         .witness
@@ -86,6 +103,11 @@ fn packed(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount, str
     Some(Value::Array(out))
 }
 
+/// A number, a whole one without its `.0`.
+fn exact(x: f64) -> Value {
+    if x.fract() == 0.0 && x.abs() < 1e6 { (x as i64).into() } else { json!(x) }
+}
+
 /// A number with four digits.
 fn short(x: f64) -> Value {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
@@ -97,11 +119,11 @@ fn short(x: f64) -> Value {
     }
 }
 
-fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
+fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: usize, strings: &mut Strings) -> Value {
     let points = &series.points;
     let column = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
     let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
-    let span = (t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0));
+    let span = span.unwrap_or((t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0)));
     let range = extent(left.iter().chain(&right).copied());
     let (residual, bound) = (column(&|p| pxfm::f_log10(p.residual)), column(&|p| pxfm::f_log10(p.bound)));
     let (low, high) = extent(residual.iter().chain(&bound).copied());
@@ -112,14 +134,18 @@ fn curves(series: &Residuals, formula: usize, strings: &mut Strings) -> Value {
         formula,
         series.of,
         [short(range.0), short(range.1)],
-        [span.0, span.1],
+        [exact(span.0), exact(span.1)],
         [short(decades.0), short(decades.1)],
         strings.put(wide(&t, span)),
         strings.put(l),
         strings.put(r),
         strings.put(narrow(&residual, decades)),
         strings.put(narrow(&bound, decades)),
-        if series.equation { short(limit) } else { Value::Null },
+        match (series.sought, series.equation) {
+            (true, _) => 0.into(),
+            (false, true) => short(limit),
+            (false, false) => Value::Null,
+        },
     ])
 }
 

@@ -13,6 +13,7 @@
 
 mod claims;
 mod data;
+mod findings;
 mod matrix;
 mod motions;
 mod support;
@@ -20,9 +21,8 @@ mod text;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::numbers::{count, size, time};
-use super::tally::{Standing, name, says};
-use crate::check::{Account, ClaimAccount, Summary};
+use super::numbers::{size, time};
+use crate::check::Account;
 use crate::derivation::Derivation;
 use text::{formula, prose, unit};
 
@@ -42,7 +42,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             (contents(derivation, account))
         }
         main id="/main" {
-            (findings(derivation, account))
+            (findings::section(derivation, account))
             (matrix::section(account))
             (claims::section(derivation, account))
             (motions::section(derivation, account))
@@ -95,66 +95,6 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
                 @if !account.units.formulas.is_empty() { li { a href="#/units" { "Units" } } }
                 @if !account.measurements.is_empty() { li { a href="#/measures" { "Measured" } } }
                 li { a href="#/making" { "How it was made" } }
-            }
-        }
-    }
-}
-
-/// The summary in words, and the counts.
-fn findings(derivation: &Derivation, account: &Account) -> Markup {
-    let s = account.summary();
-    let claims = count(account.claims.len(), "claim");
-    let trajectories = count(account.trajectories.len(), "trajectory");
-    html! {
-        section id="/findings" {
-            h2 { "What was found" }
-            @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
-            p {
-                (claims) " (each reading counted) on " (trajectories) ". "
-                @match s.unexpected {
-                    0 => { "Every verdict is as the derivation file expects." },
-                    1 => { strong.alarm { "One verdict is not as the derivation file expects." } },
-                    n => { strong.alarm { (n) " verdicts are not as the derivation file expects." } },
-                }
-            }
-            (counts(&s))
-            @for standing in Standing::ALL {
-                (standing_list(derivation, account, standing))
-            }
-        }
-    }
-}
-
-fn counts(s: &Summary) -> Markup {
-    let rows = [
-        ("holds", "hold", s.holds),
-        ("fails", "fail", s.fails),
-        ("not-applicable", "do not apply", s.not_applicable),
-        ("undecided", "undecided", s.undecided),
-        ("unexpected", "not as expected", s.unexpected),
-    ];
-    html! {
-        ul.counts aria-label="Verdicts of all pairs of a claim and a trajectory" {
-            @for (class, words, n) in rows { li class=(class) { b { (n) } " " (words) } }
-        }
-    }
-}
-
-fn standing_list(derivation: &Derivation, account: &Account, standing: Standing) -> Markup {
-    let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
-    if found.is_empty() {
-        return html! {};
-    }
-    html! {
-        details.standing open[matches!(standing, Standing::Fails | Standing::Mixed)] {
-            summary { h3 { (count(found.len(), "claim")) " " (standing.words(found.len())) } }
-            ul {
-                @for claim in found {
-                    li {
-                        a href={ "#" (name(claim)) } { (name(claim)) } ": "
-                        (prose(&says(derivation, claim), &derivation.scope))
-                    }
-                }
             }
         }
     }

@@ -158,7 +158,8 @@ const nice = (low, high, n) => {
   return out;
 };
 const shown = x => { const a = Math.abs(x); return x === 0 ? "0" : a >= 1e5 || a < 1e-3 ? x.toExponential(1).replace("e+", "e") : String(+x.toPrecision(4)); };
-const W = 640, H = 300, L = 76, R = 14, T = 12, B = 46;
+// On a narrow screen the drawing is narrow, not its letters small.
+const W = Math.min(640, Math.max(340, innerWidth - 50)), H = 300, L = 76, R = 14, T = 12, B = 46;
 function frame(figure, title, describe, time, range, ticks, label) {
   const svg = add(figure, "svg", { viewBox: `0 0 ${W} ${H}`, role: "img" });
   add(svg, "title", {}, title);
@@ -169,7 +170,7 @@ function frame(figure, title, describe, time, range, ticks, label) {
     add(svg, "line", { class: "grid", x1: L, x2: W - R, y1: Y(y), y2: Y(y) });
     add(svg, "text", { x: L - 6, y: Y(y) + 4, "text-anchor": "end", "font-size": 13 }, text);
   }
-  for (const t of nice(time[0], time[1], 6)) {
+  for (const t of nice(time[0], time[1], W < 500 ? 4 : 6)) {
     add(svg, "line", { class: "axis", x1: X(t), x2: X(t), y1: H - B, y2: H - B + 5 });
     add(svg, "text", { x: X(t), y: H - B + 19, "text-anchor": "middle", "font-size": 13 }, shown(t));
   }
@@ -178,7 +179,6 @@ function frame(figure, title, describe, time, range, ticks, label) {
   add(svg, "text", { x: 14, y: (T + H - B) / 2, "text-anchor": "middle", "font-size": 13, transform: `rotate(-90 14 ${(T + H - B) / 2})` }, label);
   return { svg, X, Y };
 }
-const line = (p, xs, ys, name) => add(p.svg, "polyline", { class: "curve " + name, points: xs.map((x, i) => p.X(x).toFixed(1) + "," + p.Y(ys[i]).toFixed(1)).join(" ") });
 const grey = (p, stretches, time) => {
   for (const [a, b] of stretches || []) {
     const x0 = p.X(Math.max(a, time[0])), x1 = p.X(Math.min(b, time[1]));
@@ -188,8 +188,7 @@ const grey = (p, stretches, time) => {
 function open(row) {
   const next = row.nextElementSibling;
   if (next && next.classList.contains("pair")) return;
-  const pair = pairOf(row.id);
-  if (!pair) return;
+  const pair = pairOf(row.id) || [];
   const detail = document.createElement("tr");
   detail.className = "pair";
   const box = element(detail, "td", { colspan: row.cells.length });
@@ -197,15 +196,27 @@ function open(row) {
   const link = element(element(box, "p"), "a", { href: "#/trajectory/" + motions[numbers(row.id)[1]] });
   link.textContent = "The trajectory";
   if (pair[0]) curves(box, pair, addressOf(row.id));
+  else element(box, "p", { class: "quiet" }, "No curve: two sides were not compared at more than one time. The row above says what was found, and how.");
   if (pair[2]) witness(box, pair[2]);
 }
-function curves(box, [packed, w, , left_out], id) {
+// A line through samples; events are points, each with its time marked below.
+const line = (p, xs, ys, name) => add(p.svg, "polyline", { class: "curve " + name, points: xs.map((x, i) => p.X(x).toFixed(1) + "," + p.Y(ys[i]).toFixed(1)).join(" ") });
+const points = (p, xs, ys, name) => xs.forEach((x, i) => {
+  if (!Number.isFinite(ys[i])) return;
+  const cx = p.X(x).toFixed(1), cy = p.Y(ys[i]).toFixed(1);
+  add(p.svg, "path", { class: "event " + name, d: name === "left" ? `M${cx} ${cy}m-4 0a4 4 0 108 0a4 4 0 10-8 0` : `M${cx} ${cy}m-4-4l8 8m0-8l-8 8` });
+});
+const marked = (p, xs) => xs.forEach(x => add(p.svg, "line", { class: "when", x1: p.X(x), x2: p.X(x), y1: T, y2: H - B }));
+function curves(box, [packed, w, found, left_out], id) {
   const [formula, samples, [low, high], span, decades, at, lefts, rights, residuals, bounds, pass] = packed;
-  const t = unpack(at, ...span), time = [...span];
+  const t = unpack(at, ...span), time = [...span], sought = pass === 0;
+  const event = data.events[id.slice(0, id.lastIndexOf("@"))], draw = event === undefined ? line : points;
   for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
   const d = unpackLog(residuals, ...decades), b = unpackLog(bounds, ...decades);
-  const head = element(box, "p", {}, "Compared: ");
+  const head = element(box, "p", {}, sought ? "Looked for: " : "Compared: ");
   head.insertAdjacentHTML("beforeend", data.strings[formula]);
+  if (event !== undefined) head.insertAdjacentHTML("beforeend", ", each time " + data.strings[event] + ".");
+  const times = event === undefined ? (sought && found ? [found[1]] : []) : t;
   const log = x => Math.log10(x);
   const all = [...d, ...b].filter(Number.isFinite);
   if (pass) all.push(log(pass));
@@ -215,22 +226,31 @@ function curves(box, [packed, w, , left_out], id) {
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
   for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
   let figure = element(box, "figure");
-  const worst = w ? `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.` : "";
-  const p = frame(figure, "Residual of " + id, `${t.length} of ${samples} samples, on a logarithmic scale. ${worst}`, time, [bottom, top], ticks, "residual");
+  const what = event === undefined ? "samples" : "events";
+  const worst = !w ? "" : sought ? `The sides come closest at t = ${shown(w[0])}: ${shown(w[1])} apart, error bound ${shown(w[2])}.`
+    : `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.`;
+  const drawn = `${t.length} of ${samples} ${what} are drawn`;
+  const when = event !== undefined ? ` Upright lines mark the events: t = ${t.map(shown).join(", ")}.` : times.length ? ` The upright line marks where it was found, t = ${shown(times[0])}.` : "";
+  const p = frame(figure, "Residual of " + id, `${drawn}, on a logarithmic scale. ${worst}${when}`, time, [bottom, top], ticks, sought ? "distance" : "residual");
   grey(p, left_out, time);
-  line(p, t, d, "left");
-  line(p, t, b, "bound");
+  marked(p, times);
+  draw(p, t, d, "left");
+  draw(p, t, b, "bound");
   if (pass) line(p, time, [log(pass), log(pass)], "pass");
   if (w && w[1] > 0) add(p.svg, "circle", { class: "worst", cx: p.X(w[0]), cy: p.Y(log(w[1])), r: 6 });
-  element(figure, "figcaption", {}, `Residual (solid) and its error bound (dashed); an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for. ${worst}${left_out ? " Grey: times left out." : ""} ${t.length} of ${samples} samples are drawn.`);
+  const [one, two] = event === undefined ? ["solid", "dashed"] : ["circles", "crosses"];
+  const rule = sought ? `How far the sides are apart (${one}) and the error bound of that (${two}): the relation is looked for, so a small distance is a find.`
+    : `Residual (${one}) and its error bound (${two})` + (pass ? "; an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for." : ".");
+  element(figure, "figcaption", {}, `${rule} ${worst}${when}${left_out ? " Grey: times left out." : ""} ${drawn}.`);
   figure = element(box, "figure");
   const l = unpack(lefts, low, high), r = unpack(rights, low, high);
   const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
-  const q = frame(figure, "Both sides of " + id, "The left side as a solid line, the right side as a dashed one.", time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
+  const q = frame(figure, "Both sides of " + id, `The left side (${one}), the right side (${two}).`, time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
   grey(q, left_out, time);
-  line(q, t, l, "left");
-  line(q, t, r, "right");
-  element(figure, "figcaption", {}, lefts === rights ? "Left side (solid) and right side (dashed): they agree to the width of the line." : "Left side (solid) and right side (dashed).");
+  marked(q, times);
+  draw(q, t, l, "left");
+  draw(q, t, r, "right");
+  element(figure, "figcaption", {}, `Left side (${one}) and right side (${two})` + (lefts === rights ? ": they agree to the width of the line." : "."));
 }
 function witness(box, [label, t, left, right, bound, values]) {
   const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
@@ -249,7 +269,6 @@ document.addEventListener("toggle", e => {
     element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + addressOf(row.id) }, "curves");
   }
 }, true);
-addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details.standing")) d.open = true; });
 
 form.hidden = false;
 go();

@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
+use super::super::wording::{self, Part};
 use crate::latex::Scope;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
@@ -10,18 +11,13 @@ const LONG: usize = 40;
 
 /// A text: `$…$` is a formula, `` `…` `` too, where it is one; everything else is shown as it is.
 pub(super) fn prose(text: &str, scope: &Scope) -> Markup {
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut out = String::new();
-    let mut rest = text.as_str();
-    while let Some(start) = rest.find(['$', '`']) {
-        let mark = &rest[start..=start];
-        let after = &rest[start + 1..];
-        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
-        out.push_str(&mathml::escaped(&rest[..start]));
-        out.push_str(&formula(&after[..end], scope).into_string());
-        rest = &after[end + 1..];
+    for part in wording::parts(&wording::one_line(text)) {
+        match part {
+            Part::Words(words) => out.push_str(&mathml::escaped(words)),
+            Part::Formula(text) => out.push_str(&formula(text, scope).into_string()),
+        }
     }
-    out.push_str(&mathml::escaped(rest));
     PreEscaped(out)
 }
 
@@ -76,7 +72,7 @@ pub(super) fn plain(text: &str) -> String {
 
 /// A condition of a proof: an expression, its relation to zero, and perhaps words.
 pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
-    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
+    let split = [" ≠ ", " ≥ ", " > ", " ≤ ", " < ", " = "].iter().find_map(|r| Some((*r, text.split_once(r)?)));
     match split {
         Some((relation, (expression, rest))) => html! { (formula(expression, scope)) (relation) (rest) },
         None if text.contains('\\') => html! { code { (plain(text)) } },
@@ -84,19 +80,12 @@ pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
     }
 }
 
-/// What a comparison is called: a formula, then perhaps its component in brackets, or words.
+/// What a comparison is called: a formula, then perhaps its component, or words.
 pub(super) fn label(text: &str, scope: &Scope) -> Markup {
-    let (head, component) = match text.split_once("   [") {
-        Some((head, component)) => (head, Some(component.trim_end_matches(']'))),
-        None => (text, None),
-    };
-    let words = ["rank of the gradients of ", "for the system "].iter().find_map(|w| Some((*w, head.strip_prefix(w)?)));
-    let tail = [" has a value", " of both motions"].iter().find_map(|w| Some((head.strip_suffix(w)?, *w)));
+    let label = wording::label(text);
     html! {
-        @if let Some((words, formula_text)) = words { (words) (formula(formula_text, scope)) }
-        @else if let Some((formula_text, words)) = tail { (formula(formula_text, scope)) (words) }
-        @else { (formula(head, scope)) }
-        @if let Some(component) = component {
+        (label.before) (formula(label.formula, scope)) (label.after)
+        @if let Some(component) = label.component {
             ", component " (formula(component, scope))
         }
     }
@@ -185,6 +174,17 @@ mod tests {
         ] {
             assert_eq!(identifier(name), word, "{name}");
         }
+    }
+
+    #[test]
+    fn texts_that_are_put_together_keep_their_spaces() {
+        let mut graph = Graph::new();
+        let scope = Scope::new(&mut graph);
+        let shown = |text: &str| prose(text, &scope).into_string();
+        assert_eq!(shown("at most "), "at most ");
+        assert_eq!(shown("\n  a\n b"), " a b");
+        assert_eq!((shown(" "), shown("")), (" ".to_owned(), String::new()));
+        assert!(reason("x has no value at t = 1", &scope).into_string().ends_with("has no value at t = 1"));
     }
 
     #[test]

@@ -182,10 +182,8 @@ fn points_of(line: &str) -> Vec<(i32, i32)> {
     list.split_whitespace().filter_map(point).collect()
 }
 
-/// A line with as few points as draw the same, to less than a unit of the canvas.
-fn simplified(line: &str) -> String {
-    let (Some(start), points) = (line.find("points=\""), points_of(line)) else { return line.to_owned() };
-    let Some(end) = line[start + 8..].find('"') else { return line.to_owned() };
+/// As few of the points as draw the same, to less than a unit of the canvas.
+fn simplified(points: &[(i32, i32)]) -> Vec<(i32, i32)> {
     let mut kept = vec![false; points.len()];
     let mut stretches = vec![(0, points.len().saturating_sub(1))];
     while let Some((a, b)) = stretches.pop() {
@@ -201,9 +199,67 @@ fn simplified(line: &str) -> String {
             stretches.extend([(a, far), (far, b)]);
         }
     }
-    let text: Vec<String> =
-        points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|((x, y), _)| format!("{x},{y}")).collect();
-    format!("{}points=\"{}{}", &line[..start], text.join(" "), &line[start + 8 + end..])
+    points.iter().zip(&kept).filter(|(_, kept)| **kept).map(|(p, _)| *p).collect()
+}
+
+/// The ends of a straight line of the grid.
+fn ends_of(line: &str) -> Option<[(i32, i32); 2]> {
+    let of = |name: &str| {
+        let (_, rest) = line.split_once(&format!(" {name}=\""))?;
+        rest.split_once('"')?.0.parse::<i32>().ok()
+    };
+    line.starts_with("<line ").then_some(())?;
+    Some([(of("x1")?, of("y1")?), (of("x2")?, of("y2")?)])
+}
+
+/// Points as a part of a path, each relative to the one before: differences are short.
+fn path(points: &[(i32, i32)], out: &mut String) {
+    let mut last = (0, 0);
+    for (i, &(x, y)) in points.iter().enumerate() {
+        let (across, down) = (x - last.0, y - last.1);
+        last = (x, y);
+        match i {
+            0 => out.push_str(&format!("M{x}")),
+            // A number after another letter or a minus needs no space.
+            1 => out.push_str(&format!("l{across}")),
+            _ if across < 0 => out.push_str(&across.to_string()),
+            _ => out.push_str(&format!(" {across}")),
+        }
+        let down = if i == 0 { y } else { down };
+        out.push_str(&if down < 0 { down.to_string() } else { format!(" {down}") });
+    }
+}
+
+/// Lines that follow one another in one class become one path, each line with as few points as draw the same.
+fn joined<'a>(lines: impl Iterator<Item = &'a str>) -> String {
+    let mut out = String::new();
+    let mut open: Option<String> = None;
+    for line in lines {
+        let points = match ends_of(line) {
+            Some(ends) => ends.to_vec(),
+            None if line.starts_with("<polyline ") => simplified(&points_of(line)),
+            None => Vec::new(),
+        };
+        let class = line.split_once("class=\"").and_then(|(_, rest)| rest.split_once('"')).map(|(class, _)| class);
+        let class = class.filter(|_| points.len() > 1);
+        if class != open.as_deref() || class.is_none() {
+            if open.is_some() {
+                out.push_str("\"/>");
+            }
+            open = class.map(str::to_owned);
+            match class {
+                Some(class) => out.push_str(&format!("<path class=\"{class}\" d=\"")),
+                None => out.push_str(line),
+            }
+        }
+        if class.is_some() {
+            path(&points, &mut out);
+        }
+    }
+    if open.is_some() {
+        out.push_str("\"/>");
+    }
+    out
 }
 
 /// How far a point is from the line between two others.
@@ -232,14 +288,9 @@ fn finished(svg: &str, words: &Words<'_>) -> String {
         out = out.replace(&format!(" stroke=\"{code}\""), &format!(" class=\"{class}\""));
         out = out.replace(&format!(" fill=\"{code}\""), "");
     }
-    let mut lines: Vec<String> = Vec::new();
-    for line in out.lines().map(str::trim) {
-        // What cannot be seen is not drawn, and lines of the grid mark the ticks.
-        if !line.contains("opacity=\"0\"") && !is_tick(line) {
-            lines.push(simplified(line));
-        }
-    }
-    let out = lines.concat();
+    // What cannot be seen is not drawn, and lines of the grid mark the ticks.
+    let seen = |line: &&str| !line.contains("opacity=\"0\"") && !is_tick(line);
+    let out = joined(out.lines().map(str::trim).filter(seen));
     let head =
         format!("<svg role=\"img\"><title>{}</title><desc>{}</desc>", escaped(words.title), escaped(words.describe));
     // The library's own opening gives the size of the canvas in pixels; the page gives the width.
@@ -256,10 +307,25 @@ mod tests {
 
     #[test]
     fn a_line_keeps_its_shape_with_fewer_points() {
-        let line = "<polyline points=\"0,0 5,0 10,0 10,5 10,10 \"/>";
-        assert_eq!(simplified(line), "<polyline points=\"0,0 10,0 10,10\"/>");
-        assert_eq!(simplified("<circle r=\"1\"/>"), "<circle r=\"1\"/>");
-        assert_eq!(simplified("<polyline points=\"0,0 9,0 0,0\"/>"), "<polyline points=\"0,0 9,0 0,0\"/>");
+        assert_eq!(simplified(&[(0, 0), (5, 0), (10, 0), (10, 5), (10, 10)]), [(0, 0), (10, 0), (10, 10)]);
+        assert_eq!(simplified(&[(0, 0), (9, 0), (0, 0)]), [(0, 0), (9, 0), (0, 0)]);
+        assert!(simplified(&[]).is_empty());
+    }
+
+    #[test]
+    fn lines_of_one_class_are_one_path() {
+        let lines = [
+            "<line class=\"grid\" x1=\"1\" y1=\"2\" x2=\"1\" y2=\"9\"/>",
+            "<line class=\"grid\" x1=\"5\" y1=\"2\" x2=\"3\" y2=\"1\"/>",
+            "<text>t</text>",
+            "<polyline class=\"c0\" points=\"0,0 7,8 9,2 \"/>",
+        ];
+        let expected =
+            "<path class=\"grid\" d=\"M1 2l0 7M5 2l-2-1\"/><text>t</text><path class=\"c0\" d=\"M0 0l7 8 2-6\"/>";
+        assert_eq!(joined(lines.into_iter()), expected);
+        // A line without a length stays what it is.
+        let alone = "<polyline class=\"c0\" points=\"4,4 \"/>";
+        assert_eq!(joined([alone].into_iter()), alone);
     }
 
     #[test]

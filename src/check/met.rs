@@ -1,0 +1,111 @@
+//! Where the inequalities among the assumptions of a claim are met between two samples.
+//!
+//! **In:** the samples of a motion, and the zeros of left − right of the assumptions. **Out:** more times, so that every
+//! stretch on which the assumptions may be met has some of its own; and why there may be more such stretches.
+//!
+//! An inequality keeps its truth as long as left − right keeps its sign. Between two changes of sign it is met everywhere or
+//! nowhere. A stretch that falls between two samples would be taken for one on which nothing is assumed, and one with a
+//! single sample for one on which the claim was tried.
+
+use super::describe::short;
+use super::trial::{Trial, Values, incomplete, measure};
+use super::weigh::Judged;
+use crate::flow::Incomplete;
+use crate::latex::RelationKind;
+use crate::number::NoValue;
+
+/// Samples that a stretch between two changes must have; as many are added where there are fewer.
+const FEW: usize = 8;
+/// Most stretches that get times of their own.
+const MOST: usize = 64;
+
+/// The times at which a claim is tried, where its assumptions ask for more than the samples of the motion.
+pub(super) struct Met {
+    /// The times, increasing.
+    pub times: Vec<f64>,
+    /// The values at these times.
+    pub points: Vec<Values>,
+}
+
+/// What was looked for.
+#[derive(Default)]
+pub(super) struct Search {
+    /// More times; none where the samples do.
+    pub more: Option<Met>,
+    /// Why the assumptions may be met at other times, too.
+    pub open: Option<String>,
+    /// A time at which an assumption may be met at that time alone.
+    pub touches: Option<String>,
+}
+
+/// Looks for stretches on which the assumptions are met.
+pub(super) fn look(trial: &Trial) -> Search {
+    let Trial { program, course, .. } = *trial;
+    let mut found = Search::default();
+    let (from, to) = course.stage.span(course.trajectory);
+    let mut cuts: Vec<f64> = vec![from, to];
+    let mut any = false;
+    for (assumption, kind, e) in program.met() {
+        any = true;
+        let text = &assumption.text;
+        let Some(zeros) = course.zeros(e) else { continue };
+        cuts.extend(&zeros.times);
+        let weak = matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual);
+        if let (true, Some(&t)) = (weak, zeros.touching.first()) {
+            found.touches = Some(format!(
+                "the assumption `{text}` is met at most near single times such as t = {}: whether it is cannot be told",
+                short(t)
+            ));
+        }
+        for gap in &zeros.incomplete {
+            let (start, end) = gap.stretch();
+            cuts.extend([start, end].map(|t| t.clamp(from, to)));
+            // Where it stays within its error of 0, or has no value, the samples of the motion say so.
+            if let Incomplete::Unresolved { .. } | Incomplete::NoValue { reason: NoValue::Indeterminate, .. } = gap
+                && end - start > 1e-9 * (to - from)
+            {
+                found.open = Some(format!("when `{text}` is met is not known: {}", incomplete(gap)));
+            }
+        }
+    }
+    if !any {
+        return found;
+    }
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup();
+    let mut times = Vec::new();
+    for pair in cuts.windows(2) {
+        let (start, end) = (pair[0], pair[1]);
+        let inside = course.times.partition_point(|&t| t < end) - course.times.partition_point(|&t| t <= start);
+        if inside >= FEW || !is_met(trial, start + 0.5 * (end - start)) {
+            continue;
+        }
+        if times.len() >= MOST * FEW {
+            found.open = Some(format!("the assumptions are met on more than {MOST} short stretches"));
+            break;
+        }
+        times.extend((0..FEW).map(|k| start + (end - start) * (k as f64 + 0.5) / FEW as f64));
+    }
+    times.retain(|t| course.times.binary_search_by(|x| x.total_cmp(t)).is_err());
+    if times.is_empty() {
+        return found;
+    }
+    let mut all: Vec<(f64, Values)> = times.into_iter().map(|t| (t, course.values(t))).collect();
+    all.extend(course.times.iter().copied().zip(course.points.iter().cloned()));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|a, b| a.0 == b.0);
+    let (times, points) = all.into_iter().unzip();
+    found.more = Some(Met { times, points });
+    found
+}
+
+/// Whether the inequalities among the assumptions are not violated at a time.
+fn is_met(trial: &Trial, t: f64) -> bool {
+    use super::comparison::Standing;
+    let point = [trial.course.values(t)];
+    let measured = measure(trial.program, &point, None);
+    let selecting = trial.program.assumptions.iter().zip(&measured.assumptions).filter(|(a, _)| !a.throughout);
+    selecting
+        .into_iter()
+        .all(|(_, group)| Judged::new(group, trial.claim.precision).best(0) != Some(Standing::Violated))
+}

@@ -1,0 +1,281 @@
+//! What became of each claim as a whole: its readings taken together.
+//!
+//! **In:** the account. **Out:** one [`Whole`] for each claim of the file, with its [`Fate`], and the sentence that counts them.
+//! A reader asks which claims stand; thousands of verdicts do not say it. Nothing is judged here: a fate follows from the
+//! verdicts of the readings by the table of [`Fate`].
+
+use super::numbers::count;
+use super::tally::{Standing, declared};
+use crate::check::separation::{ConditionName, Explanation, Join};
+use crate::check::{Account, ClaimAccount};
+use crate::derivation::Derivation;
+
+/// What became of a claim. S is the set of the standings of its readings; those that apply to no trajectory do not count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Fate {
+    /// None holds throughout or in part, one fails.
+    Fails,
+    /// None holds throughout, one holds on some trajectories and fails on others.
+    Partly,
+    /// One holds throughout, another fails somewhere.
+    Reading,
+    /// None fails anywhere, one is undecided somewhere.
+    Open,
+    /// None applies to any trajectory.
+    Nowhere,
+    /// All hold wherever they apply.
+    Stands,
+}
+
+impl Fate {
+    /// In the order in which they are told: what does not stand comes first.
+    pub const ALL: [Fate; 6] = [Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Nowhere, Fate::Stands];
+
+    fn of(readings: &[Reading<'_>]) -> Fate {
+        let any = |standing: Standing| readings.iter().any(|r| r.standing == standing);
+        match (any(Standing::Holds), any(Standing::Mixed), any(Standing::Fails), any(Standing::Open)) {
+            (true, true, _, _) | (true, _, true, _) => Fate::Reading,
+            (false, true, _, _) => Fate::Partly,
+            (false, false, true, _) => Fate::Fails,
+            (_, false, false, true) => Fate::Open,
+            (true, false, false, false) => Fate::Stands,
+            (false, false, false, false) => Fate::Nowhere,
+        }
+    }
+
+    /// A name for links.
+    pub fn key(self) -> &'static str {
+        match self {
+            Fate::Fails => "fail",
+            Fate::Partly => "partly",
+            Fate::Reading => "reading",
+            Fate::Open => "open",
+            Fate::Nowhere => "nowhere",
+            Fate::Stands => "stand",
+        }
+    }
+
+    /// The verb of a heading, for so many claims.
+    pub fn words(self, n: usize) -> &'static str {
+        match (self, n) {
+            (Fate::Fails, 1) => "does not hold",
+            (Fate::Fails, _) => "do not hold",
+            (Fate::Partly, 1) => "holds on some motions and fails on others",
+            (Fate::Partly, _) => "hold on some motions and fail on others",
+            (Fate::Reading, 1) => "depends on how it is read",
+            (Fate::Reading, _) => "depend on how they are read",
+            (Fate::Open, 1) => "is not settled",
+            (Fate::Open, _) => "are not settled",
+            (Fate::Nowhere, 1) => "applies to none of the motions",
+            (Fate::Nowhere, _) => "apply to none of the motions",
+            (Fate::Stands, 1) => "stands",
+            (Fate::Stands, _) => "stand",
+        }
+    }
+
+    /// What the words mean.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Fate::Fails => "In no reading does it hold on any motion to which it applies.",
+            Fate::Partly => "What separates the motions is said beside each.",
+            Fate::Reading => "One reading holds wherever it applies, another fails somewhere.",
+            Fate::Open => "The evidence settles no failure, and not everything.",
+            Fate::Nowhere => "No motion meets what they assume.",
+            Fate::Stands => "They hold on every motion to which they apply, in every reading that was tried.",
+        }
+    }
+}
+
+/// One reading of a claim, or the claim itself.
+pub(super) struct Reading<'a> {
+    pub claim: &'a ClaimAccount,
+    pub standing: Standing,
+}
+
+/// A claim with all its readings.
+pub(super) struct Whole<'a> {
+    pub id: &'a str,
+    /// What it says, in the words of the file.
+    pub says: String,
+    pub place: Option<&'a str>,
+    pub readings: Vec<Reading<'a>>,
+    pub fate: Fate,
+}
+
+impl Whole<'_> {
+    /// Whether it has readings of which the file names each.
+    pub fn is_read(&self) -> bool {
+        self.readings.iter().any(|r| r.claim.reading.is_some())
+    }
+
+    /// Whether every reading is proved for all values.
+    pub fn is_proved(&self) -> bool {
+        self.readings.iter().all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
+    }
+}
+
+/// The claims of an account, in the order of the file.
+pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<Whole<'a>> {
+    let mut out: Vec<Whole<'a>> = Vec::new();
+    for claim in &account.claims {
+        let reading = Reading { claim, standing: Standing::of(claim) };
+        match out.last_mut() {
+            Some(whole) if whole.id == claim.id => whole.readings.push(reading),
+            _ => {
+                let parent = declared(derivation, claim).and_then(|d| d.parent_says.clone());
+                let says = parent.unwrap_or_else(|| claim.says.clone());
+                let place = claim.place.as_deref();
+                out.push(Whole { id: &claim.id, says, place, readings: vec![reading], fate: Fate::Nowhere });
+            }
+        }
+    }
+    for whole in &mut out {
+        whole.fate = Fate::of(&whole.readings);
+    }
+    out
+}
+
+/// The sentence that counts: `Of 61 claims 33 stand, 24 depend on how they are read, …`.
+pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
+    let told = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
+    let mut parts: Vec<String> = Vec::new();
+    for fate in told {
+        let n = wholes.iter().filter(|w| w.fate == fate).count();
+        if n > 0 {
+            parts.push(format!("{n} {}", fate.words(n)));
+        }
+    }
+    let all = count(wholes.len(), "claim");
+    match parts.as_slice() {
+        [] => format!("{all}."),
+        [one] => format!("Of {all} {one}."),
+        [more @ .., last] => format!("Of {all} {}, and {last}.", more.join(", ")),
+    }
+}
+
+/// A condition under which claims hold that fail without it.
+pub(super) struct Unsaid<'a> {
+    pub explanation: &'a Explanation,
+    /// The claims and readings that it separates, in the order of the file.
+    pub claims: Vec<&'a ClaimAccount>,
+}
+
+/// Every condition that separates the motions of some claim: those of most claims first.
+pub(super) fn unsaid(account: &Account) -> Vec<Unsaid<'_>> {
+    let mut out: Vec<Unsaid<'_>> = Vec::new();
+    for claim in &account.claims {
+        let Some(explanation) = claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) else {
+            continue;
+        };
+        match out.iter_mut().find(|u| u.explanation == explanation) {
+            Some(known) => known.claims.push(claim),
+            None => out.push(Unsaid { explanation, claims: vec![claim] }),
+        }
+    }
+    out.sort_by_key(|u| std::cmp::Reverse(u.claims.len()));
+    out
+}
+
+/// A condition in the words of the file; its formula, between dollar signs, where it has none.
+pub(super) fn condition(c: &ConditionName) -> String {
+    let text = match (&c.id, &c.says) {
+        (Some(_), Some(says)) => says.trim_end_matches('.').to_owned(),
+        (None, Some(says)) => format!("${}$ {says}", c.formula),
+        (_, None) => format!("${}$", c.formula),
+    };
+    if c.negated { format!("it is not so that {text}") } else { text }
+}
+
+/// Conditions put together: `A, and B`.
+pub(super) fn explanation(e: &Explanation) -> String {
+    let parts: Vec<String> = e.conditions.iter().map(condition).collect();
+    match e.join {
+        Join::And => parts.join(", and "),
+        Join::Or => parts.join(", or "),
+    }
+}
+
+/// Where a reading holds, in a few words; the beginning of a sentence.
+pub(super) fn verdict(reading: &Reading<'_>) -> String {
+    let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
+    match reading.standing {
+        Standing::Holds if reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved") => {
+            "Holds, proved for all values".to_owned()
+        }
+        Standing::Holds => match n("holds") {
+            1 => "Holds on the one motion to which it applies".to_owned(),
+            n => format!("Holds on all {n} motions to which it applies"),
+        },
+        Standing::Fails => match n("fails") {
+            1 => "Fails on the one motion to which it applies".to_owned(),
+            n if reading.claim.results.iter().any(|r| r.verdict.outcome().word() == "undecided") => {
+                format!("Fails on {n} motions, undecided on others")
+            }
+            n => format!("Fails on all {n} motions to which it applies"),
+        },
+        Standing::Mixed => format!("Holds on {} motions, fails on {}", n("holds"), n("fails")),
+        Standing::Open if n("holds") > 0 => format!("Holds on {} motions, undecided on {}", n("holds"), n("undecided")),
+        Standing::Open => format!("Undecided on {}", count(n("undecided"), "motion")),
+        Standing::Nowhere => "Applies to none of the motions".to_owned(),
+    }
+}
+
+/// What a mixed reading needs: `here it holds exactly where …`, with a word on rivals.
+pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
+    let s = claim.conditions.separation.as_ref()?;
+    let Some(e) = &s.explanation else {
+        return Some("no condition that was tried separates them".to_owned());
+    };
+    let rivals = match s.rivals.len() + s.more_rivals {
+        0 => "",
+        1 => " (one other condition would separate them, too)",
+        _ => " (other conditions would separate them, too)",
+    };
+    Some(format!("it holds exactly where {}{rivals}", explanation(e)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    fn fate(standings: &[Standing]) -> Fate {
+        let account = sample::account();
+        let readings: Vec<Reading<'_>> =
+            standings.iter().map(|&standing| Reading { claim: &account.claims[0], standing }).collect();
+        Fate::of(&readings)
+    }
+
+    #[test]
+    fn a_claim_stands_only_if_all_of_it_does() {
+        use Standing::{Fails, Holds, Mixed, Nowhere, Open};
+        for (standings, expected) in [
+            (&[Holds][..], Fate::Stands),
+            (&[Holds, Nowhere], Fate::Stands),
+            (&[Holds, Open], Fate::Open),
+            (&[Holds, Mixed], Fate::Reading),
+            (&[Holds, Fails, Open], Fate::Reading),
+            (&[Mixed], Fate::Partly),
+            (&[Mixed, Fails, Open], Fate::Partly),
+            (&[Fails, Open], Fate::Fails),
+            (&[Fails, Nowhere], Fate::Fails),
+            (&[Nowhere], Fate::Nowhere),
+            (&[], Fate::Nowhere),
+        ] {
+            assert_eq!(fate(standings), expected, "{standings:?}");
+        }
+    }
+
+    #[test]
+    fn every_claim_is_counted_once() {
+        let (derivation, account) = (derivation(), sample::account());
+        let wholes = wholes(&derivation, &account);
+        let readings: usize = wholes.iter().map(|w| w.readings.len()).sum();
+        assert_eq!(readings, account.claims.len());
+        let told: usize = Fate::ALL.iter().map(|f| wholes.iter().filter(|w| w.fate == *f).count()).sum();
+        assert_eq!(told, wholes.len());
+        let sentence = headline(&wholes);
+        assert!(sentence.starts_with("Of ") && sentence.ends_with('.'), "{sentence}");
+    }
+}

@@ -1,0 +1,118 @@
+//! The first part of `report.md`: which claims stand, why the others do not, and what was left unsaid.
+//!
+//! **In:** the [`digest`](super::digest) of an account. **Out:** Markdown. Each claim is told in a few lines; a link leads to
+//! the section on it.
+
+use super::digest::{self, Fate, Reading, Whole};
+use super::markdown::{link_to, prose, table};
+use super::numbers::count;
+use super::tally::{Standing, name};
+use crate::check::{Account, ClaimAccount};
+use crate::derivation::Derivation;
+
+/// The section.
+pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
+    let wholes = digest::wholes(derivation, account);
+    let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
+    let mut out = format!("## What was found\n\n**{}**\n\n", digest::headline(&wholes));
+    if let Some(remark) = &derivation.remark {
+        out.push_str(&format!("{}\n\n", prose(remark)));
+    }
+    out.push_str(&counted(account));
+    for fate in Fate::ALL {
+        let found = of(fate);
+        if found.is_empty() {
+            continue;
+        }
+        out.push_str(&format!("### {} {}\n\n", count(found.len(), "claim"), fate.words(found.len())));
+        out.push_str(&format!("{}\n\n", fate.meaning()));
+        for whole in found {
+            out.push_str(&if fate == Fate::Stands { standing(whole) } else { reasons(whole) });
+        }
+        out.push('\n');
+    }
+    out.push_str(&unsaid(account));
+    out
+}
+
+/// The counts of all pairs.
+fn counted(account: &Account) -> String {
+    let s = account.summary();
+    let cell = |n: usize| vec![n.to_string()];
+    let all = [s.holds, s.fails, s.not_applicable, s.undecided, s.unexpected].into_iter().flat_map(cell).collect();
+    let mut out = format!(
+        "Readings counted one by one, these are {} on {}. Of the pairs:\n\n",
+        count(account.claims.len(), "claim"),
+        count(account.trajectories.len(), "motion"),
+    );
+    out.push_str(&table(&["hold", "fail", "do not apply", "undecided", "not as expected"], [all]));
+    out.push_str(&match s.unexpected {
+        0 => "Every verdict is as the derivation file expects.\n\n".to_owned(),
+        1 => "**One verdict is not as the derivation file expects.**\n\n".to_owned(),
+        n => format!("**{n} verdicts are not as the derivation file expects.**\n\n"),
+    });
+    out
+}
+
+fn mark(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Holds => "●",
+        Standing::Mixed => "◐",
+        Standing::Fails => "✕",
+        Standing::Open => "?",
+        Standing::Nowhere => "–",
+    }
+}
+
+/// Where a claim stands in the paper, in brackets with a link to it.
+fn place(whole: &Whole<'_>) -> String {
+    let place = whole.place.map(|p| format!("{}, ", prose(p))).unwrap_or_default();
+    format!("({place}{})", link_to(whole.id))
+}
+
+fn standing(whole: &Whole<'_>) -> String {
+    let mark = if whole.is_proved() { "◆ proved: " } else { "● " };
+    format!("- {mark}{} {}\n", prose(&whole.says), place(whole))
+}
+
+fn reasons(whole: &Whole<'_>) -> String {
+    let mut out = format!("- **{}** {}\n", prose(&whole.says), place(whole));
+    for reading in &whole.readings {
+        out.push_str(&format!("  - {} {}\n", mark(reading.standing), told(whole, reading)));
+    }
+    out
+}
+
+fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
+    let mut parts = Vec::new();
+    if whole.is_read() {
+        parts.push(if reading.claim.reading.is_some() {
+            prose(&reading.claim.says)
+        } else {
+            "As it stands.".to_owned()
+        });
+    }
+    let condition = digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c))).unwrap_or_default();
+    parts.push(format!("{}{condition}.", digest::verdict(reading)));
+    if let Some(remark) = &reading.claim.remark {
+        parts.push(format!("*{}*", prose(remark).trim()));
+    }
+    parts.join(" ")
+}
+
+fn unsaid(account: &Account) -> String {
+    let found = digest::unsaid(account);
+    if found.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "### What was left unsaid\n\nWhat separates the motions on which a claim or reading holds from those on which it \
+         fails, as far as these motions can tell.\n\n",
+    );
+    for u in &found {
+        let claims: Vec<String> = u.claims.iter().map(|c: &&ClaimAccount| link_to(&name(c))).collect();
+        out.push_str(&format!("- **{}**: {}\n", prose(&digest::explanation(u.explanation)), claims.join(", ")));
+    }
+    out.push('\n');
+    out
+}

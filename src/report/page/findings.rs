@@ -1,0 +1,158 @@
+//! What a reader wants first: which claims stand, and why the others do not.
+
+use maud::{Markup, html};
+
+use super::super::digest::{self, Fate, Reading, Whole};
+use super::super::numbers::count;
+use super::super::tally::{Standing, name};
+use super::text::prose;
+use crate::check::{Account, ClaimAccount, Summary};
+use crate::derivation::Derivation;
+use crate::latex::Scope;
+
+/// The summary in words, the counts, and every claim with its fate.
+pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
+    let wholes = digest::wholes(derivation, account);
+    let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
+    let told = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
+    html! {
+        section id="/findings" {
+            h2 { "What was found" }
+            p.headline { (digest::headline(&wholes)) }
+            ul.counts aria-label="What became of the claims" {
+                @for fate in told {
+                    @let n = of(fate).len();
+                    @if n > 0 {
+                        li class=(fate.key()) { a href={ "#/found/" (fate.key()) } { b { (n) } " " (fate.words(n)) } }
+                    }
+                }
+            }
+            @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
+            (counted(account))
+            @for fate in Fate::ALL {
+                @let found = of(fate);
+                @if !found.is_empty() {
+                    h3 id={ "/found/" (fate.key()) } { (count(found.len(), "claim")) " " (fate.words(found.len())) }
+                    p.quiet { (fate.meaning()) }
+                    @if fate == Fate::Stands { (standing(&found, &derivation.scope)) } @else { (reasons(derivation, &found)) }
+                }
+            }
+            (unsaid(derivation, account))
+        }
+    }
+}
+
+/// The counts of all pairs, in a sentence.
+fn counted(account: &Account) -> Markup {
+    let s: Summary = account.summary();
+    html! {
+        p.quiet {
+            "Readings counted one by one, these are " (count(account.claims.len(), "claim")) " on "
+            (count(account.trajectories.len(), "motion")) ": of the pairs " (s.holds) " hold, " (s.fails) " fail, "
+            (s.not_applicable) " do not apply, " (s.undecided) " are undecided. "
+            @match s.unexpected {
+                0 => { "Every verdict is as the derivation file expects." },
+                1 => { strong.alarm { "One verdict is not as the derivation file expects." } },
+                n => { strong.alarm { (n) " verdicts are not as the derivation file expects." } },
+            }
+        }
+    }
+}
+
+/// The shape of a standing: that of a pair, and a half circle for what holds in part.
+fn mark(reading: &Reading<'_>) -> Markup {
+    let proved = reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved");
+    let class = match reading.standing {
+        Standing::Holds if proved => "h p",
+        Standing::Holds => "h",
+        Standing::Mixed => "m",
+        Standing::Fails => "f",
+        Standing::Open => "u",
+        Standing::Nowhere => "n",
+    };
+    html! { span class={ "mark " (class) } aria-hidden="true" {} }
+}
+
+fn link(claim: &ClaimAccount) -> Markup {
+    let full = name(claim);
+    html! { a href={ "#" (full) } { (full) } }
+}
+
+/// Claims that stand: a line for each.
+fn standing(found: &[&Whole<'_>], scope: &Scope) -> Markup {
+    let proved = found.iter().filter(|w| w.is_proved()).count();
+    html! {
+        @if proved > 0 {
+            p.quiet { "Proved for all values, in every reading: " (proved) " (" span class="mark h p" aria-hidden="true" {} ")." }
+        }
+        ul.stands {
+            @for whole in found {
+                li {
+                    span class=@if whole.is_proved() { "mark h p" } @else { "mark h" } aria-hidden="true" {} " "
+                    a href={ "#" (whole.id) } { (whole.id) } " " (prose(&whole.says, scope))
+                    @if let Some(place) = whole.place { span.quiet { " (" (prose(place, scope)) ")" } }
+                }
+            }
+        }
+    }
+}
+
+/// Claims that do not stand, or not in every reading: each with what holds, where, and why the rest does not.
+fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
+    let scope = &derivation.scope;
+    html! {
+        @for whole in found {
+            div.whole {
+                p {
+                    b { (prose(&whole.says, scope)) } " "
+                    span.quiet {
+                        @if let Some(place) = whole.place { (prose(place, scope)) "; " }
+                        a href={ "#" (whole.id) } { (whole.id) }
+                    }
+                }
+                ul {
+                    @for reading in &whole.readings {
+                        li {
+                            (mark(reading)) " "
+                            @if whole.is_read() {
+                                @if reading.claim.reading.is_some() { (prose(&reading.claim.says, scope)) }
+                                @else { "As it stands:" }
+                                " "
+                            }
+                            span.outcome {
+                                (digest::verdict(reading))
+                                @if let Some(c) = digest::condition_of(reading.claim) { "; " (prose(&c, scope)) }
+                                "."
+                            }
+                            @if let Some(remark) = &reading.claim.remark {
+                                " " span.why { (prose(remark, scope)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The conditions that claims do not name and need.
+fn unsaid(derivation: &Derivation, account: &Account) -> Markup {
+    let unsaid = digest::unsaid(account);
+    html! {
+        @if !unsaid.is_empty() {
+            h3 id="/found/unsaid" { "What was left unsaid" }
+            p.quiet {
+                "What separates the motions on which a claim or reading holds from those on which it fails, as far as these motions "
+                "can tell. Claims under one condition stand or fall together."
+            }
+            ul.unsaid {
+                @for u in &unsaid {
+                    li {
+                        b { (prose(&digest::explanation(u.explanation), &derivation.scope)) } ": "
+                        @for (i, claim) in u.claims.iter().enumerate() { @if i > 0 { ", " } (link(claim)) }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Texts in which formulas stand, taken apart; how each part is written is for the kind of report to say.
+
+/// A part of a text.
+#[derive(Debug, PartialEq)]
+pub(super) enum Part<'a> {
+    Words(&'a str),
+    Formula(&'a str),
+}
+
+/// A text on one line. A space at an end is kept, since texts are put together.
+pub(super) fn one_line(text: &str) -> String {
+    let edge = |at: Option<char>| if at.is_some_and(char::is_whitespace) { " " } else { "" };
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let end = if words.is_empty() { "" } else { edge(text.chars().next_back()) };
+    format!("{}{words}{end}", edge(text.chars().next()))
+}
+
+/// The parts of a text: `$…$` and `` `…` `` are formulas.
+pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
+    let mut out = Vec::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(['$', '`']) {
+        let (mark, after) = (&rest[start..=start], &rest[start + 1..]);
+        let Some(end) = after.find(mark).filter(|end| *end > 0) else { break };
+        out.push(Part::Words(&rest[..start]));
+        out.push(Part::Formula(&after[..end]));
+        rest = &after[end + 1..];
+    }
+    out.push(Part::Words(rest));
+    out.retain(|p| *p != Part::Words(""));
+    out
+}
+
+/// What a comparison is called.
+#[derive(Debug, PartialEq)]
+pub(super) struct Label<'a> {
+    /// Words before the formula, with their space.
+    pub before: &'a str,
+    pub formula: &'a str,
+    /// Words after it, with their space.
+    pub after: &'a str,
+    /// Which component of it is compared: a formula.
+    pub component: Option<&'a str>,
+}
+
+/// A label as the check writes it: a formula, perhaps with words, then perhaps its component in brackets.
+pub(super) fn label(text: &str) -> Label<'_> {
+    let (head, component) = match text.split_once("   [") {
+        Some((head, component)) => (head, Some(component.trim_end_matches(']'))),
+        None => (text, None),
+    };
+    let before =
+        ["rank of the gradients of ", "for the system "].into_iter().find(|w| head.starts_with(w)).unwrap_or("");
+    let rest = &head[before.len()..];
+    let after = [" has a value", " of both motions"].into_iter().find(|w| rest.ends_with(w)).unwrap_or("");
+    Label { before, formula: &rest[..rest.len() - after.len()], after, component }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Part::{Formula, Words};
+
+    #[test]
+    fn formulas_stand_between_marks() {
+        assert_eq!(parts("a $x$ b `y`"), [Words("a "), Formula("x"), Words(" b "), Formula("y")]);
+        assert_eq!(parts("costs 3$ or `"), [Words("costs 3$ or `")]);
+        assert_eq!(parts("$$"), [Words("$$")]);
+        assert!(parts("").is_empty());
+    }
+
+    #[test]
+    fn one_line_keeps_a_space_at_an_end() {
+        assert_eq!(one_line("\n  a\n b"), " a b");
+        assert_eq!(one_line("at most "), "at most ");
+        assert_eq!((one_line(" "), one_line("")), (" ".to_owned(), String::new()));
+    }
+
+    #[test]
+    fn labels_have_words_and_components() {
+        let of = |text| {
+            let Label { before, formula, after, component } = label(text);
+            (before, formula, after, component)
+        };
+        assert_eq!(of("x=y"), ("", "x=y", "", None));
+        assert_eq!(of("R=1   [i=1]"), ("", "R=1", "", Some("i=1")));
+        assert_eq!(of("for the system a"), ("for the system ", "a", "", None));
+        assert_eq!(of("x has a value"), ("", "x", " has a value", None));
+    }
+}

@@ -1,0 +1,250 @@
+//! Steps that invite a wrong answer: branches of functions, quadrants, divisions by 0, systems with too few or too many
+//! equations, premises with isolated real points, motions that leap or pass a singular point.
+//!
+//! Each row: what is found, the formula, its symbols, what is given. What is found is `proved`; `except`: proved, and
+//! special cases are named that it does not reach; `refuted`; `undecided`; `unproved`: it does not follow, and is not
+//! proved; `unrefuted`: it is true, and not refuted. `throughout` asks for one sign everywhere.
+
+use rederive::check::{Proposition, prove};
+use rederive::derivation::Derivation;
+
+type Row = (&'static str, &'static str, &'static str, &'static str);
+
+fn list(text: &str) -> Vec<String> {
+    text.split("; ").filter(|t| !t.is_empty()).map(str::to_owned).collect()
+}
+
+#[track_caller]
+fn found((expected, formula, symbols, given): Row) -> Result<(), String> {
+    let mut derivation = Derivation::blank();
+    let typed: Vec<(String, String)> = list(symbols).into_iter().map(|s| (s.clone(), s)).collect();
+    derivation.declare_typed(&typed).map_err(|e| format!("{formula}: {e:?}"))?;
+    let throughout = expected.ends_with("throughout");
+    let proposition = Proposition { formula: formula.to_owned(), given: list(given), throughout };
+    let account = prove(&mut derivation, &proposition).map_err(|e| format!("{formula}: {e:?}"))?;
+    let proved = account.verdict == "proved";
+    let fits = match expected.trim_end_matches(" throughout") {
+        "except" => proved && !account.exceptions.is_empty(),
+        "unproved" => !proved,
+        "unrefuted" => account.verdict != "refuted",
+        word => account.verdict == word && (!proved || account.exceptions.is_empty()),
+    };
+    let text = || format!("{formula}, given {given}: {} instead of {expected}, {:?}", account.verdict, account.reason);
+    if fits { Ok(()) } else { Err(text()) }
+}
+
+#[track_caller]
+fn all(rows: &[Row]) {
+    let wrong: Vec<String> = rows.iter().filter_map(|&row| found(row).err()).collect();
+    assert!(wrong.is_empty(), "{} of {} rows:\n{}", wrong.len(), rows.len(), wrong.join("\n"));
+}
+
+#[test]
+fn signs_and_absolute_values() {
+    all(&[
+        ("undecided", r"y=5", "x,y", r"(x^{1/4})^4+y^2=0"),
+        ("refuted", r"x=y", "x,y", r"|x|=|y|"),
+        ("proved", r"x^2=y^2", "x,y", r"|x|=|y|"),
+        ("proved", r"(x^2-1)/(x-1)=0", "x", r"x^2=1"),
+        ("unproved", r"z=1", "x,y,z", r"(\sqrt x)^2+(\sqrt y)^2=0; xz=x"),
+        ("proved throughout", r"\sqrt{x^2}=\pm x", "x", r"x<0"),
+        ("refuted throughout", r"\sqrt{x^2}=\pm x", "x", r""),
+        ("proved", r"\sqrt{x^2}=-x", "x", r"x<0"),
+        ("proved", r"\sqrt{(a-b)^2}=b-a", "a,b", r"a<b"),
+        ("proved", r"\sqrt{xy}=\sqrt{-x}\sqrt{-y}", "x,y", r"x<0; y<0"),
+        ("refuted", r"x=3", "x", r"|x|=3"),
+        ("proved", r"x=3", "x", r"|x|=3; x>0"),
+        ("proved", r"x=-3", "x", r"|x|=3; x<0"),
+        ("proved", r"|x|=3", "x", r"x=-3"),
+        ("undecided", r"x=5", "x", r"|x|=-1"),
+        ("proved", r"x=3", "x", r"|x-1|=2; x\ne -1"),
+        ("proved", r"y=0", "x,y", r"|x|+|y|=0"),
+    ]);
+}
+
+#[test]
+fn branches_and_quadrants() {
+    all(&[
+        ("refuted", r"\arctan\frac yx=\theta", r"x,y,\theta,r", r"x=r\cos\theta; y=r\sin\theta; r>0"),
+        ("proved", r"\tan\theta=\frac yx", r"x,y,\theta,r", r"x=r\cos\theta; y=r\sin\theta; r>0"),
+        ("refuted", r"\arccos(\cos x)=x", "x", r""),
+        ("refuted", r"\arcsin(\sin x)=x", "x", r""),
+        ("refuted", r"\sin x=\sqrt{1-\cos^2 x}", "x", r""),
+        ("refuted", r"\cos\frac x2=\sqrt{\frac{1+\cos x}{2}}", "x", r""),
+        ("refuted", r"\theta=0", r"\theta", r"\sin\theta=0"),
+        ("refuted", r"\theta=0", r"\theta", r"\cos\theta=1"),
+        ("refuted", r"x=y", "x,y", r"\cos x=\cos y; \sin x=\sin y"),
+        ("proved", r"\sin(3x)=\sin(3y)", "x,y", r"\cos x=\cos y; \sin x=\sin y"),
+        ("refuted", r"\sin\frac x2=\sin\frac y2", "x,y", r"\cos x=\cos y; \sin x=\sin y"),
+        ("refuted", r"x=\frac{\pi}{2}", "x", r"\sin x=1"),
+        ("refuted", r"\sin x=\sin y", "x,y", r"\cos x=\cos y"),
+        ("refuted", r"\cos x=\frac35", "x", r"\sin x=\frac45"),
+        ("refuted", r"x=y", "x,y", r"x^2=y^2"),
+        ("refuted", r"x=y", "x,y", r"x^2=y^2; x>0"),
+        ("proved", r"x=y", "x,y", r"x^2=y^2; x>0; y>0"),
+        ("unrefuted", r"x=y", "x,y", r"x^3=y^3"),
+        ("refuted", r"x=1", "x", r"x^3=x"),
+        ("refuted", r"x=1", "x", r"x^3=x^2"),
+        ("refuted", r"\ln(xy)=\ln x", "x,y", r""),
+        ("unrefuted", r"\ln(xy)=\ln x+\ln y", "x,y", r""),
+        ("refuted", r"\ln(x^2)=\ln x", "x", r""),
+        ("refuted", r"\sqrt{x+y}=\sqrt x+\sqrt y", "x,y", r""),
+        ("refuted", r"\sqrt[3]{x^3}=-x", "x", r""),
+    ]);
+}
+
+#[test]
+fn divisions_by_zero_and_isolated_points() {
+    all(&[
+        ("refuted", r"a=b", "a,b,c", r"ac=bc"),
+        ("refuted", r"b=2a", "a,b", r"a^2=ab; a=0"),
+        ("undecided", r"\frac{a}{a-b}=c", "a,b,c", r"a=b"),
+        ("undecided", r"\frac{a^2-b^2}{a-b}=a+b", "a,b", r"a^2=b^2; a=b"),
+        ("proved", r"\frac{a^2-b^2}{a-b}=0", "a,b", r"a^2=b^2"),
+        ("refuted", r"\frac{a^2-b^2}{a-b}=1", "a,b", r"a^2=b^2"),
+        ("refuted", r"z=1", "x,y,z", r"x^2+y^2=0; xz=x"),
+        ("refuted", r"z=1", "x,y,z", r"x^4+2y^4+x^2=0; xz=x"),
+        ("refuted", r"z=1", "x,y,z", r"x^2+2xy+2y^2=0; xz=x"),
+        ("refuted", r"z=1", "x,y,z", r"(x^2+y^2)(x^2+y^2+1)=0; xz=x"),
+        ("refuted", r"z=1", "x,y,z", r"x^2+y^2+(xy)^2=0; yz=y"),
+        ("unproved", r"z=1", "x,y,z", r"\sqrt{x^2+y^2}=0; xz=x"),
+        ("unproved", r"z=1", "x,y,z", r"\cosh x=1; xz=x"),
+        ("refuted", r"z=1", "x,y,z", r"\cosh x=\cos y; z\sin y=\sin y"),
+        ("refuted", r"z=1", "x,y,z", r"e^x+e^{-x}=2\cos y; z\sin y=\sin y"),
+        ("refuted", r"z=1", "x,y,z", r"\sin x+\sin y=2; z\cos x=\cos x"),
+        ("refuted", r"z=1", "x,y,z", r"\cos x\cos y=1; z\sin x=\sin x"),
+        ("refuted", r"z=1", "x,y,z,w", r"x^2+y^2+w^2=xy+yw+wx; (x-y)z=x-y"),
+        ("except", r"z=1", "x,y,z", r"x^4+y^4+1=2x^2+2y^2-2x^2y^2+2(x^2+y^2-1); xz=x"),
+        ("refuted", r"z=1", "x,z", r"(x^2+1)x=0; xz=x"),
+        ("refuted", r"z=1", "x,z", r"x^4+x^2=0; xz=x"),
+        ("refuted", r"z=1", "x,z", r"x^3+x=0; xz=x"),
+        ("refuted", r"z=1", "x,z", r"x^5+x^3+x=0; xz=x"),
+        ("undecided", r"z=1", "x,z", r"x^2+1=0"),
+        ("undecided", r"z=1", "x,z", r"x^4+x^2+1=0; xz=x"),
+        ("refuted", r"y=1", "x,y", r"|x|+x=0; (|x|-x)y=|x|-x"),
+        ("refuted", r"y=1", "x,y", r"x=\sqrt{-x^2}; xy=x"),
+        ("refuted", r"y=1", "x,y", r"\sqrt{x}+\sqrt{-x}=0; xy=x"),
+        ("refuted", r"y=1", "x,y", r"\sqrt{x-1}+\sqrt{1-x}=0; (x-1)y=x-1"),
+        ("unproved", r"y=1", "x,y", r"\arcsin x=\frac\pi2; (x-1)y=x-1"),
+    ]);
+}
+
+#[test]
+fn motions() {
+    all(&[
+        ("unproved", r"x=x(1)t^2", "x: state", r"t\dot x=2x"),
+        ("proved", r"\frac{d}{dt}\frac{x}{t^2}=0", "x: state", r"t\dot x=2x"),
+        ("refuted", r"\dot x=1", "x: state", r"x^2=t^2"),
+        ("refuted", r"\dot x=0", "x: state", r"\dot x^2=1"),
+        ("proved", r"\ddot x=0", "x: state", r"\dot x^2=1"),
+        ("except", r"\ddot x=-x", "x: state", r"\dot x^2+x^2=1"),
+        ("proved", r"\ddot x=-x", "x: state", r"\dot x^2+x^2=1; \dot x\ne 0"),
+        ("except", r"\ddot x=-x", "x: state", r"\dot x^2+x^2=1; x\ne 0"),
+        ("proved", r"x=x(0)", "x: state", r"\dot x x=0; x\dot x=0; x\ne 1"),
+        ("refuted", r"\dot x=0", "x: state", r"\sin x=1; \dot x\ne 2"),
+        ("refuted", r"x=y", "x,y: state", r"\dot x=\dot y"),
+        ("proved", r"x-y=x(0)-y(0)", "x,y: state", r"\dot x=\dot y"),
+        ("unproved", r"|x|=|x(0)|+1", "x: state", r"\dot x=0"),
+        ("unrefuted", r"x=|x|", "x: state", r"\dot x=0; x(0)=|x(0)|; x^2=1"),
+        ("unproved", r"\frac{1}{x}=\frac{1}{x(0)}+t", "x: state", r"\dot x=x^2"),
+        ("except", r"\frac{1}{x}=\frac{1}{x(0)}-t", "x: state", r"\dot x=x^2"),
+        ("proved", r"\arctan x=t+\arctan x(0)", "x: state", r"\dot x=1+x^2"),
+        ("unproved", r"x=\tan t", "x: state", r"\dot x=1+x^2; x(0)=0"),
+        ("unproved", r"x=t^3", "x: state", r"\dot x^3=27x^2; x(0)=0"),
+        ("unproved", r"x=0", "x: state", r"\dot x^2=4x; x(0)=0"),
+        ("unproved", r"x=t^2", "x: state", r"\dot x^2=4x; x(0)=0"),
+        ("unproved", r"\dot x=2t", "x: state", r"\dot x^2=4x; x(0)=0"),
+        ("except", r"\ddot x=2", "x: state", r"\dot x^2=4x"),
+        ("proved", r"\ddot x=2", "x: state", r"\dot x^2=4x; \dot x\ne 0"),
+        ("except", r"\frac{x}{y}=\frac{x(0)}{y(0)}", "x,y: state", r"\dot xy=x\dot y"),
+        ("unproved", r"x y(0)=x(0)y", "x,y: state", r"\dot xy=x\dot y"),
+        ("proved", r"x=x(0)", "x,y: state", r"x\dot x+y\dot y=0; x\dot y=y\dot x; x\dot x=0"),
+        ("unproved", r"x=x(0)", "x,y: state", r"y\dot x=0"),
+        ("except", r"x=x(0)", "x: state", r"t\dot x=0; t\ne 1"),
+        ("proved", r"xt=x(1)", "x: state", r"t\dot x=-x"),
+        (
+            "unproved",
+            r"\theta=\arctan\frac{y}{x}",
+            r"x,y,\theta: state",
+            r"\dot\theta(x^2+y^2)=x\dot y-y\dot x; \theta(0)=\arctan\frac{y(0)}{x(0)}",
+        ),
+        ("unproved", r"\sqrt{x^2}=x", "x: state", r"\dot x=1; x(0)=1"),
+        ("unproved", r"|x|=x", "x: state", r"\dot x=1; x(0)=1"),
+        ("unproved", r"|x|=t+1", "x: state", r"\dot x=1; x(0)=1"),
+        ("unproved", r"\frac{|x|}{x}=1", "x: state", r"\dot x=1; x(0)=1"),
+        ("unproved", r"\frac{\sqrt{x^2}}{x}=\frac{\sqrt{x(0)^2}}{x(0)}", "x: state", r"\dot x=1"),
+    ]);
+}
+
+#[test]
+fn systems_and_signs() {
+    all(&[
+        ("refuted", r"x=1", "x,y,z", r"x+y+z=3; x-y=0"),
+        ("proved", r"z=3-2x", "x,y,z", r"x+y+z=3; x-y=0"),
+        ("undecided", r"x=1", "x,y", r"x+y=1; x+y=2"),
+        ("undecided", r"x=1", "x,y", r"x+y=1; x-y=1; x=0"),
+        ("proved", r"x=1", "x,y", r"x+y=1; x-y=1; 2x+y=2"),
+        ("refuted", r"x=y", "x,y,a", r"ax+y=1; x+ay=1"),
+        ("proved", r"x=y", "x,y,a", r"ax+y=1; x+ay=1; a\ne 1"),
+        ("refuted", r"x=0", "x,y,a,b,c,d", r"ax+by=0; cx+dy=0"),
+        ("proved", r"x=0", "x,y,a,b,c,d", r"ax+by=0; cx+dy=0; ad\ne bc"),
+        ("refuted", r"v_i=0", "A: 2x2; v: 2", r"A_{ij}v_j=0"),
+        ("refuted", r"A_{ij}=A_{ji}", "A: 2x2", r"A_{ij}A_{jk}=\delta_{ik}"),
+        ("proved", r"(A_{11}+A_{22})=0", "A: 2x2", r"A_{ij}A_{jk}=0\delta_{ik}; A_{11}\ne 5; A_{12}=A_{21}+1"),
+        ("refuted", r"A_{ij}=\delta_{ij}", "A: 2x2", r"A_{ij}A_{jk}=A_{ik}; A_{11}=1"),
+        ("refuted", r"R_{ij}=\delta_{ij}", "R: 3x3", r"R_{ij}R_{kj}=\delta_{ik}; R_{33}=1"),
+        ("refuted", r"R_{11}=R_{22}", "R: 3x3", r"R_{ij}R_{kj}=\delta_{ik}; R_{33}=1"),
+        ("proved", r"R_{13}=0", "R: 3x3", r"R_{ij}R_{kj}=\delta_{ik}; R_{33}=1"),
+        ("refuted", r"\epsilon_{ijk}a_jb_k=0", "a: 3; b: 3", r"a_ib_i=0"),
+        ("proved", r"\epsilon_{ijk}a_jb_ka_i=0", "a: 3; b: 3", r""),
+        ("refuted", r"a_i=0", "a: 3; b: 3", r"\epsilon_{ijk}a_jb_k=0"),
+        ("proved", r"a_i=0", "a: 3", r"a_ia_i=0"),
+        ("refuted", r"a_i=0", "a: 3; b: 3", r"a_ib_i=0; b_ib_i=1"),
+        ("refuted", r"a_i=b_i", "a: 3; b: 3", r"a_ia_i=b_ib_i"),
+        ("refuted", r"a_i=b_i", "a: 3; b: 3", r"a_ib_i=1; b_ib_i=1"),
+        ("unrefuted", r"a_i=b_i", "a: 3; b: 3", r"a_ib_i=1; b_ib_i=1; a_ia_i=1"),
+        ("refuted", r"z=1", "a: 3; b: 3; z", r"a_ib_i=1; b_ib_i=1; a_ia_i=1; z(a_1-b_1)=a_1-b_1"),
+        ("refuted", r"z=1", "x,y,z", r"x^2+y^2=2xy; z(x-y)=x-y"),
+        ("unproved", r"z=1", "x,y,z", r"x^2+y^2\le 0; zx=x"),
+        ("refuted", r"z=1", "x,y,z", r"x\ge 0; x\le 0; zx=x"),
+        ("undecided", r"z=1", "x,z", r"x>0; x<0"),
+        ("undecided", r"z=1", "x,z", r"x>1; x<0"),
+        ("unproved", r"z=1", "x,z", r"x\ge 1; x\le 1; z=x^2; x>2"),
+        ("proved", r"\sqrt{x^2+2x+1}=x+1", "x", r"x>0"),
+        ("refuted", r"\sqrt{x^2-2x+1}=x-1", "x", r"x>0"),
+        ("proved", r"\sqrt{x^2-2x+1}=x-1", "x", r"x>1"),
+        ("refuted", r"\sqrt{x^2-2x+1}=1-x", "x", r"x>\frac12"),
+        ("refuted", r"|x-y|=x-y", "x,y", r"x>0; y>0"),
+        ("proved", r"|x-y|=x-y", "x,y", r"x>y"),
+        ("refuted", r"|x+y|=x+y", "x,y", r"x>0"),
+        ("refuted", r"|xy|=xy", "x,y", r"x<0"),
+        ("proved", r"|xy|=xy", "x,y", r"x<0; y<0"),
+        ("proved", r"|xyz|=-xyz", "x,y,z", r"x<0; y<0; z<0"),
+        ("refuted", r"\sqrt{x^2y}=x\sqrt y", "x,y", r"x<0"),
+        ("proved", r"\sqrt{x^2y}=-x\sqrt y", "x,y", r"x<0"),
+        ("proved", r"\sqrt{-x^3}=-x\sqrt{-x}", "x", r"x<0"),
+        ("refuted", r"\sqrt{-x^3}=x\sqrt{-x}", "x", r"x<0"),
+        ("proved", r"\sqrt{\frac{x}{y}}=\frac{\sqrt{-x}}{\sqrt{-y}}", "x,y", r"x<0; y<0"),
+        ("proved", r"\sqrt{\frac{x}{y}}=-\frac{\sqrt{xy}}{y}", "x,y", r"y<0"),
+        ("refuted", r"\sqrt{\frac{x}{y}}=\frac{\sqrt{xy}}{y}", "x,y", r"y<0"),
+        ("refuted", r"\sqrt{x^2+y^2}=\pm x", "x,y", r""),
+        ("refuted throughout", r"x=\pm y", "x,y", r"x^2=y^2"),
+        ("proved", r"x=\pm y", "x,y", r"x^2=y^2"),
+        ("unproved", r"x=\pm y", "x,y", r"x^3=y^3+y"),
+        ("proved", r"x=\pm\sqrt{y}", "x,y", r"x^2=y"),
+        ("refuted", r"x=\sqrt{y}", "x,y", r"x^2=y"),
+        ("proved", r"x=\frac{-b\pm\sqrt{b^2-4ac}}{2a}", "x,a,b,c", r"ax^2+bx+c=0"),
+        ("refuted", r"x=\frac{-b+\sqrt{b^2-4ac}}{2a}", "x,a,b,c", r"ax^2+bx+c=0"),
+        ("refuted", r"x=\frac{-b\pm\sqrt{b^2-ac}}{2a}", "x,a,b,c", r"ax^2+bx+c=0"),
+        ("proved", r"\tan\frac x2=\frac{\sin x}{1+\cos x}", "x", r""),
+        ("refuted", r"\tan\frac x2=\sqrt{\frac{1-\cos x}{1+\cos x}}", "x", r""),
+        ("proved", r"\tan\frac x2=\pm\sqrt{\frac{1-\cos x}{1+\cos x}}", "x", r""),
+        ("refuted throughout", r"\tan\frac x2=\pm\sqrt{\frac{1-\cos x}{1+\cos x}}", "x", r""),
+        ("refuted", r"\cos(x+\pi)=\cos x", "x", r""),
+        ("proved", r"\cos(x+2\pi)=\cos x", "x", r""),
+        ("refuted", r"\cos\frac{x+2\pi}{2}=\cos\frac x2", "x", r""),
+        ("proved", r"e^{x}=e^{y}", "x,y", r"e^{2x}=e^{2y}; x\ne y"),
+        ("proved", r"e^{x}=e^{y}", "x,y", r"e^{2x}=e^{2y}"),
+        ("unrefuted", r"x=y", "x,y", r"e^{x}=e^{y}"),
+    ]);
+}
