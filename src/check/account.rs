@@ -58,7 +58,8 @@ impl PairAccount {
     /// Whether the verdict differs from what the file expects; without an expectation, whether the claim fails. Where the
     /// file expects that samples leave it open, an enclosure may decide.
     pub fn is_unexpected(&self) -> bool {
-        let enclosed = matches!(self.verdict.outcome(), Outcome::Holds(s) | Outcome::Fails(s) if s == Strength::Enclosed);
+        let enclosed =
+            matches!(self.verdict.outcome(), Outcome::Holds(s) | Outcome::Fails(s) if s == Strength::Enclosed);
         match self.expected {
             Some("undecided") if enclosed => false,
             Some(word) => word != self.verdict.outcome().word(),

@@ -34,7 +34,7 @@ pub(super) const ORDER: usize = 18;
 /// The last terms of the series shall be below this part of the largest state.
 const REMAINDER: f64 = 1e-17;
 /// A step is made shorter, if that helps, when it adds more than this part of the largest state.
-const ADDED: f64 = 5e-16;
+const ADDED: f64 = 2e-17;
 /// Or more than this part of the width of the set.
 const ADDED_TO_WIDTH: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
@@ -107,9 +107,9 @@ pub(super) struct Piece {
     pub(super) to: f64,
     /// Half of the step, or a little more: p and Φ are polynomials in s, t = from + half·(1 + s).
     half: f64,
-    /// The states at the start, p and Φ.
+    /// The states at the start, p − x̂ and Φ.
     set: Set,
-    centre: Vec<TaylorModel>,
+    moved: Vec<TaylorModel>,
     derivatives: Vec<TaylorModel>,
     /// Row and column of every derivative.
     entries: Arc<[(usize, usize)]>,
@@ -147,8 +147,12 @@ impl Piece {
             &TaylorModel::constant(Interval::point(self.half)),
         )?;
         s.add(&(), &TaylorModel::constant(place), &scaled)?;
-        let states = self.centre.iter().zip(&self.spread);
-        states.map(|(x, &spread)| Ok(x.after(&s)?.widened(spread))).collect()
+        let of = |((m, &spread), &centre): ((&TaylorModel, &f64), &f64)| {
+            let mut sum = TaylorModel::ZERO;
+            sum.add(&(), &m.after(&s)?, &TaylorModel::constant(Interval::point(centre)))?;
+            Ok(sum.widened(spread))
+        };
+        self.moved.iter().zip(&self.spread).zip(&self.set.centre).map(of).collect()
     }
 
     /// The s of a time after the start.
@@ -160,8 +164,7 @@ impl Piece {
     fn map(&self, after: Interval) -> (Vec<Interval>, Vec<Interval>) {
         let n = self.set.centre.len();
         let s = self.place(after);
-        let all = self.centre.iter().zip(&self.set.centre).zip(&self.errors);
-        let shift = all.map(|((p, &x), &w)| (p.at(s) - Interval::point(x)) + Interval::ball(0.0, w)).collect();
+        let shift = self.moved.iter().zip(&self.errors).map(|(m, &w)| m.at(s) + Interval::ball(0.0, w)).collect();
         let mut jacobian = vec![Interval::ZERO; n * n];
         for (phi, &(i, j)) in self.derivatives.iter().zip(self.entries.iter()) {
             jacobian[i * n + j] = phi.at(s);
@@ -179,10 +182,10 @@ struct Bench {
     slopes: Slots<TaylorModel>,
 }
 
-/// What is known of all motions of a step: p, Φ, W, E, and their hull.
+/// What is known of all motions of a step: p − x̂, Φ, W, E, and their hull.
 struct Tube {
     half: f64,
-    centre: Vec<TaylorModel>,
+    moved: Vec<TaylorModel>,
     derivatives: Vec<TaylorModel>,
     errors: Vec<f64>,
     spread: Vec<f64>,
@@ -349,7 +352,7 @@ impl Field {
                     let added = tube.errors.iter().copied().fold(0.0, f64::max);
                     let better = found
                         .as_ref()
-                        .is_none_or(|(_, longer)| added < 0.4 * longer.errors.iter().copied().fold(0.0, f64::max));
+                        .is_none_or(|(_, longer)| added < 0.45 * longer.errors.iter().copied().fold(0.0, f64::max));
                     if better {
                         found = Some((to, tube));
                     }
@@ -367,7 +370,7 @@ impl Field {
             to,
             half: tube.half,
             set: set.clone(),
-            centre: tube.centre,
+            moved: tube.moved,
             derivatives: tube.derivatives,
             entries: Arc::clone(&self.entries),
             errors: if faults::no_remainder() { vec![0.0; n] } else { tube.errors },
@@ -417,7 +420,14 @@ impl Field {
         let now = TaylorModel::variable(Interval::point(time) + Interval::point(half), half);
         let polynomial = |c: &[f64]| TaylorModel::close_to(c, h).map_err(shape);
         let rows = bench.coefficients.chunks_exact(row);
-        let states: Vec<TaylorModel> = rows.clone().take(n).map(polynomial).collect::<Result<_, _>>()?;
+        // p without x̂, so that little is lost to rounding.
+        let from_zero = |c: &[f64]| polynomial(&[&[0.0], &c[1..]].concat());
+        let moved: Vec<TaylorModel> = rows.clone().take(n).map(from_zero).collect::<Result<_, _>>()?;
+        let from = |(m, &c): (&TaylorModel, &f64)| {
+            let mut sum = TaylorModel::ZERO;
+            sum.add(&(), m, &TaylorModel::constant(Interval::point(c))).map(|()| sum).map_err(shape)
+        };
+        let states: Vec<TaylorModel> = moved.iter().zip(centre).map(from).collect::<Result<_, _>>()?;
         let phi: Vec<TaylorModel> = rows.skip(n).map(polynomial).collect::<Result<_, _>>()?;
         let mut carried = vec![0.0; n];
         for (model, &(i, j)) in phi.iter().zip(self.entries.iter()) {
@@ -428,7 +438,7 @@ impl Field {
         let rates = self.run(&self.rates, &mut bench.rates, now, states.iter().copied()).map_err(no_rate)?;
         let mut defects = vec![0.0; n];
         for (i, defect) in defects.iter_mut().enumerate() {
-            *defect = defect_of(&rates[i], half, &states[i], centre[i]).map_err(shape)?;
+            *defect = defect_of(&rates[i], half, &moved[i], 0.0).map_err(shape)?;
         }
         let size = states.iter().map(TaylorModel::bound).fold(0.0, f64::max);
         let mut spread: Vec<f64> =
@@ -442,7 +452,7 @@ impl Field {
             let errors = self.errors(&slopes, &phi, &defects, starts, half).map_err(shape)?;
             if errors.iter().zip(&carried).zip(&spread).all(|((w, c), e)| (w + c) * UP <= *e) {
                 let hull = states.iter().zip(&spread).map(|(x, &e)| x.widened(e).range()).collect();
-                return Ok(Tube { half, centre: states, derivatives: phi, errors, spread, hull });
+                return Ok(Tube { half, moved, derivatives: phi, errors, spread, hull });
             }
             spread = errors.iter().zip(&carried).map(|(w, c)| 1.5 * (w + c)).collect();
             if spread.iter().any(|e| !e.is_finite()) {

@@ -16,7 +16,7 @@
 //! atan2(y, x) = atan2(y₀, x₀) + arctan((x₀y − y₀x)/(x₀x + y₀y)) as long as the divisor is positive and the cut is not met.
 //!
 //! **Rounding.** All sums here have fewer than 64 terms, and every operation rounds to nearest; by [Higham 2002, §3.1] the
-//! error of a sum of n products is below (n + 1)u·Σ|aᵢbᵢ|. These bounds go into r, which is itself rounded up.
+//! error of a sum of n products is below nu·Σ|aᵢbᵢ|/(1 − nu). These bounds go into r, which is itself rounded up.
 //!
 //! [Makino & Berz 2003, Theorem 2.4]: https://www.bmtdynamics.org/pub/papers/TMIJPAM03/
 //! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
@@ -322,8 +322,9 @@ impl TaylorModel {
         self.coefficients = out;
         self.length = (a.length + b.length - 1).min(ROOM);
         let size = na * nb;
-        // Coefficient k is the sum of k + 1 products: Σ (k + 2)|aᵢ||bₖ₋ᵢ| = Σ (i + j + 2)|aᵢ||bⱼ|.
-        let rounding = unit() * (2.0 * size + a.weighted() * nb + na * b.weighted());
+        // Coefficient k is the sum of k + 1 products, which are rounded at most k + 1 times:
+        // Σ (k + 1)|aᵢ||bₖ₋ᵢ| = Σ (i + j + 1)|aᵢ||bⱼ|.
+        let rounding = unit() * (size + a.weighted() * nb + na * b.weighted());
         self.rest = na * b.rest + nb * a.rest + a.rest * b.rest + beyond + rounding + TINY;
         self.finish(size)
     }
