@@ -244,7 +244,7 @@ fn a_formula_without_a_value_is_corrected() {
     let text = text.replace("id = 'up'", "id = 'quick'").replace("span = [0, 1]", "span = [0, 0.5]");
     let account = checked(&format!("{text}expect = 'holds'\n"), &[], &[]);
     let found: Vec<&str> = corrections(&account.claims[0]).iter().map(|c| c.formula.as_str()).collect();
-    assert!(found.iter().any(|f| *f == r"w=\sqrt{w^2}"), "{:#?}", account.claims[0].variants);
+    assert!(found.contains(&r"w=\sqrt{w^2}"), "{:#?}", account.claims[0].variants);
 }
 
 #[test]

@@ -51,8 +51,8 @@ pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
 pub use series::{ResidualPoint, Residuals};
 pub use variant::{
-    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor, VariantAccount,
-    WEAK, altered_formulas, says_the_same,
+    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
+    VariantAccount, WEAK, altered_formulas, says_the_same,
 };
 pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 
