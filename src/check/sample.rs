@@ -251,6 +251,7 @@ fn conditions() -> ConditionsAccount {
         more_rivals: 3,
         sufficient: Vec::new(),
         necessary: Vec::new(),
+        possible: Vec::new(),
         tried: 12,
         undecided: 1,
     };

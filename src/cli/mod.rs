@@ -175,7 +175,7 @@ struct CheckArguments {
     #[arg(skip)]
     targets: Vec<outputs::Target>,
     /// How much is asked of a verdict
-    #[arg(long, value_enum, default_value = "sampled")]
+    #[arg(long, value_enum, default_value = "enclosed")]
     rigor: RigorArgument,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]

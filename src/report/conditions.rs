@@ -114,6 +114,13 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
             if !s.necessary.is_empty() {
                 out.push(format!("Met wherever it holds, and on how many where it fails: {}.", of(&s.necessary)));
             }
+            if !s.possible.is_empty() {
+                let one = |(c, on): &(ConditionName, Vec<String>)| {
+                    format!("{} (undecided on {})", condition(c, style), listed(on, style))
+                };
+                let all: Vec<String> = s.possible.iter().map(one).collect();
+                out.push(format!("May be what separates them, as far as it is decided: {}.", all.join("; ")));
+            }
         }
     }
     out
@@ -242,6 +249,9 @@ pub(super) fn json(conditions: &ConditionsAccount) -> Value {
             "more_rivals": s.more_rivals,
             "sufficient": part(&s.sufficient),
             "necessary": part(&s.necessary),
+            "possible": s.possible.iter().map(|(c, on)| json!({
+                "condition": condition_json(c), "undecided_on": on,
+            })).collect::<Vec<_>>(),
             "tried": s.tried,
             "undecided": s.undecided,
         })

@@ -281,7 +281,9 @@ fn conditions() -> Value {
         ("explanation", explanation.clone()),
         ("differ_on", texts("Trajectories on which the two differ, without a verdict of the claim")),
     ]);
-    let part = object(&[("condition", condition), ("trajectories", whole("How many it covers"))]);
+    let part = object(&[("condition", condition.clone()), ("trajectories", whole("How many it covers"))]);
+    let open = texts("Trajectories on which it is undecided");
+    let possible = object(&[("condition", condition), ("undecided_on", open)]);
     let separation = object(&[
         ("holds", texts("Trajectories on which the claim holds")),
         ("fails", texts("Trajectories on which it fails")),
@@ -290,6 +292,7 @@ fn conditions() -> Value {
         ("more_rivals", whole("Further ones")),
         ("sufficient", list(part.clone())),
         ("necessary", list(part)),
+        ("possible", list(possible)),
         ("tried", whole("Conditions that were tried")),
         ("undecided", whole("Of these, such as might explain it but are undecided somewhere")),
     ]);

@@ -67,6 +67,8 @@ pub struct Separation {
     pub sufficient: Vec<(ConditionName, usize)>,
     /// Without an explanation: conditions that are met wherever it holds, and on how many trajectories they are although it fails.
     pub necessary: Vec<(ConditionName, usize)>,
+    /// Without an explanation: conditions that may be one, and the few trajectories on which they are undecided.
+    pub possible: Vec<(ConditionName, Vec<String>)>,
     /// Conditions that were tried.
     pub tried: usize,
     /// Conditions that may explain something as far as they are decided, but are undecided on one of these trajectories.

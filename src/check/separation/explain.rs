@@ -11,6 +11,8 @@ use crate::check::verdict::Outcome;
 const MOST_RIVALS: usize = 5;
 /// Most conditions that are put together.
 const MOST_JOINED: usize = 3;
+/// A condition is possible if it is undecided on no more than one in this many of the trajectories.
+const MOST_OPEN: usize = 8;
 /// Most partial explanations that are named.
 const MOST_PARTIAL: usize = 3;
 /// Most different conditions that are put together: they are tried in all pairs and triples.
@@ -100,6 +102,17 @@ pub(super) fn separation(
     let relevant: Vec<usize> = (0..ids.len()).filter(|&i| stands[i].is_some()).collect();
     let decided = |o: &Reason| relevant.iter().all(|&i| o.truth[i].is_some());
     let undecided = judged.iter().filter(|(_, t)| relevant.iter().any(|&i| t[i].is_none())).count();
+    // What is undecided on a few, and met exactly where the claim holds on all others.
+    let open = |o: &Reason| relevant.iter().copied().filter(|&i| o.truth[i].is_none()).collect::<Vec<_>>();
+    let agrees = |o: &Reason| relevant.iter().all(|&i| o.truth[i].is_none() || o.truth[i] == stands[i]);
+    let may_explain = |o: &&Reason| (1..=relevant.len() / MOST_OPEN).contains(&open(o).len()) && agrees(o);
+    let mut possible: Vec<&Reason> = all.iter().filter(may_explain).collect();
+    possible.sort_by_key(|o| (open(o).len(), o.rank));
+    let name = |o: &&Reason| {
+        let on = open(o).into_iter().map(|i| ids[i].clone()).collect();
+        o.explanation.conditions.first().map(|c| (c.clone(), on))
+    };
+    let possible: Vec<(ConditionName, Vec<String>)> = possible.iter().take(MOST_PARTIAL).filter_map(name).collect();
     all.retain(decided);
     let exact = |truth: &Truth| relevant.iter().all(|&i| truth[i] == stands[i]);
     let mut found: Vec<Reason> = all.iter().filter(|o| exact(&o.truth)).cloned().collect();
@@ -114,6 +127,7 @@ pub(super) fn separation(
         more_rivals: 0,
         sufficient: Vec::new(),
         necessary: Vec::new(),
+        possible: Vec::new(),
         tried,
         undecided,
     };
@@ -147,6 +161,7 @@ pub(super) fn separation(
         let part = |o: &&Reason, stand| o.explanation.conditions.first().map(|c| (c.clone(), count(o, stand)));
         out.sufficient = sufficient.iter().take(MOST_PARTIAL).filter_map(|o| part(o, true)).collect();
         out.necessary = necessary.iter().take(MOST_PARTIAL).filter_map(|o| part(o, false)).collect();
+        out.possible = possible;
     }
     out
 }
