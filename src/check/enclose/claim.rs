@@ -115,7 +115,11 @@ pub(super) fn strengthen(
     }
     reasons.dedup();
     let samples = verdict.evidence().samples.max(1);
-    let evidence = Evidence { samples, reason: Some(reasons.join("; ")), ..verdict.evidence().clone() };
+    let reason = match reasons.len() {
+        1 => reasons.swap_remove(0),
+        n => format!("{}; and {} more likewise", reasons[0], n - 1),
+    };
+    let evidence = Evidence { samples, reason: Some(reason), ..verdict.evidence().clone() };
     *verdict = Verdict::new(Outcome::Holds(Strength::Enclosed), evidence);
     Ok(())
 }

@@ -263,12 +263,12 @@ impl Along {
             };
             let middle = time.mid();
             if self.first.contains(&key(time)) && hopeless(&self.over(selection, Interval::point(middle))) {
-                return Err(format!("at t = {middle:.6} {why}: the enclosure is too wide there"));
+                return Err(format!("{why}, at t = {middle:.6}, where the enclosure is too wide"));
             }
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.hi() - time.lo() < shortest || middle <= time.lo() || middle >= time.hi();
             let (false, Ok(first), Ok(second)) = (short, first, second) else {
-                return Err(format!("on [{:.6}, {:.6}] {why}", time.lo(), time.hi()));
+                return Err(format!("{why}, on [{:.6}, {:.6}]", time.lo(), time.hi()));
             };
             todo.extend([second, first]);
         }

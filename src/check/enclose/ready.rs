@@ -190,7 +190,7 @@ impl<'a> Ready<'a> {
                         Ok(r) if r.range().magnitude() <= most => {}
                         Ok(r) => {
                             let known = r.range().magnitude();
-                            return Judgement::Open(format!("an assumption is only known within {known:.1e}"));
+                            return Judgement::Open(format!("an assumption is not known well enough: within {known:.1e}"));
                         }
                         Err(reason) => return Judgement::Open(format!("an assumption has no value: {reason}")),
                     }
@@ -223,7 +223,10 @@ impl<'a> Ready<'a> {
             };
             if !fine {
                 let (lo, hi) = (range.lo(), range.hi());
-                return Err(format!("the sides of `{}` differ by something in [{lo:.2e}, {hi:.2e}]", comparison.label));
+                return Err(format!(
+                    "the sides of `{}` cannot be told apart: their difference lies in [{lo:.2e}, {hi:.2e}]",
+                    comparison.label
+                ));
             }
             if comparison.kind == RelationKind::Equal {
                 largest = largest.max(range.magnitude());

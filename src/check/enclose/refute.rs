@@ -43,7 +43,7 @@ pub(super) fn certify(program: &Program, parts: Vec<Result<Ready, String>>, alon
                 let reason = match how {
                     Use::Eventually(_) => "excluded at every time of the span".to_owned(),
                     Use::Defined => format!("certified at t = {}: no value exists there", witness.t),
-                    _ => format!("certified at t = {}: the enclosures of the two sides exclude it", witness.t),
+                    _ => format!("certified, the enclosures of the two sides lie apart: at t = {}", witness.t),
                 };
                 let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
                 *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);

@@ -74,14 +74,13 @@ pub(super) fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<
             Ok(Shown::Nothing("no single sign of ± is shown to serve".to_owned()))
         }
         (Ok(looked), _) => {
-            let (from, to) = along.span;
             let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
             let apart = if equation {
-                format!(", the sides at most {largest:.1e} apart where terms are of the size {:.1e}", ready.scale)
+                format!(", within {largest:.1e} where terms are {:.1e}", ready.scale)
             } else {
                 String::new()
             };
-            Ok(Shown::Holds(format!("for every t in [{from}, {to}], by {looked} stretches{apart}")))
+            Ok(Shown::Holds(format!("for every t of the span: in {looked} stretches{apart}")))
         }
     }
 }
@@ -102,10 +101,7 @@ pub(super) fn defined(ready: &Ready, along: &mut Along) -> Shown {
         Judgement::Settled
     };
     match along.cover(&ready.roots, judge, |_| false) {
-        Ok(looked) => {
-            let (from, to) = along.span;
-            Shown::Holds(format!("for every t in [{from}, {to}], by {looked} stretches"))
-        }
+        Ok(looked) => Shown::Holds(format!("for every t of the span: in {looked} stretches")),
         Err(reason) => Shown::Nothing(reason),
     }
 }
@@ -119,10 +115,7 @@ pub(super) fn never(ready: &Ready, along: &mut Along) -> Shown {
         Judgement::Open("it cannot be excluded".to_owned())
     };
     match along.cover(&ready.roots, judge, |_| false) {
-        Ok(looked) => {
-            let (from, to) = along.span;
-            Shown::Holds(format!("excluded for every t in [{from}, {to}], by {looked} stretches"))
-        }
+        Ok(looked) => Shown::Holds(format!("excluded for every t of the span: in {looked} stretches")),
         Err(reason) => Shown::Nothing(reason),
     }
 }

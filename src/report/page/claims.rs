@@ -227,7 +227,22 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
 /// What the reasons of several pairs have in common: everything up to the numbers.
 fn common(pair: &PairAccount) -> (&str, &str) {
     let text = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
-    text.split_once(": at t = ").map_or((text, ""), |(head, _)| (head, &text[head.len() + 2..]))
+    let marks = [": at t = ", ": in ", ": within ", ": their difference ", ", on ["];
+    let heads = marks.iter().filter_map(|mark| text.split_once(mark)).map(|(head, _)| head);
+    heads.min_by_key(|head| head.len()).map_or((text, ""), |head| (head, &text[head.len() + 2..]))
+}
+
+/// The numbers of a reason, where what they are is said above them.
+fn brief(numbers: &str) -> String {
+    let short = [
+        (" its sides are ", ": "),
+        ("(error bound ", "(± "),
+        (" stretches, within ", " stretches: "),
+        (" where terms are ", " of "),
+        ("; and ", "; "),
+        (" more likewise", " more"),
+    ];
+    short.iter().fold(numbers.to_owned(), |text, (long, brief)| text.replace(long, brief))
 }
 
 fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
@@ -299,7 +314,7 @@ fn rejects(pair: &PairAccount) -> Option<String> {
 fn notes(pair: &PairAccount, shared: bool, scope: &Scope) -> Markup {
     let evidence = pair.verdict.evidence();
     html! {
-        @if shared { (reason(common(pair).1, scope)) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
+        @if shared { (reason(&brief(common(pair).1), scope)) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }
