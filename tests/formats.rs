@@ -92,7 +92,11 @@ fn rederive(folder: &Path, arguments: &[&str]) -> assert_cmd::assert::Assert {
 /// What a run prints in a format.
 fn printed(folder: &Path, format: &str, code: i32) -> String {
     // Samples alone leave something open.
-    let run = rederive(folder, &["check", "--no-reports", "--rigor", "sampled", "--format", format]).code(code);
+    printed_with(folder, "sampled", format, code)
+}
+
+fn printed_with(folder: &Path, rigor: &str, format: &str, code: i32) -> String {
+    let run = rederive(folder, &["check", "--no-reports", "--rigor", rigor, "--format", format]).code(code);
     String::from_utf8(run.get_output().stdout.clone()).expect("this is UTF-8")
 }
 
@@ -212,10 +216,7 @@ fn several_formats_at_once_and_the_summary_stays() {
     let arguments = ["check", "--format", "sarif", "--output", "out/a.sarif", "--format", "junit", "--output", "b.xml"];
     let run = rederive(project.path(), &arguments).code(1);
     run.stdout(predicate::str::contains("Differs from what is expected"));
-    let alone = |format: &str| {
-        let run = rederive(project.path(), &["check", "--no-reports", "--format", format]).code(1);
-        String::from_utf8(run.get_output().stdout.clone()).expect("this is UTF-8")
-    };
+    let alone = |format: &str| printed_with(project.path(), "enclosed", format, 1);
     assert_eq!(read("out/a.sarif"), alone("sarif"));
     assert_eq!(read("b.xml"), alone("junit"));
     let arguments = ["check", "--format", "json", "--output", "c.json", "--format", "github", "--format", "text"];

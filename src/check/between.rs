@@ -48,7 +48,7 @@ pub(super) struct Between<'a> {
 }
 
 /// Whether a relation admits equality, for which touching sides make no difference.
-fn is_weak(kind: RelationKind) -> bool {
+pub(super) fn is_weak(kind: RelationKind) -> bool {
     matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual)
 }
 

@@ -7,11 +7,11 @@
 //! nowhere. A stretch that falls between two samples would be taken for one on which nothing is assumed, and one with a
 //! single sample for one on which the claim was tried.
 
+use super::between::is_weak;
 use super::describe::short;
 use super::trial::{Trial, Values, incomplete, measure};
 use super::weigh::Judged;
 use crate::flow::Incomplete;
-use crate::latex::RelationKind;
 use crate::number::NoValue;
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
@@ -50,8 +50,7 @@ pub(super) fn look(trial: &Trial) -> Search {
         let text = &assumption.text;
         let Some(zeros) = course.zeros(e) else { continue };
         cuts.extend(&zeros.times);
-        let weak = matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual);
-        if let (true, Some(&t)) = (weak, zeros.touching.first()) {
+        if let (true, Some(&t)) = (is_weak(kind), zeros.touching.first()) {
             found.touches = Some(format!(
                 "the assumption `{text}` is met at most near single times such as t = {}: whether it is cannot be told",
                 short(t)

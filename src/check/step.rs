@@ -96,9 +96,14 @@ const MOST_ASSUMPTIONS: usize = 6;
 /// Solving without an assumption is given up when it has made this many nodes: then the assumption counts as used.
 const LEFT_OUT_NODES: usize = 8_000;
 
+/// Whether a proof leaves out the case that something divided by vanishes.
+fn has_exceptions(proof: &Proof) -> bool {
+    proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)))
+}
+
 /// Whether something is proved, and no case was left out.
 fn without_exceptions(identity: &Identity) -> bool {
-    matches!(identity, Identity::Proved(p) if !p.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))))
+    matches!(identity, Identity::Proved(proof) if !has_exceptions(proof))
 }
 
 impl<'a> Step<'a> {
@@ -296,7 +301,8 @@ impl<'a> Step<'a> {
     /// One question, with more and more definitions.
     fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let mut tried: Option<Premises> = None;
-        for (definitions, which) in Definitions::PARTS.into_iter().enumerate() {
+        let last = Definitions::LEVELS.len() - 1;
+        for (definitions, which) in Definitions::LEVELS.into_iter().enumerate().take(last) {
             let premises = self.premises(gathered, equations, which);
             if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
                 continue;
@@ -317,8 +323,8 @@ impl<'a> Step<'a> {
             }
             tried = Some(premises);
         }
-        let premises = self.premises(gathered, equations, Definitions::All);
-        self.proved_at = Level { split, definitions: Definitions::PARTS.len() };
+        let premises = self.premises(gathered, equations, Definitions::LEVELS[last]);
+        self.proved_at = Level { split, definitions: last };
         self.ask(&premises, equations, &Options::default(), split)
     }
 
@@ -379,7 +385,7 @@ impl<'a> Step<'a> {
     fn with_all_definitions(&mut self, proof: Proof, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
         let premises = self.premises(gathered, equations, Definitions::All);
         let options = Options { attempts: FEW_POINTS, ..Options::default() };
-        let generic = proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)));
+        let generic = has_exceptions(&proof);
         match self.ask(&premises, equations, &options, split) {
             contradiction @ Identity::Undecided(Reason::Contradiction) => contradiction,
             refuted @ Identity::Refuted(_) if generic => refuted,

@@ -141,6 +141,15 @@ impl Program {
 
     /// Memory for series up to `degree`.
     pub(super) fn bench<B: Base>(&self, core: &Core, degree: usize) -> Bench<B> {
+        self.memory(core, degree, false)
+    }
+
+    /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
+    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+        self.memory(core, degree, true)
+    }
+
+    fn memory<B: Base>(&self, core: &Core, degree: usize, of_steps: bool) -> Bench<B> {
         let orders = Orders::all(degree);
         let mut slots = self.tape.slots::<Jet<B>>(&orders);
         for (at, input) in self.inputs.iter().enumerate() {
@@ -150,18 +159,13 @@ impl Program {
             }
         }
         let orbit = core.orbit.as_deref().filter(|_| self.moving);
-        let field = orbit.filter(|_| degree > 0).map(|o| {
+        let field = orbit.filter(|_| degree > 0 && !of_steps).map(|o| {
             let constants: Vec<B> = o.constants.iter().map(|&c| B::from_bounded(c)).collect();
             o.flow.slots(degree, &constants)
         });
         let n = orbit.map_or(0, |o| o.states.len());
         let coefficients = vec![B::ZERO; n * (degree + 1)];
-        Bench { degree, field, of_steps: false, slots, state: vec![B::ZERO; n], coefficients }
-    }
-
-    /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
-    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
-        Bench { field: None, of_steps: true, ..self.bench(core, degree) }
+        Bench { degree, field, of_steps, slots, state: vec![B::ZERO; n], coefficients }
     }
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].

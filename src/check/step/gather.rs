@@ -23,10 +23,7 @@ pub(super) enum Definitions {
 }
 
 impl Definitions {
-    /// Those that leave something out, in the order of trying.
-    pub(super) const PARTS: [Definitions; 4] =
-        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now];
-    /// All, in the order of trying.
+    /// In the order of trying: all but the last leave something out.
     pub(super) const LEVELS: [Definitions; 5] =
         [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now, Definitions::All];
 }
