@@ -229,6 +229,7 @@ fn written_in(form: &Form) -> Vec<(&str, Range<usize>)> {
         Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![(w.text.as_str(), w.span.clone())],
         Form::FirstIntegral(w) | Form::Defined(w) => vec![(w.text.as_str(), w.span.clone())],
         Form::Independent { functions, .. } => functions.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
+        Form::Exists { such_that, .. } => such_that.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
         Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
     }
 }

@@ -114,6 +114,7 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                 FormKind::FirstIntegral => "Constant along the motion",
                 FormKind::Defined => "Has a real value at every time",
                 FormKind::Independent => "Independent functions",
+                FormKind::Exists => "A solution exists of",
                 FormKind::Solves => {
                     out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
                     continue;

@@ -19,6 +19,7 @@
 //!
 //! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
 
+mod decorated;
 mod elementary;
 pub(crate) mod faults;
 mod model;
@@ -26,6 +27,7 @@ mod model;
 mod model_tests;
 mod round;
 
+pub use decorated::Decorated;
 pub use model::TaylorModel;
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
