@@ -9,6 +9,7 @@ use super::subdivide::Division;
 use super::enclosed;
 use crate::derivation::{Claim, Region, Values};
 use crate::expr::Graph;
+use crate::number::Interval;
 
 /// A symbol with its range or value.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,6 +67,10 @@ pub struct RegionAccount {
     pub ranges: Vec<RangeAccount>,
     /// How many of them vary.
     pub varying: usize,
+    /// For `exists`: the unknowns, each with the range in which a solution is looked for.
+    pub unknowns: Vec<RangeAccount>,
+    /// For `exists`: whether there is to be one solution only.
+    pub unique: bool,
     /// The parts of the box.
     pub shares: Shares,
     /// Number of cells that were judged.
@@ -110,6 +115,8 @@ impl RegionAccount {
             verdict: Verdict::of_region(Outcome::Undecided, "it was not looked at".to_owned(), 0),
             expected: region.expect,
             varying: variables.len(),
+            unknowns: Vec::new(),
+            unique: false,
             ranges: ranges.into_iter().map(|(_, r)| r).collect(),
             shares: Shares::default(),
             cells: 0,
@@ -141,7 +148,13 @@ impl RegionAccount {
 
     /// The coordinates of a point.
     pub(super) fn point(&self, cell: &Cell) -> Vec<(String, f64)> {
-        self.ranges.iter().zip(&cell.sides).map(|(r, side)| (r.name.clone(), side.mid())).collect()
+        let of = self.ranges.iter().zip(cell.sides.iter().zip(&cell.at_end));
+        let at = |(range, (side, end)): (&RangeAccount, (&Interval, &Option<bool>))| {
+            // At an end it is the number of the file, of which only an enclosure is binary64.
+            let shown = range.values.zip(*end).map(|((from, to), upper)| if upper { to } else { from });
+            (range.name.clone(), shown.unwrap_or(side.mid()))
+        };
+        of.map(at).collect()
     }
 
     /// What the identity test said of equations.
@@ -152,7 +165,8 @@ impl RegionAccount {
                 bound.ceil()
             ));
         }
-        let open = self.shares.undecided > 0.0;
+        // Where a point refutes the claim, nobody asks whether it is an identity.
+        let open = self.shares.undecided > 0.0 && self.witness.is_none();
         for text in question.equations.iter().filter(|_| open) {
             self.remarks.push(format!(
                 "${text}$ was not shown to be an identity; intervals refute an equation, but prove it only where both sides \
@@ -191,7 +205,8 @@ impl RegionAccount {
             Outcome::Undecided if self.shares.undecided == 0.0 && !division.met => {
                 "no point was found at which its assumptions certainly hold".to_owned()
             }
-            Outcome::Undecided => format!("{} of the ranges is open", percent(self.shares.undecided)),
+            Outcome::Undecided if self.varying == 0 => "at the one point that is asked for".to_owned(),
+            Outcome::Undecided => "not on all of the ranges is it decided".to_owned(),
         };
         if self.varying > 0 {
             let Shares { proved, refuted, not_applicable, undecided } = self.shares;

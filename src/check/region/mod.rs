@@ -126,6 +126,16 @@ fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<Reg
     });
     if let Some((unknowns, such_that, unique)) = exists {
         let wanted = self::variables(derivation, &graph, unknowns)?;
+        account.unique = unique;
+        account.unknowns = unknowns
+            .iter()
+            .zip(&wanted)
+            .map(|(u, v)| RangeAccount {
+                name: graph.leaf_latex(u.leaf),
+                unit: u.unit.clone(),
+                values: Some(v.shown),
+            })
+            .collect();
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;
         let division = subdivide(&solver, &variables, solver.most_cells());
