@@ -4,9 +4,8 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 
@@ -259,7 +258,7 @@ impl Stage {
                 }
             }
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: RefCell::default() })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() })
     }
 
     /// The value of an expression in parameters on a motion.

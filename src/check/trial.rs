@@ -3,9 +3,8 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
@@ -43,7 +42,7 @@ pub(super) struct Course<'a> {
     /// The values at the sample times.
     pub points: Points,
     /// What was looked at around a sample, by its position: claims ask for the same again and again.
-    pub near: RefCell<BTreeMap<usize, Arc<Near>>>,
+    pub near: Mutex<BTreeMap<usize, Arc<Near>>>,
 }
 
 /// Times around a sample, increasing, and the values there.
@@ -70,7 +69,12 @@ impl Course<'_> {
             let points = times.iter().map(|&t| self.values(t)).collect();
             Arc::new(Near { times, points })
         };
-        Arc::clone(self.near.borrow_mut().entry(at).or_insert_with(look))
+        let known = || self.near.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(near) = known().get(&at) {
+            return Arc::clone(near);
+        }
+        let near = look();
+        Arc::clone(known().entry(at).or_insert(near))
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.

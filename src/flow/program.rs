@@ -16,6 +16,8 @@ enum Input {
     Constant(usize),
     /// 2π times the number of turns of an angle.
     Turns(usize),
+    /// What no output depends on.
+    Unused,
 }
 
 /// Expressions in the basic leaves of a motion, as one tape.
@@ -82,6 +84,12 @@ pub(super) struct DualBench {
 
 /// Number of turns of every angle at one time, or why it has none.
 pub(super) type Turns = Vec<Result<i64, NoValue>>;
+
+/// Operations with a branch point, and the slots of their first arguments.
+fn branches(tape: &Tape) -> Vec<(Op, usize)> {
+    let some = tape.instructions().iter().filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos));
+    some.map(|i| (i.op, i.a as usize)).collect()
+}
 
 /// 2π·n with its rounding error.
 fn turns(n: i64) -> Result<Bounded, NoValue> {
@@ -202,13 +210,21 @@ impl Program {
         let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
         let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
-        let branches = tape
-            .instructions()
-            .iter()
-            .filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos))
-            .map(|i| (i.op, i.a as usize))
-            .collect();
+        let branches = branches(&tape);
         Ok(Program { tape, inputs, moving, needs, branches })
+    }
+
+    /// The same for some of the outputs, in the order of `outputs`.
+    pub(super) fn part(&self, outputs: &[usize]) -> Program {
+        let tape = self.tape.part(outputs);
+        let mut used = vec![false; tape.slot_count()];
+        tape.instructions().iter().for_each(|i| [i.a, i.b].iter().for_each(|&slot| used[slot as usize] = true));
+        (0..outputs.len()).for_each(|i| used[tape.output_slot(i)] = true);
+        let kept = |(&input, used): (&Input, &bool)| if *used { input } else { Input::Unused };
+        let inputs: Vec<Input> = self.inputs.iter().zip(&used).map(kept).collect();
+        let needs: Vec<bool> = (0..self.needs.len()).map(|i| inputs.contains(&Input::State(i))).collect();
+        let (moving, branches) = (needs.contains(&true), branches(&tape));
+        Program { tape, inputs, moving, needs, branches }
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -301,7 +317,7 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             match *input {
-                Input::Constant(_) => {}
+                Input::Constant(_) | Input::Unused => {}
                 Input::Time => {
                     let slot = bench.slots.value_mut(at);
                     slot.set_coefficient(0, when.time());
@@ -437,7 +453,7 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             let value = match *input {
-                Input::Constant(_) => continue,
+                Input::Constant(_) | Input::Unused => continue,
                 Input::Time => Ok(Dual::new(t, 1.0)),
                 Input::State(i) => match missing {
                     Some(reason) => Err(reason),
