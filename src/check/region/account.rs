@@ -6,7 +6,7 @@ use super::map::{RegionMap, draw};
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
 use super::subdivide::Division;
-use super::enclosed;
+use super::{enclosed, nearest};
 use crate::derivation::{Claim, Region, Values};
 use crate::expr::Graph;
 use crate::number::Interval;
@@ -88,10 +88,10 @@ pub struct RegionAccount {
 }
 
 /// A part of the volume, in words.
-fn percent(share: f64) -> String {
+fn percent(share: f64, whole: bool) -> String {
     match 100.0 * share {
         p if share > 0.0 && p < 0.1 => "less than 0.1 %".to_owned(),
-        p if share < 1.0 && p > 99.9 => "more than 99.9 %".to_owned(),
+        p if !whole && p > 99.9 => "more than 99.9 %".to_owned(),
         p => format!("{} %", (10.0 * p).round() / 10.0),
     }
 }
@@ -106,7 +106,10 @@ impl RegionAccount {
                     let of = variables.iter().find(|v| v.leaf == ranged.leaf);
                     of.map(|v| v.shown)
                 }
-                Values::One(_) => put.value(ranged.leaf).and_then(|e| enclosed(graph, e)).map(|v| (v.mid(), v.mid())),
+                Values::One(_) => put
+                    .value(ranged.leaf)
+                    .and_then(|e| Some(nearest(graph, e, enclosed(graph, e)?)))
+                    .map(|x| (x, x)),
             };
             ranges.push((matches!(ranged.values, Values::One(_)), RangeAccount { name, unit: ranged.unit.clone(), values }));
         }
@@ -206,7 +209,7 @@ impl RegionAccount {
                 "no point was found at which its assumptions certainly hold".to_owned()
             }
             Outcome::Undecided if self.varying == 0 => "at the one point that is asked for".to_owned(),
-            Outcome::Undecided => "not on all of the ranges is it decided".to_owned(),
+            Outcome::Undecided => "it is not decided everywhere".to_owned(),
         };
         if self.varying > 0 {
             let Shares { proved, refuted, not_applicable, undecided } = self.shares;
@@ -216,11 +219,9 @@ impl RegionAccount {
                 (not_applicable, "outside of what it applies to"),
                 (undecided, "undecided"),
             ];
-            let said: Vec<String> = parts
-                .iter()
-                .filter(|(share, _)| *share > 0.0)
-                .map(|(share, word)| format!("{} {word}", percent(*share)))
-                .collect();
+            let there = parts.iter().filter(|(share, _)| *share > 0.0);
+            let whole = there.clone().count() == 1;
+            let said: Vec<String> = there.map(|(share, word)| format!("{} {word}", percent(*share, whole))).collect();
             let cells = if self.cells == 1 { "1 cell".to_owned() } else { format!("{} cells", self.cells) };
             out = format!("{out}: {}, by {cells}", said.join(", "));
         }

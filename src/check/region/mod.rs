@@ -16,11 +16,14 @@
 //! to the next binary64 number outwards, and witnesses are looked for inwards.
 
 mod account;
+mod faults;
 mod map;
 mod question;
 mod signs;
 mod solutions;
 mod subdivide;
+#[cfg(test)]
+mod tests;
 
 pub use account::{RangeAccount, RegionAccount, RegionWitness, Shares, SolutionAccount};
 pub use map::{Patch, RegionMap};

@@ -12,7 +12,8 @@
 //! **How.** The box is bisected, breadth first. A part is dropped where some Fᵢ has no zero on it, or another relation is
 //! false; where Krawczyk's operator, on the part made a little larger, verifies a zero, that is kept with its neighbourhood,
 //! and every part inside the neighbourhood is dropped. Two zeros are different if their enclosures are disjoint, and the same
-//! if one enclosure lies in the neighbourhood of the other. A zero that is not simple is never verified; that there is one
+//! if one enclosure lies in the neighbourhood of the other. For one unknown a zero is also verified where F is strictly
+//! monotone and changes its sign (Bolzano's theorem), which works for wide cells of parameters. A zero that is not simple is never verified; that there is one
 //! may still be seen from a change of sign (one unknown), or from a point at which F is 0 exactly.
 //!
 //! The box is closed: a solution on its border counts, where it is seen exactly that it lies there.
@@ -26,6 +27,7 @@ use std::collections::VecDeque;
 use nalgebra::DMatrix;
 
 use super::account::{RegionAccount, RegionWitness, SolutionAccount};
+use super::faults;
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable};
 use super::subdivide::{Division, Judge};
@@ -41,8 +43,10 @@ const MOST_PARTS: usize = 20_000;
 const MOST_PARTS_OF_A_CELL: usize = 400;
 /// Most cells of parameters.
 const MOST_CELLS: usize = 4_000;
-/// Most parts that are looked at for all cells together.
+/// Most times that Krawczyk's operator narrows an enclosure.
 const MOST_ITERATIONS: usize = 12;
+/// Whenever so many parts were looked at, all that are left are tried as one.
+const TOGETHER: [usize; 5] = [4, 12, 32, 96, 256];
 /// By so much of its width a part is made larger on each side before a zero is verified in it.
 const LARGER: f64 = 0.1;
 
@@ -245,7 +249,7 @@ impl Solver {
         let larger: Vec<Interval> = x.iter().map(|side| side.widened(LARGER, f64::MIN_POSITIVE)).collect();
         for v in [larger.as_slice(), x] {
             let Some(mut enclosure) = self.krawczyk(p, v, scratch) else { continue };
-            if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) {
+            if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) && !faults::no_inclusion() {
                 continue;
             }
             let neighbourhood = v.to_vec();
@@ -267,7 +271,32 @@ impl Solver {
             }
             return Some(Zero { neighbourhood, enclosure, counts });
         }
-        None
+        self.crossing(p, x, scratch)
+    }
+
+    /// The zero of one function of one unknown that is strictly monotone on a part of the box, and has opposite signs at its
+    /// ends, or is 0 there (Bolzano's theorem).
+    fn crossing(&self, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Option<Zero> {
+        let ([only], [unknown]) = (x, &self.unknowns[..]) else { return None };
+        let inside = only.intersection(unknown.inner)?;
+        if !self.value(p, x, scratch)?.continuous {
+            return None;
+        }
+        let slope = self.run(true, p, x, scratch)?.first().filter(|s| s.is_defined()).map(Decorated::range)?;
+        if slope.contains(0.0) {
+            return None;
+        }
+        let mut at = |end: f64| Some(*self.value(p, &[Interval::point(end)], scratch)?.ranges.first()?);
+        let (low, high) = (at(inside.lo())?, at(inside.hi())?);
+        // At a face that two parts share both could take a zero for theirs: there the sign must be strict. At an end of the box
+        // it need not be.
+        let (rising, at_low, at_high) = (slope.lo() > 0.0, inside.lo() == unknown.inner.lo(), inside.hi() == unknown.inner.hi());
+        let (below, above) = if rising { (low, high) } else { (high, low) };
+        let (weak_below, weak_above) = if rising { (at_low, at_high) } else { (at_high, at_low) };
+        let crosses = (below.hi() < 0.0 || weak_below && below.hi() == 0.0)
+            && (above.lo() > 0.0 || weak_above && above.lo() == 0.0);
+        let counts = self.conditions(p, &[inside], scratch);
+        crosses.then(|| Zero { neighbourhood: x.to_vec(), enclosure: vec![inside], counts })
     }
 
     /// The point of an enclosure that lies on the border of the box, if F is 0 there exactly.
@@ -325,6 +354,17 @@ impl Solver {
                 break;
             }
             looked += 1;
+            if TOGETHER.contains(&looked) && found.zeros.is_empty() {
+                // For parameters in a cell a zero wanders through many parts: all that are left, in one.
+                let join = |a: &[Interval], b: &[Interval]| a.iter().zip(b).map(|(a, b)| a.hull(*b)).collect();
+                let all = open.iter().fold(x.clone(), |all: Vec<Interval>, part| join(&all, part));
+                if let Some(zero) = self.verify(p, &all, scratch)
+                    && zero.neighbourhood.iter().zip(&all).all(|(n, side)| n.contains_interval(*side))
+                {
+                    found.add(zero);
+                    break;
+                }
+            }
             let inside = |z: &Zero| z.neighbourhood.iter().zip(&x).all(|(n, side)| n.contains_interval(*side));
             if found.zeros.iter().any(inside) {
                 continue;
