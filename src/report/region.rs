@@ -144,9 +144,9 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
         out.push_str(&format!("{}\n\n", prose(&ranges)));
     }
     let (word, rest) = match verdict(region) {
-        text => text.split_once([':', ' ']).map_or((text.clone(), String::new()), |(w, _)| {
-            (w.to_owned(), text[w.len()..].to_owned())
-        }),
+        text => text
+            .split_once([':', ' '])
+            .map_or((text.clone(), String::new()), |(w, _)| (w.to_owned(), text[w.len()..].to_owned())),
     };
     let expected = match expected(region) {
         text if text.is_empty() => text,
@@ -154,9 +154,11 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
     };
     out.push_str(&format!("**{word}**{}{expected}.\n\n", prose(&rest)));
     if !region.solutions.is_empty() {
-        let rows = region.solutions.iter().flat_map(|s| &s.values).map(|(name, lo, hi)| {
-            vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]
-        });
+        let rows = region
+            .solutions
+            .iter()
+            .flat_map(|s| &s.values)
+            .map(|(name, lo, hi)| vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]);
         out.push_str(&table(&["solution", "not below", "not above"], rows));
     }
     for remark in &region.remarks {
@@ -189,9 +191,8 @@ fn letter(part: Part) -> &'static str {
 }
 
 fn map_json(map: &RegionMap) -> Value {
-    let patch = |p: &crate::check::region::Patch| {
-        format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height)
-    };
+    let patch =
+        |p: &crate::check::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
     json!({
         "across": map.axes.0,
         "up": map.axes.1,

@@ -15,7 +15,9 @@ use std::thread::LocalKey;
 /// A file with one claim over ranges.
 fn file(claim: &str) -> String {
     let symbols: String = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = \"parameter\" }}\n")).concat();
-    format!("[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n{symbols}\n[[claim]]\nid = \"c\"\nsays = \"s\"\n{claim}\n")
+    format!(
+        "[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n{symbols}\n[[claim]]\nid = \"c\"\nsays = \"s\"\n{claim}\n"
+    )
 }
 
 fn derivation(claim: &str) -> Derivation {

@@ -7,8 +7,8 @@ use super::super::graph::DerivationGraph;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::{region, support};
 use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
+use super::{region, support};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -40,8 +40,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
-    let n =
-        |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+    let n = |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
     let own = family.iter().any(|c| c.reading.is_none());
     html! {
         div.family {
