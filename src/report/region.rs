@@ -143,16 +143,15 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
     if let Some(ranges) = ranges(region) {
         out.push_str(&format!("{}\n\n", prose(&ranges)));
     }
-    let (word, rest) = match verdict(region) {
-        text => text
-            .split_once([':', ' '])
-            .map_or((text.clone(), String::new()), |(w, _)| (w.to_owned(), text[w.len()..].to_owned())),
-    };
+    let text = verdict(region);
+    let end = text.find([':', ' ']).unwrap_or(text.len());
+    let (word, rest) = text.split_at(end);
+    let space = if rest.starts_with(' ') { " " } else { "" };
     let expected = match expected(region) {
         text if text.is_empty() => text,
         text => format!(" — **{}**", text.trim_start_matches(", ")),
     };
-    out.push_str(&format!("**{word}**{}{expected}.\n\n", prose(&rest)));
+    out.push_str(&format!("**{word}**{space}{}{expected}.\n\n", prose(rest)));
     if !region.solutions.is_empty() {
         let rows = region
             .solutions

@@ -129,9 +129,9 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
                 title { "Where " (name) " is proved" }
                 desc { (describe) }
                 g transform=(format!("translate({left} {bottom}) scale({scale} -{scale})")) {
-                    @for (parts, class, _) in &shown { path class=(class) d=(path(map, parts, class)); }
+                    @for (parts, class, _) in &shown { path class=(class) d=(path(map, parts, class)) {} }
                 }
-                path.axis d=(format!("M{left} {top}h{side}v{side}h-{side}z"));
+                path.axis d=(format!("M{left} {top}h{side}v{side}h-{side}z")) {}
                 @for (share, anchor) in [(0.0, "start"), (0.5, "middle"), (1.0, "end")] {
                     (text(left + share * side, bottom + 18.0, anchor, tick(across, share)))
                     (text(left - 6.0, bottom - share * side + if share == 1.0 { 12.0 } else { 0.0 }, "end", tick(up, share)))
@@ -145,8 +145,8 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
                             "rf" => "M0 1l1-1M0 2l2-2M1 2l1-1",
                             "ru" => "M0 .5h2M0 1.5h2",
                             _ => "M0 0h2v2h-2z",
-                        });
-                        path.rs d="M0 0h2v2h-2z";
+                        }) {}
+                        path.rs d="M0 0h2v2h-2z" {}
                     }
                     (text(x + 16.0, 463.0, "start", (*word).to_owned()))
                 }
