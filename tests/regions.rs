@@ -16,7 +16,7 @@ concerns = "C"
 [symbols]
 't' = { role = "time" }
 'q' = { role = "state" }
-'x' = { role = "parameter", unit = "m" }
+'x' = { role = "parameter", unit = "rad" }
 'c' = { role = "parameter", positive = true }
 'I' = { role = "parameter", shape = "diagonal 3", positive = true }
 'E' = { role = "observable", formula = '\dot q^2' }
@@ -157,7 +157,7 @@ fn the_picture_tells_the_parts_apart_without_colour() {
     assert_eq!(page.matches("<figure class=\"map\">").count(), 1, "two ranges vary in one claim");
     let figure = page.split_once("<figure class=\"map\">").and_then(|(_, rest)| rest.split_once("</figure>"));
     let (figure, _) = figure.expect("a figure");
-    for part in ["role=\"img\"", "<title>", "<desc>", "path class=\"rf\"", "path class=\"rp\"", "refuted", "x in m"] {
+    for part in ["role=\"img\"", "<title>", "<desc>", "path class=\"rf\"", "path class=\"rp\"", "refuted", "x in rad"] {
         assert!(figure.contains(part), "{part} in\n{figure}");
     }
     assert!(figure.len() < 12_000, "{} bytes", figure.len());

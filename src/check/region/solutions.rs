@@ -249,7 +249,11 @@ impl Solver {
         let larger: Vec<Interval> = x.iter().map(|side| side.widened(LARGER, f64::MIN_POSITIVE)).collect();
         for v in [larger.as_slice(), x] {
             let Some(mut enclosure) = self.krawczyk(p, v, scratch) else { continue };
-            if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) && !faults::no_inclusion() {
+            if faults::no_inclusion() {
+                let both: Option<Vec<Interval>> = enclosure.iter().zip(x).map(|(k, x)| k.intersection(*x)).collect();
+                let Some(both) = both else { continue };
+                enclosure = both;
+            } else if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) {
                 continue;
             }
             let neighbourhood = v.to_vec();
