@@ -270,6 +270,16 @@ impl Motion {
         self.with_scratch(|scratch| prepared.leaves.along(&prepared.core, &mut scratch.leaves, times))
     }
 
+    /// The same for some of the prepared leaves, by their positions: the others have no values.
+    pub fn along_some(&self, times: &[f64], leaves: &[usize]) -> Points {
+        let Some(prepared) = &self.prepared else { return Points::default() };
+        let part = prepared.leaves.part(leaves);
+        let found = part.along(&prepared.core, &mut Memory::default(), times);
+        let mut places = vec![None; prepared.leaves.orders().count()];
+        leaves.iter().enumerate().for_each(|(i, &leaf)| places[leaf] = Some(i));
+        found.arranged(&places)
+    }
+
     /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.
     ///
     /// An independent route to what [`Motion::at`] yields from series: the rate of a leaf that is wanted with order n ≥ 1

@@ -144,6 +144,15 @@ impl Points {
         Some(lanes)
     }
 
+    /// Why a leaf has no value at any time; `None` if it has one at some time.
+    pub fn absent(&self, leaf: usize) -> Option<NoValue> {
+        match self.columns.get(leaf) {
+            Some(Column::Same(x)) => x.err(),
+            Some(_) => None,
+            None => Some(NoValue::OutOfDomain),
+        }
+    }
+
     /// Adds a time.
     pub fn push(&mut self, values: impl IntoIterator<Item = Value>) {
         let mut values = values.into_iter();
