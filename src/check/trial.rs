@@ -57,6 +57,19 @@ impl Course<'_> {
         self.stage.values(self.trajectory, t)
     }
 
+    /// The same motion at the same times, with the values of other leaves, by their positions.
+    pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
+        let points = self.stage.points(self.trajectory, &self.times, &leaves);
+        let (times, near) = (self.times.clone(), Mutex::default());
+        Course { points, times, near, ..*self }
+    }
+
+    /// Forgets the values of all leaves but these, by their positions.
+    pub fn keep(&mut self, leaves: &[usize]) {
+        self.points.keep(leaves);
+        self.near = Mutex::default();
+    }
+
     /// Times around a sample: a few between it and its neighbours.
     fn near(&self, at: usize) -> Arc<Near> {
         let look = || {

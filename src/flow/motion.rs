@@ -267,7 +267,8 @@ impl Motion {
     /// place.
     pub fn along(&self, times: &[f64]) -> Points {
         let Some(prepared) = &self.prepared else { return Points::default() };
-        self.with_scratch(|scratch| prepared.leaves.along(&prepared.core, &mut scratch.leaves, times))
+        // Blocks take much memory, and are asked for once.
+        prepared.leaves.along(&prepared.core, &mut Memory::default(), times)
     }
 
     /// The same for some of the prepared leaves, by their positions: the others have no values.

@@ -191,6 +191,15 @@ impl Points {
         self
     }
 
+    /// Forgets all leaves but these.
+    pub fn keep(&mut self, leaves: &[usize]) {
+        for (leaf, column) in self.columns.iter_mut().enumerate() {
+            if leaves.binary_search(&leaf).is_err() {
+                *column = Column::Same(Err(NoValue::OutOfDomain));
+            }
+        }
+    }
+
     /// The same times with the leaves in another order: for each its position here, where no two are the same; one that is
     /// not here has no value.
     pub fn arranged(mut self, places: &[Option<usize>]) -> Points {
