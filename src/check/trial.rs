@@ -64,9 +64,10 @@ impl Course<'_> {
         Course { points, times, near, ..*self }
     }
 
-    /// Forgets the values of all leaves but these, by their positions.
+    /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
     pub fn keep(&mut self, leaves: &[usize]) {
         self.points.keep(leaves);
+        self.motion.rest();
         self.near = Mutex::default();
     }
 

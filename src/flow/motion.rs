@@ -250,6 +250,11 @@ impl Motion {
         out
     }
 
+    /// Gives back the memory of evaluations; the next one takes it anew.
+    pub fn rest(&self) {
+        self.pool.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+
     /// The prepared leaves at a time; empty before [`Motion::prepare`].
     ///
     /// Outside the times of the trajectory nothing that depends on it has a value.

@@ -77,7 +77,7 @@ impl Tape {
                 Node::Constant(_) | Node::Pi => {
                     slot.insert(e, (inputs.len() + presets.len()) as u32);
                     presets.push(match graph.node(e) {
-                        Node::Constant(r) => Preset::Rational(r.clone()),
+                        Node::Constant(r) => Preset::Rational((**r).clone()),
                         _ => Preset::Pi,
                     });
                 }
