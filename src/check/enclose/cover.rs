@@ -43,6 +43,10 @@ impl Selection {
     pub fn new(roots: Vec<usize>) -> Selection {
         Selection { roots, part: OnceCell::new() }
     }
+
+    pub fn roots(&self) -> &[usize] {
+        &self.roots
+    }
 }
 
 /// Times, as bits.

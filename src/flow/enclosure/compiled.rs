@@ -91,6 +91,20 @@ impl Reach {
         self.range
     }
 
+    /// All values of the difference to what another quantity does over the same stretch.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] for another stretch, or a bound that is not finite.
+    pub fn minus(&self, other: &Reach) -> Result<Interval, NoValue> {
+        if (self.stretch, self.middle, self.half) != (other.stretch, other.middle, other.half) {
+            return Err(NoValue::Indeterminate);
+        }
+        let mut difference = TaylorModel::ZERO;
+        difference.sub(&(), &self.model, &other.model)?;
+        let plain = self.range - other.range;
+        Ok(difference.range().intersection(plain).unwrap_or(plain))
+    }
+
     /// How much of the range is not known to be a polynomial in time.
     pub fn remainder(&self) -> f64 {
         self.model.remainder()

@@ -212,6 +212,16 @@ impl Enclosure {
         Some(new)
     }
 
+    /// The time at which the initial state is given.
+    pub fn initial_time(&self) -> f64 {
+        self.initial_time
+    }
+
+    /// The time, as a leaf.
+    pub fn time(&self) -> Leaf {
+        self.time
+    }
+
     /// The times between which everything is enclosed.
     pub fn reach(&self) -> (f64, f64) {
         match &self.tube {
