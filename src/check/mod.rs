@@ -274,8 +274,8 @@ fn check_and(
     let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
-    let mut courses: Vec<Course> = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, &mut courses, &mut account);
+    let courses: Vec<Course> = courses.into_iter().flatten().collect();
+    probes.separate(derivation, &gradients, &start_of, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
@@ -285,7 +285,7 @@ fn check_and(
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
-        altered.conclude(derivation, &mut account.claims, &weighed, &places, &mut courses)?;
+        altered.conclude(derivation, &mut account.claims, &weighed, &places, &courses)?;
     }
     Ok(account)
 }

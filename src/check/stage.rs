@@ -4,9 +4,8 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 
@@ -239,11 +238,11 @@ impl Stage {
             times = times.into_iter().step_by(step).collect();
             times.extend(last.filter(|t| times.last() != Some(t)));
         }
-        let points: Vec<Values> = times.iter().map(|&t| self.values(trajectory, t)).collect();
+        let points = motion.along(&times).arranged(&built.places);
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
-                let (Some(place), Ok(bounded)) = (place, &points[i][k]) else { continue };
+                let (Some(place), Ok(bounded)) = (place, points.get(i, k)) else { continue };
                 let Some(Ok(dual)) = duals.get(*place) else { continue };
                 let gap = (dual.re - bounded.value).abs();
                 // Both routes round on their own way: the bound of one covers its distance from the truth.
@@ -259,7 +258,7 @@ impl Stage {
                 }
             }
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: RefCell::default() })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() })
     }
 
     /// The value of an expression in parameters on a motion.
