@@ -68,9 +68,28 @@ impl Stretch {
     pub fn time(&self) -> Interval {
         self.time
     }
+
+    pub(super) fn models(&self) -> &Result<Vec<TaylorModel>, NoValue> {
+        &self.models
+    }
 }
 
 impl Reach {
+    pub(super) fn new(stretch: &Stretch, model: TaylorModel) -> Reach {
+        let Stretch { time, middle, half, .. } = *stretch;
+        Reach { stretch: time, middle, half, model, range: model.range() }
+    }
+
+    /// Both bounds of the same quantity hold: the polynomial is that of `self`.
+    pub fn and(&self, other: &Reach) -> Reach {
+        Reach { range: self.range.intersection(other.range).unwrap_or(self.range), ..*self }
+    }
+
+    /// The quantity as a polynomial with a remainder.
+    pub fn model(&self) -> &TaylorModel {
+        &self.model
+    }
+
     /// The times.
     pub fn stretch(&self) -> Interval {
         self.stretch
@@ -215,6 +234,17 @@ impl Enclosure {
             },
         };
         Stretch { time, middle, half, models, plain: OnceCell::new(), at_middle: OnceCell::new() }
+    }
+
+    /// The roots over a stretch of time, for given models of the states.
+    pub(super) fn models(
+        &self,
+        compiled: &Compiled,
+        stretch: &Stretch,
+        states: &Result<Vec<TaylorModel>, NoValue>,
+    ) -> Vec<Result<TaylorModel, NoValue>> {
+        let now = TaylorModel::variable(Interval::point(stretch.middle), stretch.half);
+        self.evaluate(compiled, &compiled.models, stretch.time, (now, states), TaylorModel::constant)
     }
 
     /// What the roots do over a stretch of time.

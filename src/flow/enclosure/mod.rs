@@ -15,9 +15,11 @@ mod angle;
 mod compiled;
 mod matrix;
 mod set;
+mod sharpen;
 mod step;
 
 pub use compiled::{Compiled, Reach, Stretch};
+pub use sharpen::Sharp;
 pub use step::Stop;
 
 use std::collections::BTreeMap;
@@ -70,6 +72,8 @@ pub struct Enclosure {
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
     given: Vec<Leaf>,
+    /// What is constant along the motion, in basic leaves, with its value at the start.
+    integrals: Vec<(Expr, Interval)>,
 }
 
 impl Enclosure {
@@ -87,6 +91,7 @@ impl Enclosure {
             angles: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
+            integrals: Vec::new(),
         };
         let mut states: Vec<(Leaf, Expr)> = Vec::new();
         if let Source::Derived { states: map, .. } = &setup.source {
@@ -207,7 +212,7 @@ impl Enclosure {
     /// [`Enclosure::restart`] over another span, which must contain the initial time.
     pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
-        let mut new = Enclosure { span, ..self.clone() };
+        let mut new = Enclosure { span, integrals: Vec::new(), ..self.clone() };
         new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
         Some(new)
     }

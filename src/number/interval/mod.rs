@@ -26,7 +26,7 @@ mod model;
 mod model_tests;
 mod round;
 
-pub use model::TaylorModel;
+pub use model::{NODES, TaylorModel};
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
 use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};
