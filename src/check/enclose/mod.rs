@@ -25,6 +25,7 @@
 mod claim;
 mod cover;
 mod event;
+mod integral;
 mod rank;
 mod ready;
 mod refute;
@@ -72,8 +73,11 @@ type Change = (usize, usize, Verdict);
 /// # Errors
 /// A description of an enclosure that contradicts a sampled verdict.
 pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+    let mut graph = request.derivation.graph.clone();
+    let integrals = integral::of_systems(request, &mut graph);
+    let known = (&graph, integrals.as_slice());
     let changes: Vec<Result<Vec<Change>, String>> =
-        request.tried.par_iter().map(|&t| one_motion(request, t, claims)).collect();
+        request.tried.par_iter().map(|&t| one_motion(request, known, t, claims)).collect();
     for change in changes {
         for (k, at, verdict) in change? {
             claims[k].results[at].verdict = verdict;
@@ -83,10 +87,15 @@ pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Resu
 }
 
 /// The enclosure of a motion, and of those that it comes from; beside it the parameters and initial states as they are given.
-fn enclosure(request: &Request, graph: &mut Graph, t: usize) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
+fn enclosure(
+    request: &Request,
+    integrals: &[Vec<Expr>],
+    graph: &mut Graph,
+    t: usize,
+) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
     let trajectory = &request.derivation.trajectories[t];
     let (from, source) = match trajectory.motion {
-        Given::Derived { from, .. } => (Some(enclosure(request, graph, from)?.0), request.stage.source(from)),
+        Given::Derived { from, .. } => (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from)),
         _ => (None, None),
     };
     let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);
@@ -94,11 +103,17 @@ fn enclosure(request: &Request, graph: &mut Graph, t: usize) -> Result<(Enclosur
     if let Source::Integrated { initial, .. } = &setup.source {
         start.extend(initial);
     }
-    let enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())?;
+    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())?;
+    if let Given::Integrated { system, .. } = trajectory.motion {
+        enclosed.conserve(graph, &integrals[system]);
+    }
     Ok((enclosed, start))
 }
 
-fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
+/// What the systems conserve, in a graph that knows it.
+type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
+
+fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
     let trajectory = &request.derivation.trajectories[t];
     let open = |v: &Verdict| match v.outcome() {
         Outcome::Holds(strength) | Outcome::Fails(strength) => strength == Strength::Sampled,
@@ -113,8 +128,8 @@ fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Ve
     if changes.is_empty() {
         return Ok(changes);
     }
-    let mut graph = request.derivation.graph.clone();
-    let (mut along, start) = match enclosure(request, &mut graph, t) {
+    let (mut graph, integrals) = (known.0.clone(), known.1);
+    let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
             changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
@@ -122,7 +137,7 @@ fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Ve
         }
     };
     let program = |k: usize| &request.prepared[k][request.start_of[t]];
-    let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, graph, other)?.0);
+    let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
     for (k, _, verdict) in &changes {
         let Prepared { claim, program, gradients } = program(*k);

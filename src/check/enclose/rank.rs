@@ -2,8 +2,8 @@
 //!
 //! Let G have the gradients of the constraints as rows, F those of the functions. They are independent where the rows of both
 //! together are linearly independent. **Theorem.** If ‖1 − AQ‖ < 1 in the maximum norm for a matrix Q and every matrix A of an
-//! interval matrix, then the rows of each A are independent: AQ is invertible (Neumann's series). Q is nearly a right inverse
-//! of the middle, found in floating point; nothing is assumed of it. Rows that are the same expressions are taken once, so
+//! interval matrix, then the rows of each A are independent: AQ is invertible (Neumann's series). Over a stretch of time A is a
+//! matrix of Taylor models, and Q one of polynomials, close to a right inverse; nothing is assumed of it. Rows that are the same expressions are taken once, so
 //! that the rank of G is the number of its rows whenever the rows of both are independent, and rank (G, F) − rank G is the
 //! number of functions.
 //!
@@ -18,7 +18,7 @@ use crate::check::independence::Gradients;
 use crate::check::program::Use;
 use crate::check::verdict::Witness;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Interval, Rational};
+use crate::number::{Interval, NODES, NoValue, Number, Rational, TaylorModel};
 use nalgebra::DMatrix;
 
 static NOTHING: Group = Group { comparisons: Vec::new(), branching: false };
@@ -87,14 +87,14 @@ impl<'a> Rank<'a> {
         }
     }
 
-    /// Whether the rows are independent for all values in the ranges.
+    /// Whether the rows are independent at all times of a stretch.
     fn independent(&self, ranges: &Ranges) -> bool {
         let entry = |place: &Option<usize>| match place {
-            None => Some(Interval::point(0.0)),
-            Some(at) => ranges[*at].as_ref().ok().map(|reach| reach.range()),
+            None => Some(TaylorModel::ZERO),
+            Some(at) => ranges[*at].as_ref().ok().map(|reach| *reach.model()),
         };
-        let rows: Option<Vec<Vec<Interval>>> = self.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
-        rows.is_some_and(|rows| independent(&rows))
+        let rows: Option<Vec<Vec<TaylorModel>>> = self.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
+        rows.is_some_and(|rows| independent(&rows).unwrap_or(false))
     }
 
     /// That the functions are dependent at the start.
@@ -114,30 +114,45 @@ impl<'a> Rank<'a> {
     }
 }
 
-/// Whether the rows of every matrix between bounds are independent: see the module.
-fn independent(rows: &[Vec<Interval>]) -> bool {
+/// Whether the rows are independent at every time: see the module.
+///
+/// # Errors
+/// A bound that is not finite.
+fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
     let (m, n) = (rows.len(), rows.first().map_or(0, Vec::len));
     if m == 0 || m > n {
-        return m == 0;
+        return Ok(m == 0);
     }
-    // Rows of the same length: only Q depends on it.
-    let size = |row: &[Interval]| row.iter().map(Interval::magnitude).fold(f64::MIN_POSITIVE, f64::max);
+    // Q at a few times, and polynomials through that; rows of the same length, for Q alone.
+    let size = |row: &[TaylorModel]| row.iter().map(TaylorModel::bound).fold(f64::MIN_POSITIVE, f64::max);
     let sizes: Vec<f64> = rows.iter().map(|row| size(row)).collect();
-    let middle = DMatrix::from_fn(m, n, |i, j| rows[i][j].mid() / sizes[i]);
-    let Some(inverse) = (&middle * middle.transpose()).try_inverse() else { return false };
-    let right = middle.transpose() * inverse;
-    let q = |k: usize, j: usize| Interval::point(right[(k, j)] / sizes[j]);
-    if right.iter().any(|x| !x.is_finite()) {
-        return false;
+    let mut values = vec![[0.0; NODES]; n * m];
+    for node in 0..NODES {
+        let there = DMatrix::from_fn(m, n, |i, j| rows[i][j].at_node(node) / sizes[i]);
+        let Some(inverse) = (&there * there.transpose()).try_inverse() else { return Ok(false) };
+        let right = there.transpose() * inverse;
+        for (k, j) in (0..n).flat_map(|k| (0..m).map(move |j| (k, j))) {
+            values[k * m + j][node] = right[(k, j)] / sizes[j];
+        }
     }
-    (0..m).all(|i| {
-        let entry = |j: usize| {
-            let product = (0..n).fold(Interval::point(0.0), |sum, k| sum + rows[i][k] * q(k, j));
-            (Interval::point(if i == j { 1.0 } else { 0.0 }) - product).magnitude()
-        };
-        let sum = (0..m).fold(Interval::point(0.0), |sum, j| sum + Interval::point(entry(j)));
-        sum.hi() < 1.0
-    })
+    let q: Vec<TaylorModel> = values.iter().map(TaylorModel::through).collect::<Result<_, _>>()?;
+    for (i, row) in rows.iter().enumerate() {
+        let mut total = Interval::point(0.0);
+        for j in 0..m {
+            let mut sum = TaylorModel::constant(Interval::point(if i == j { -1.0 } else { 0.0 }));
+            for (k, entry) in row.iter().enumerate().filter(|(_, entry)| entry.bound() > 0.0) {
+                let (mut product, before) = (TaylorModel::ZERO, sum);
+                product.mul(&(), entry, &q[k * m + j])?;
+                sum.add(&(), &before, &product)?;
+            }
+            total = total + Interval::point(sum.bound());
+        }
+        // Written so that what is no number refutes.
+        if !(total.hi() < 1.0) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The rank of the functions beside the constraints at the start of a motion, in exact arithmetic, if it is too small.

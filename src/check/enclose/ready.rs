@@ -148,7 +148,7 @@ impl<'a> Ready<'a> {
         let mut roots = self.roots.roots().to_vec();
         let first = roots.len();
         roots.extend(further);
-        self.roots = Selection::new(roots);
+        self.roots = Selection::blunt(roots);
         first
     }
 
