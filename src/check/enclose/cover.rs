@@ -226,10 +226,11 @@ impl Along {
         let (enclosure, graph, differences) = (&self.enclosure, &mut self.graph, &self.differences);
         let quantities = || selection.roots.iter().map(|&root| differences.roots[root]).collect::<Vec<_>>();
         let sharp = selection.sharp.get_or_init(|| enclosure.sharp(graph, &quantities()).ok()).as_ref()?;
-        self.left = self.left.saturating_sub(sharp.operations());
-        self.left_of_all = self.left_of_all.saturating_sub(sharp.operations());
         let stretch = self.stretch(time);
-        let found = self.enclosure.sharpened(sharp, &stretch);
+        let (found, work) = self.enclosure.sharpened(sharp, &stretch);
+        let work = work + sharp.operations();
+        self.left = self.left.saturating_sub(work);
+        self.left_of_all = self.left_of_all.saturating_sub(work);
         let both = ranges.iter().zip(found).map(|(&known, new)| match (known, new) {
             (Ok(known), Ok(new)) => Ok(new.and(&known)),
             (known, _) => known,

@@ -3,6 +3,7 @@
 use std::cell::{OnceCell, RefCell};
 
 use super::Enclosure;
+use super::sharpen::Known;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
 use crate::number::{Interval, NoValue, Number, TaylorModel};
@@ -35,6 +36,11 @@ impl Compiled {
         self.tape.instructions().len()
     }
 
+    /// Number of roots.
+    pub fn outputs(&self) -> usize {
+        self.tape.output_count()
+    }
+
     /// The same for some of the roots, in the order of `roots`.
     pub fn part(&self, roots: &[usize]) -> Compiled {
         let (models, values) = Default::default();
@@ -60,6 +66,7 @@ pub struct Stretch {
     half: f64,
     models: Result<Vec<TaylorModel>, NoValue>,
     plain: OnceCell<Result<Vec<Interval>, NoValue>>,
+    known: OnceCell<Option<Known>>,
     at_middle: OnceCell<Result<Vec<Interval>, NoValue>>,
 }
 
@@ -71,6 +78,11 @@ impl Stretch {
 
     pub(super) fn models(&self) -> &Result<Vec<TaylorModel>, NoValue> {
         &self.models
+    }
+
+    /// What is known of first integrals, found once.
+    pub(super) fn known(&self, find: impl FnOnce() -> Option<Known>) -> Option<&Known> {
+        self.known.get_or_init(find).as_ref()
     }
 }
 
@@ -233,7 +245,8 @@ impl Enclosure {
                 None => self.states(time).map(|all| all.into_iter().map(TaylorModel::constant).collect()),
             },
         };
-        Stretch { time, middle, half, models, plain: OnceCell::new(), at_middle: OnceCell::new() }
+        let (plain, at_middle, known) = Default::default();
+        Stretch { time, middle, half, models, plain, at_middle, known }
     }
 
     /// The roots over a stretch of time, for given models of the states.

@@ -33,6 +33,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Interval, NoValue};
 use crate::tape::Tape;
 use angle::Angle;
+use sharpen::Integrals;
 use step::{Field, Piece};
 
 /// An integrated motion.
@@ -72,8 +73,8 @@ pub struct Enclosure {
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
     given: Vec<Leaf>,
-    /// What is constant along the motion, in basic leaves, with its value at the start.
-    integrals: Vec<(Expr, Interval)>,
+    /// What is constant along the motion.
+    integrals: Option<Integrals>,
 }
 
 impl Enclosure {
@@ -91,7 +92,7 @@ impl Enclosure {
             angles: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
-            integrals: Vec::new(),
+            integrals: None,
         };
         let mut states: Vec<(Leaf, Expr)> = Vec::new();
         if let Source::Derived { states: map, .. } = &setup.source {
@@ -212,7 +213,7 @@ impl Enclosure {
     /// [`Enclosure::restart`] over another span, which must contain the initial time.
     pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
-        let mut new = Enclosure { span, integrals: Vec::new(), ..self.clone() };
+        let mut new = Enclosure { span, integrals: None, ..self.clone() };
         new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
         Some(new)
     }
