@@ -5,7 +5,7 @@ use super::rank::Rank;
 use super::ready::{Ready, Shown};
 use super::refute::certify;
 use super::same::Same;
-use super::{event, span};
+use super::{event, limit, span};
 use crate::check::comparison::{Comparison, Group};
 use crate::check::independence::Gradients;
 use crate::check::program::{Program, Use};
@@ -175,6 +175,6 @@ fn shown(claim: &Claim, how: &Use, ready: &Ready, along: &mut Along) -> Result<S
         Use::Defined => Ok(span::defined(ready, along)),
         Use::Never(_) => Ok(span::never(ready, along)),
         Use::Eventually(_) => Ok(span::eventually(ready, along)),
-        Use::Limit(point) => Ok(span::limit(ready, point, along)),
+        Use::Limit(point) => Ok(limit::limit(ready, point, along)),
     }
 }

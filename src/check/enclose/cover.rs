@@ -142,6 +142,16 @@ impl Along {
         Ok(self.sides.add(resolved))
     }
 
+    /// What stands at a place of what is looked at over stretches, in basic leaves.
+    pub fn difference_at(&self, place: usize) -> Expr {
+        self.differences.roots[place]
+    }
+
+    /// What stands at a place of what is looked at at times, in basic leaves.
+    pub fn side_at(&self, place: usize) -> Expr {
+        self.sides.roots[place]
+    }
+
     /// Compiles what was asked for so far.
     ///
     /// # Errors

@@ -26,6 +26,7 @@ mod claim;
 mod cover;
 mod event;
 mod integral;
+mod limit;
 mod rank;
 mod ready;
 mod refute;

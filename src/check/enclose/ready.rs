@@ -172,6 +172,11 @@ impl<'a> Ready<'a> {
         self.assumptions.len() + sign * self.group.comparisons.len() + comparison
     }
 
+    /// The assumptions that select times: where their differences stand among all, and their kinds.
+    pub fn assumed(&self) -> impl Iterator<Item = (usize, RelationKind)> {
+        self.roots.roots().iter().copied().zip(self.assumptions.iter().copied())
+    }
+
     /// Whether the assumptions that select times hold on a stretch: for certain, for certain not, or unknown.
     pub fn selected(&self, ranges: &Ranges) -> Option<bool> {
         let mut all = Some(true);

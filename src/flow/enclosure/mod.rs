@@ -17,6 +17,7 @@ mod matrix;
 mod set;
 mod sharpen;
 mod step;
+mod tail;
 
 pub use compiled::{Compiled, Reach, Stretch};
 pub use sharpen::Sharp;
@@ -349,6 +350,11 @@ impl Enclosure {
     /// As [`Enclosure::compile`].
     pub fn resolved(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
         self.resolve(graph, e)
+    }
+
+    /// A quantity of which only bounds are known, and that does not depend on anything.
+    pub fn between(&mut self, graph: &mut Graph, value: Interval) -> Expr {
+        self.constant(graph, Ok(value))
     }
 
     /// The derivative along the motion of an expression in its leaves.
