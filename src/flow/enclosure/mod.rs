@@ -15,9 +15,12 @@ mod angle;
 mod compiled;
 mod matrix;
 mod set;
+mod sharpen;
 mod step;
+mod tail;
 
 pub use compiled::{Compiled, Reach, Stretch};
+pub use sharpen::Sharp;
 pub use step::Stop;
 
 use std::collections::BTreeMap;
@@ -31,6 +34,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Interval, NoValue};
 use crate::tape::Tape;
 use angle::Angle;
+use sharpen::Integrals;
 use step::{Field, Piece};
 
 /// An integrated motion.
@@ -70,6 +74,8 @@ pub struct Enclosure {
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
     given: Vec<Leaf>,
+    /// What is constant along the motion.
+    integrals: Option<Integrals>,
 }
 
 impl Enclosure {
@@ -87,6 +93,7 @@ impl Enclosure {
             angles: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
+            integrals: None,
         };
         let mut states: Vec<(Leaf, Expr)> = Vec::new();
         if let Source::Derived { states: map, .. } = &setup.source {
@@ -207,9 +214,19 @@ impl Enclosure {
     /// [`Enclosure::restart`] over another span, which must contain the initial time.
     pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
-        let mut new = Enclosure { span, ..self.clone() };
+        let mut new = Enclosure { span, integrals: None, ..self.clone() };
         new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
         Some(new)
+    }
+
+    /// The time at which the initial state is given.
+    pub fn initial_time(&self) -> f64 {
+        self.initial_time
+    }
+
+    /// The time, as a leaf.
+    pub fn time(&self) -> Leaf {
+        self.time
     }
 
     /// The times between which everything is enclosed.
@@ -333,6 +350,11 @@ impl Enclosure {
     /// As [`Enclosure::compile`].
     pub fn resolved(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
         self.resolve(graph, e)
+    }
+
+    /// A quantity of which only bounds are known, and that does not depend on anything.
+    pub fn between(&mut self, graph: &mut Graph, value: Interval) -> Expr {
+        self.constant(graph, Ok(value))
     }
 
     /// The derivative along the motion of an expression in its leaves.

@@ -25,8 +25,10 @@ mod model;
 #[cfg(test)]
 mod model_tests;
 mod round;
+mod tail;
 
-pub use model::TaylorModel;
+pub use model::{NODES, TaylorModel};
+pub use tail::{Limit, Tail};
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
 use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};
