@@ -24,9 +24,13 @@ pub(crate) mod faults;
 mod model;
 #[cfg(test)]
 mod model_tests;
-mod round;
+mod precise;
+#[cfg(test)]
+mod precise_tests;
+pub(in crate::number) mod round;
 
 pub use model::TaylorModel;
+pub use precise::{Precise, PreciseModel};
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
 use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};
