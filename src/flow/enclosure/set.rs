@@ -10,7 +10,7 @@
 //! [Mrozek & Zgliczyński 2000, §3]: https://doi.org/10.4064/ap-74-1-237-259
 
 use super::matrix::{
-    apply, apply_point, identity, inverse, middle, orthogonal, rough_inverse, times, times_point, transpose,
+    apply, apply_point, identity, inverse, middle, orthogonal, rough_inverse, solve, times, times_point, transpose,
 };
 use crate::number::{DoubleDouble, Interval, Precise, Scalar};
 
@@ -125,10 +125,9 @@ impl Set {
         if condition.is_nan() || condition >= WORST_CONDITION || faults::no_rotation() {
             return None;
         }
-        let back = inverse(&directions, &rough, n)?;
         let rest: Vec<Interval> = moved.iter().zip(&directions).map(|(&m, &d)| m - Interval::point(d)).collect();
         let fresh: Vec<Interval> = apply(&rest, &self.errors).iter().zip(error).map(|(&r, &e)| r + e).collect();
-        let added = apply(&back, &fresh);
+        let added = solve(&directions, &rough, &fresh)?;
         if condition > GOOD_CONDITION {
             // Directions are renewed when what a step adds is no longer small against what is there.
             let size = |v: &[Interval]| apply_point(&directions, v).iter().map(Interval::width).fold(0.0, f64::max);

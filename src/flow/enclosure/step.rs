@@ -30,7 +30,7 @@ use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
 /// Order of the Taylor polynomials of Φ, and of p.
-const ORDER: usize = 18;
+const ORDER: usize = 12;
 const POINT_ORDER: usize = 24;
 /// The last terms of the series shall be below this part of the largest state.
 const REMAINDER: f64 = 1e-17;
@@ -43,7 +43,7 @@ const WIDEST: f64 = 0.5;
 /// More than all roundings of a sum of a few hundred terms that are not negative, as a factor.
 const UP: f64 = 1.0 + 1e-12;
 /// Largest number of steps in one direction.
-const MAX_STEPS: usize = 2_000;
+const MAX_STEPS: usize = 20_000;
 /// After so many steps it is asked whether the end is within reach.
 const OUTLOOK: usize = 100;
 
@@ -167,16 +167,15 @@ impl Piece {
     fn map(&self, after: Interval) -> (Vec<Interval>, Vec<Interval>) {
         let s = self.place(after);
         let shift = self.moved.iter().zip(&self.errors).map(|(m, &w)| m.at(s) + Interval::ball(0.0, w)).collect();
-        (shift, self.jacobian(after))
+        (shift, self.jacobian(|phi| phi.at(s)))
     }
 
-    /// Its derivative.
-    fn jacobian(&self, after: Interval) -> Vec<Interval> {
+    /// Its derivative, from values of the entries of Φ.
+    fn jacobian(&self, at: impl Fn(&TaylorModel) -> Interval) -> Vec<Interval> {
         let n = self.set.centre.len();
-        let s = self.place(after);
         let mut jacobian = vec![Interval::ZERO; n * n];
         for (phi, &(i, j)) in self.derivatives.iter().zip(self.entries.iter()) {
-            jacobian[i * n + j] = phi.at(s);
+            jacobian[i * n + j] = at(phi);
         }
         jacobian
     }
@@ -409,7 +408,11 @@ impl Field {
             spread: tube.spread,
             hull: tube.hull,
         };
-        match set.image(&shift, &piece.jacobian(exact)) {
+        let jacobian = match exact.is_point() {
+            true => piece.jacobian(TaylorModel::at_end),
+            false => piece.jacobian(|phi| phi.at(piece.place(exact))),
+        };
+        match set.image(&shift, &jacobian) {
             Some(next) => Ok((piece, next)),
             None => Err("the image of the set is not finite".to_owned()),
         }
@@ -552,7 +555,7 @@ impl Field {
             limit(rows().map(|c| c[k].high().abs()).fold(0.0, f64::max), most, k, reach);
         }
         let rows = || bench.coefficients.chunks_exact(ORDER + 1).skip(self.dimension());
-        for (k, reach) in [(TaylorModel::DEGREE + 1, 2.0), (ORDER - 1, 1.0), (ORDER, 1.0)] {
+        for (k, reach) in [(ORDER - 1, 1.0), (ORDER, 1.0)] {
             limit(rows().map(|c| c[k].abs()).fold(0.0, f64::max), env("DER", 1e-10), k, reach);
         }
         step

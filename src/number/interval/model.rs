@@ -267,6 +267,12 @@ impl TaylorModel {
         sum + Interval::ball(0.0, self.rest)
     }
 
+    /// All values at s = 1.
+    pub fn at_end(&self) -> Interval {
+        let sum: f64 = self.coefficients.iter().sum();
+        Interval::ball(sum, (self.rest + ROOM as f64 * unit() * self.norm(0)) * GROW)
+    }
+
     /// Checks, and leaves out what is negligible.
     #[inline(always)]
     fn finish(&mut self, size: f64) -> Result<(), NoValue> {
