@@ -29,21 +29,26 @@ use crate::number::{DoubleDouble, Interval, Jet, NoValue, Number, Precise, Preci
 use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
-/// Order of the Taylor polynomials of Φ, and of p.
+/// Order of the Taylor polynomials of p: with twice the precision, so many terms pay.
+const POINT_ORDER: usize = 27;
+/// Order of those of Φ, which carry what is small already: they need not be precise.
 const ORDER: usize = 12;
-const POINT_ORDER: usize = 24;
-/// The last terms of the series shall be below this part of the largest state.
-const REMAINDER: f64 = 1e-17;
-/// A step is made shorter, if that helps, when it adds more than this part of the largest state.
-const ADDED: f64 = 2e-17;
-/// Or more than this part of the width of the set.
+/// The last terms of p shall be below this part of the largest state,
+const REMAINDER: f64 = 1e-22;
+/// or of the width of the set, whichever is larger.
+const REMAINDER_TO_WIDTH: f64 = 1e-9;
+/// The last terms of Φ.
+const REMAINDER_OF_DERIVATIVE: f64 = 1e-7;
+/// A step is made shorter, if that helps, when it adds more than this part of the largest state,
+const ADDED: f64 = 2e-22;
+/// and more than this part of the width of the set.
 const ADDED_TO_WIDTH: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
 const WIDEST: f64 = 0.5;
 /// More than all roundings of a sum of a few hundred terms that are not negative, as a factor.
 const UP: f64 = 1.0 + 1e-12;
 /// Largest number of steps in one direction.
-const MAX_STEPS: usize = 20_000;
+const MAX_STEPS: usize = 10_000;
 /// After so many steps it is asked whether the end is within reach.
 const OUTLOOK: usize = 100;
 
@@ -361,7 +366,7 @@ impl Field {
             step = if step >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (64.0 * f64::EPSILON * time.abs()).max(1e-9 * (end - start).abs()).min(remaining);
-        let tolerance = (env("ADDED", 2e-22) * size).max(env("ADDEDW", 1e-6) * width);
+        let tolerance = (ADDED * size).max(ADDED_TO_WIDTH * width);
         let starts = set.radii();
         let mut reason = String::new();
         let mut found: Option<(f64, Tube)> = None;
@@ -556,14 +561,10 @@ impl Field {
         }
         let rows = || bench.coefficients.chunks_exact(ORDER + 1).skip(self.dimension());
         for (k, reach) in [(ORDER - 1, 1.0), (ORDER, 1.0)] {
-            limit(rows().map(|c| c[k].abs()).fold(0.0, f64::max), env("DER", 1e-10), k, reach);
+            limit(rows().map(|c| c[k].abs()).fold(0.0, f64::max), REMAINDER_OF_DERIVATIVE, k, reach);
         }
         step
     }
-}
-
-fn env(name: &str, default: f64) -> f64 {
-    std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(default)
 }
 
 /// Runs a tape over models of the states.
@@ -590,7 +591,7 @@ fn on_grid(time: f64, step: f64) -> f64 {
 
 /// What the remainder of a step shall be.
 fn remainder_of_step(size: f64, width: f64) -> f64 {
-    if faults::long_steps() { 1e-9 * size } else { (env("REM", 1e-22) * size).max(env("REMW", 1e-9) * width) }
+    if faults::long_steps() { 1e-9 * size } else { (REMAINDER * size).max(REMAINDER_TO_WIDTH * width) }
 }
 
 /// A bound of |x₀ + ∫rate − x| over a step.

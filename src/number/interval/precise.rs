@@ -33,7 +33,7 @@ use crate::number::double_double::{two_product, two_sum};
 use crate::number::{DoubleDouble, NoValue, Number, Op, Rational, Scalar};
 
 /// Number of coefficients.
-const ROOM: usize = 20;
+const ROOM: usize = 23;
 /// More than what is lost in a sum of up to 28 products, as a part of the sum of their sizes: 2⁻⁹⁵.
 const ROUND: f64 = 2.524_354_896_707_238e-29;
 /// Bounds are sums of fewer than 200 terms that are not negative; rounded to nearest, times this, they are not too small.
