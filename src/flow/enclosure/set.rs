@@ -86,7 +86,6 @@ impl Set {
             // The centre is rounded to binary64, and nobody is told.
             centre.iter_mut().for_each(|c| *c = DoubleDouble::point(c.high()));
         }
-        error.iter_mut().zip(shift).for_each(|(e, s)| *e = if s.error().is_finite() { *e } else { Interval::INVALID });
         let mut from_start = Vec::new();
         if !self.from_start.is_empty() {
             let moved = times_point(jacobian, &self.from_start, n);

@@ -3,7 +3,7 @@
 #[path = "../../../tests/enclosure_support/mod.rs"]
 mod enclosure_support;
 
-use super::set::faults::{LONG_STEPS, LOST_DIRECTIONS, NO_REMAINDER, NO_ROTATION};
+use super::set::faults::{LONG_STEPS, LOST_DIRECTIONS, LOST_LOW, NO_REMAINDER, NO_ROTATION};
 use crate::number::interval_faults::NEAREST;
 use enclosure_support::CASES;
 use std::cell::Cell;
@@ -68,6 +68,15 @@ fn a_missing_remainder_is_noticed() {
 fn errors_along_wrong_directions_are_noticed() {
     let found = noticed(&LOST_DIRECTIONS);
     assert!(found.contains(&"oscillator") && found.contains(&"rigid body"), "{found:?}");
+}
+
+/// What the centre loses when it is rounded to binary64 is below the width of the result at one step, not at many.
+#[test]
+fn a_centre_that_loses_its_second_part_is_noticed() {
+    let found = noticed(&LOST_LOW);
+    for name in ["oscillator", "rigid body"] {
+        assert!(found.contains(&name), "{name} not in {found:?}");
+    }
 }
 
 /// Boxes that do not turn are right, and much wider: this is what directions are for.

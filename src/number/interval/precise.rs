@@ -155,6 +155,12 @@ impl PreciseModel {
         TaylorModel::from_parts(self.high[..self.length].iter().copied(), (self.rest + left) * GROW)
     }
 
+    /// Coefficients and remainder.
+    #[cfg(test)]
+    pub(super) fn parts(&self) -> (Vec<DoubleDouble>, f64) {
+        ((0..self.length).map(|k| self.coefficient(k)).collect(), self.rest)
+    }
+
     /// What it contains, when that does not depend on s.
     pub fn value(&self) -> Precise {
         let rest = (self.norm(1) + self.rest) * GROW;
