@@ -161,12 +161,12 @@ pub(super) mod faults {
         pub static NO_REMAINDER: Cell<bool> = const { Cell::new(false) };
         /// Forget the second part of the centre.
         pub static LOST_LOW: Cell<bool> = const { Cell::new(false) };
-        /// No mistake: steps so long that their remainders count.
-        pub static LONG_STEPS: Cell<bool> = const { Cell::new(false) };
+        /// No mistake: a p of so low an order that its remainder counts.
+        pub static SHORT_SERIES: Cell<bool> = const { Cell::new(false) };
     }
 
-    pub fn long_steps() -> bool {
-        LONG_STEPS.get()
+    pub fn short_series() -> bool {
+        SHORT_SERIES.get()
     }
 
     pub fn no_rotation() -> bool {
@@ -187,7 +187,7 @@ pub(super) mod faults {
 #[cfg(not(test))]
 pub(super) mod faults {
     #[inline(always)]
-    pub fn long_steps() -> bool {
+    pub fn short_series() -> bool {
         false
     }
     #[inline(always)]

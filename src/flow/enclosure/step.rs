@@ -382,7 +382,7 @@ impl Field {
                     if better {
                         found = Some((to, tube));
                     }
-                    if !better || added <= tolerance || faults::long_steps() {
+                    if !better || added <= tolerance || faults::short_series() {
                         break;
                     }
                 }
@@ -445,7 +445,8 @@ impl Field {
         let polynomial = |c: &[f64]| TaylorModel::close_to(c, h).map_err(shape);
         let no_rate = |(i, reason)| self.no_rate(i, reason);
         // p without x̂.
-        let from_zero = |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..]].concat(), h);
+        let terms = if faults::short_series() { 8 } else { POINT_ORDER };
+        let from_zero = |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..=terms]].concat(), h);
         let point = bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
         let moved: Vec<PreciseModel> = point.map(from_zero).collect::<Result<_, _>>().map_err(shape)?;
         let from = |(m, &c): (&PreciseModel, &DoubleDouble)| {
@@ -553,7 +554,7 @@ impl Field {
                 step = step.min(reach * pxfm::f_exp(pxfm::f_log(most / last) / order as f64));
             }
         };
-        let most = remainder_of_step(size, width);
+        let most = (REMAINDER * size).max(REMAINDER_TO_WIDTH * width);
         let rows = || bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
         // Around its middle a step reaches half as far.
         for (k, reach) in [(PreciseModel::DEGREE + 1, 2.0), (POINT_ORDER - 1, 1.0), (POINT_ORDER, 1.0)] {
@@ -587,11 +588,6 @@ fn on_grid(time: f64, step: f64) -> f64 {
     let grid = f64::from_bits(exponent << 52);
     let near = (time / grid).round() * grid;
     if near.is_finite() { near } else { time }
-}
-
-/// What the remainder of a step shall be.
-fn remainder_of_step(size: f64, width: f64) -> f64 {
-    if faults::long_steps() { 1e-9 * size } else { (REMAINDER * size).max(REMAINDER_TO_WIDTH * width) }
 }
 
 /// A bound of |x₀ + ∫rate − x| over a step.
