@@ -10,10 +10,10 @@
 use super::comparison::Standing;
 use super::describe::{Describer, short};
 use super::program::Use;
-use super::trial::{Applied, Measurements, Trial, Values, all_of, apply, incomplete, measure, not_applicable};
+use super::trial::{Applied, Measurements, Trial, all_of, apply, incomplete, measure, not_applicable};
 use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Judged, Left, weigh};
-use crate::flow::Incomplete;
+use crate::flow::{Incomplete, Points};
 use crate::latex::RelationKind;
 use crate::number::NoValue;
 
@@ -39,7 +39,7 @@ pub(super) struct Between<'a> {
     /// The times, increasing.
     pub times: Vec<f64>,
     /// The values at these times.
-    points: Vec<Values>,
+    points: Points,
     roles: Vec<Role>,
     /// What the search leaves open, in words.
     open: Vec<String>,
@@ -97,11 +97,11 @@ impl<'a> Between<'a> {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let point = |&(t, role): &(f64, Role)| match role {
-            Role::Crossing(slack) => course.values_at_event(t, slack),
-            _ => course.values(t),
+        let event = |&(t, role): &(f64, Role)| match role {
+            Role::Crossing(slack) => (t, Some(slack)),
+            _ => (t, None),
         };
-        let points: Vec<Values> = found.iter().map(point).collect();
+        let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
         // Where the sign changes, the sides are equal.
         for group in &mut measured.groups {

@@ -5,10 +5,10 @@
 
 use super::comparison::{Comparison, Group, at_instant, traced};
 use super::steep::exponents;
-use super::trial::Values;
 use super::weigh::{Measured, Series};
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
+use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
 use crate::number::{Bounded, BoundedLanes, NoValue, Rational};
 use crate::tape::{Slots, Tape};
@@ -339,6 +339,11 @@ impl Program {
         Ok(())
     }
 
+    /// The positions among the leaves of a point of everything that is needed.
+    pub fn inputs(&self) -> &[usize] {
+        &self.inputs
+    }
+
     /// The position among the leaves of a point of an input of the tape.
     pub fn input(&self, position: usize) -> Option<usize> {
         self.inputs.get(position).copied()
@@ -355,70 +360,86 @@ impl Program {
     }
 
     /// Evaluates everything at a point, for one sign of ±; what was found stays in the slots.
-    pub fn run(&self, values: &[Result<Bounded, NoValue>], sign: f64, slots: &mut Option<Slots<Bounded>>) {
+    pub fn run(&self, values: Sample, sign: f64, slots: &mut Option<Slots<Bounded>>) {
         let Some(tape) = &self.tape else { return };
         let slots = slots.get_or_insert_with(|| tape.slots(&()));
         for (i, &at) in self.inputs.iter().enumerate() {
-            slots.set(i, values.get(at).copied().unwrap_or(Err(NoValue::OutOfDomain)));
+            slots.set(i, values.get(at));
         }
         slots.set(self.inputs.len(), Ok(Bounded::exact(sign)));
         tape.run(&(), slots);
     }
 
-    /// Evaluates everything at a block of points; whether every comparison has a value at each of them.
-    fn run_block(&self, tape: &Tape, block: &[Values], sign: f64, slots: &mut Slots<BoundedLanes<BLOCK>>) -> bool {
+    /// Evaluates everything at a block of points; `false` where some input has a value at some of the points only.
+    fn run_block(
+        &self,
+        tape: &Tape,
+        (points, from): (&Points, usize),
+        sign: f64,
+        slots: &mut Slots<BoundedLanes<BLOCK>>,
+    ) -> bool {
         for (i, &at) in self.inputs.iter().enumerate() {
-            let mut lanes = BoundedLanes::splat(Bounded::exact(0.0));
-            for (lane, values) in block.iter().enumerate() {
-                // What some comparison needs has no value: the points one by one.
-                let Some(Ok(x)) = values.get(at) else { return false };
-                lanes.set_lane(lane, *x);
-            }
-            slots.set(i, Ok(lanes));
+            let lanes = match points.absent(at) {
+                Some(reason) => Err(reason),
+                None => match points.lanes(from, at) {
+                    Some(lanes) => Ok(lanes),
+                    None => return false,
+                },
+            };
+            slots.set(i, lanes);
         }
         slots.set(self.inputs.len(), Ok(BoundedLanes::splat(Bounded::exact(sign))));
         tape.run(&(), slots);
-        (0..tape.output_count()).all(|k| tape.output(k, slots).is_ok())
+        true
     }
 
     /// Measures every comparison at the points, for one sign of ±: `[comparison][point]`.
-    pub fn measure(&self, points: &[Values], sign: f64) -> Vec<Series> {
+    pub fn measure(&self, points: &Points, sign: f64) -> Vec<Series> {
         let Some(tape) = &self.tape else { return Vec::new() };
         let count = tape.output_count() / 4;
         let mut out: Vec<Series> = (0..count).map(|_| Vec::with_capacity(points.len())).collect();
         let (mut single, mut lanes) = (None, None);
         let mut failed = 0;
-        for block in points.chunks(BLOCK) {
-            if block.len() == BLOCK && failed < PATIENCE {
+        // What depends on something that has no value at any of the points has none either.
+        let absent: Vec<bool> = self.inputs.iter().map(|&at| points.absent(at).is_some()).collect();
+        let never = tape.depends(&absent);
+        for from in (0..points.len()).step_by(BLOCK) {
+            if from + BLOCK <= points.len() && failed < PATIENCE {
                 let slots = lanes.get_or_insert_with(|| tape.slots::<BoundedLanes<BLOCK>>(&()));
-                if self.run_block(tape, block, sign, slots) {
+                let valued = |slots: &_| (0..4 * count).all(|o| never[o] || tape.output(o, slots).is_ok());
+                if self.run_block(tape, (points, from), sign, slots) && valued(slots) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
-                        let output = |n: usize| slots.value(tape.output_slot(4 * k + n));
-                        let (left, right, difference, magnitude) = (output(0), output(1), output(2), output(3));
-                        series.extend((0..BLOCK).map(|i| {
-                            let (left, right) = (left.lane(i), right.lane(i));
-                            let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
-                            Ok(Measured { left, right, difference, magnitude })
-                        }));
+                        match four(|n| tape.output(4 * k + n, slots).copied()) {
+                            Ok([left, right, difference, magnitude]) => series.extend((0..BLOCK).map(|i| {
+                                let (left, right) = (left.lane(i), right.lane(i));
+                                let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
+                                Ok(Measured { left, right, difference, magnitude })
+                            })),
+                            Err(reason) => series.extend([Err(reason); BLOCK]),
+                        }
                     }
                     continue;
                 }
                 failed += 1;
             }
-            for values in block {
-                self.run(values, sign, &mut single);
+            for at in from..(from + BLOCK).min(points.len()) {
+                self.run(points.sample(at), sign, &mut single);
                 let Some(slots) = &single else { continue };
                 for (k, series) in out.iter_mut().enumerate() {
-                    let output = |n: usize| tape.output(4 * k + n, slots).copied();
-                    let one = || {
-                        let (left, right, difference) = (output(0)?, output(1)?, output(2)?);
-                        Ok(Measured { left, right, difference, magnitude: output(3)?.value })
+                    let of = |[left, right, difference, magnitude]: [Bounded; 4]| {
+                        let magnitude = magnitude.value;
+                        Measured { left, right, difference, magnitude }
                     };
-                    series.push(one());
+                    series.push(four(|n| tape.output(4 * k + n, slots).copied()).map(of));
                 }
             }
         }
         out
     }
+}
+
+/// The four outputs of a comparison, or why the first that has no value has none.
+fn four<T>(output: impl Fn(usize) -> Result<T, NoValue>) -> Result<[T; 4], NoValue> {
+    Ok([output(0)?, output(1)?, output(2)?, output(3)?])
 }

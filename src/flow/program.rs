@@ -3,9 +3,9 @@
 use num_dual::Dual;
 
 use super::core::Core;
-use super::trajectory::ORDER;
+use super::trajectory::{ORDER, Place, Trajectory};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -16,6 +16,8 @@ enum Input {
     Constant(usize),
     /// 2π times the number of turns of an angle.
     Turns(usize),
+    /// What no output depends on.
+    Unused,
 }
 
 /// Expressions in the basic leaves of a motion, as one tape.
@@ -44,6 +46,18 @@ impl Base for f64 {
 impl Base for Bounded {
     fn from_bounded(x: Bounded) -> Bounded {
         x
+    }
+}
+
+impl<const N: usize> Base for BoundedLanes<N> {
+    fn from_bounded(x: Bounded) -> BoundedLanes<N> {
+        BoundedLanes::splat(x)
+    }
+}
+
+impl<const N: usize> Base for Lanes<N> {
+    fn from_bounded(x: Bounded) -> Lanes<N> {
+        Lanes::splat(x.value)
     }
 }
 
@@ -77,6 +91,12 @@ pub(super) struct DualBench {
 /// Number of turns of every angle at one time, or why it has none.
 pub(super) type Turns = Vec<Result<i64, NoValue>>;
 
+/// Operations with a branch point, and the slots of their first arguments.
+fn branches(tape: &Tape) -> Vec<(Op, usize)> {
+    let some = tape.instructions().iter().filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos));
+    some.map(|i| (i.op, i.a as usize)).collect()
+}
+
 /// 2π·n with its rounding error.
 fn turns(n: i64) -> Result<Bounded, NoValue> {
     if n == 0 {
@@ -86,6 +106,113 @@ fn turns(n: i64) -> Result<Bounded, NoValue> {
     pi.pi(&())?;
     out.mul(&(), &pi, &Bounded::exact(2.0 * n as f64))?;
     Ok(out)
+}
+
+/// One time, or several, around which a program is expanded.
+trait When<B> {
+    /// The time.
+    fn time(&self) -> B;
+    /// Whether it lies between two times.
+    fn is_within(&self, reach: (f64, f64)) -> bool;
+    /// A state.
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B;
+    /// The polynomial of the step in which the time lies, around it.
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]);
+    /// 2π times the number of turns of an angle.
+    fn turns(&self, angle: usize) -> Result<B, NoValue>;
+}
+
+/// One time.
+struct Instant<'a> {
+    t: f64,
+    place: Option<Place>,
+    turns: &'a Turns,
+}
+
+fn turns_of(all: &Turns, angle: usize) -> Result<Bounded, NoValue> {
+    all.get(angle).copied().unwrap_or(Err(NoValue::Indeterminate)).and_then(turns)
+}
+
+impl<B: Base> When<B> for Instant<'_> {
+    fn time(&self) -> B {
+        B::from_bounded(Bounded::exact(self.t))
+    }
+    fn is_within(&self, (from, to): (f64, f64)) -> bool {
+        from <= self.t && self.t <= to
+    }
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
+        self.place.map_or(B::INVALID, |place| B::from_bounded(trajectory.bounded(place, i)))
+    }
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
+        let mut polynomial = [0.0; ORDER + 1];
+        let polynomial = &mut polynomial[..out.len().min(ORDER + 1)];
+        if let Some(place) = self.place {
+            trajectory.around(place, i, polynomial);
+        }
+        for (to, &from) in out.iter_mut().zip(polynomial.iter()) {
+            *to = B::from_bounded(Bounded::exact(from));
+        }
+    }
+    fn turns(&self, angle: usize) -> Result<B, NoValue> {
+        turns_of(self.turns, angle).map(B::from_bounded)
+    }
+}
+
+/// Several times.
+struct Instants<'a, const N: usize> {
+    times: &'a [f64; N],
+    places: Option<[Place; N]>,
+    turns: &'a [Turns; N],
+}
+
+/// Numbers of several times.
+pub(super) trait Wide<const N: usize>: Base {
+    /// One for each time.
+    fn of(each: [Bounded; N]) -> Self;
+}
+
+impl<const N: usize> Wide<N> for BoundedLanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        BoundedLanes::of(each)
+    }
+}
+
+impl<const N: usize> Wide<N> for Lanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        Lanes(each.map(|x| x.value))
+    }
+}
+
+impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
+    fn time(&self) -> B {
+        B::of(self.times.map(Bounded::exact))
+    }
+    fn is_within(&self, (from, to): (f64, f64)) -> bool {
+        self.times.iter().all(|&t| from <= t && t <= to)
+    }
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
+        match self.places {
+            Some(places) => B::of(places.map(|place| trajectory.bounded(place, i))),
+            None => B::INVALID,
+        }
+    }
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
+        let mut each = [[0.0; N]; ORDER + 1];
+        let length = out.len().min(ORDER + 1);
+        if let Some(places) = &self.places {
+            trajectory.around_lanes(places, i, &mut each[..length]);
+        }
+        for (to, from) in out.iter_mut().zip(each) {
+            *to = B::of(from.map(Bounded::exact));
+        }
+    }
+    fn turns(&self, angle: usize) -> Result<B, NoValue> {
+        let mut each = [Bounded::exact(0.0); N];
+        for (x, all) in each.iter_mut().zip(self.turns) {
+            *x = turns_of(all, angle)?;
+        }
+        Ok(B::of(each))
+    }
 }
 
 impl Program {
@@ -113,13 +240,21 @@ impl Program {
         let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
         let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
-        let branches = tape
-            .instructions()
-            .iter()
-            .filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos))
-            .map(|i| (i.op, i.a as usize))
-            .collect();
+        let branches = branches(&tape);
         Ok(Program { tape, inputs, moving, needs, branches })
+    }
+
+    /// The same for some of the outputs, in the order of `outputs`.
+    pub(super) fn part(&self, outputs: &[usize]) -> Program {
+        let tape = self.tape.part(outputs);
+        let mut used = vec![false; tape.slot_count()];
+        tape.instructions().iter().for_each(|i| [i.a, i.b].iter().for_each(|&slot| used[slot as usize] = true));
+        (0..outputs.len()).for_each(|i| used[tape.output_slot(i)] = true);
+        let kept = |(&input, used): (&Input, &bool)| if *used { input } else { Input::Unused };
+        let inputs: Vec<Input> = self.inputs.iter().zip(&used).map(kept).collect();
+        let needs: Vec<bool> = (0..self.needs.len()).map(|i| inputs.contains(&Input::State(i))).collect();
+        let (moving, branches) = (needs.contains(&true), branches(&tape));
+        Program { tape, inputs, moving, needs, branches }
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -145,7 +280,7 @@ impl Program {
     }
 
     /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
-    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+    pub(super) fn bench_of_steps<B: Base>(&self, core: &Core, degree: usize) -> Bench<B> {
         self.memory(core, degree, true)
     }
 
@@ -170,33 +305,41 @@ impl Program {
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
     pub(super) fn run<B: Base>(&self, core: &Core, bench: &mut Bench<B>, t: f64, of: &Turns) {
+        let place = core.orbit.as_deref().filter(|_| self.moving).map(|o| o.trajectory.place(t));
+        self.expand(core, bench, &Instant { t, place, turns: of });
+    }
+
+    /// Expands all outputs around several times at once. An output has a value only if it has one at all of them.
+    pub(super) fn run_lanes<const N: usize, B: Wide<N>>(
+        &self,
+        core: &Core,
+        bench: &mut Bench<B>,
+        times: &[f64; N],
+        of: &[Turns; N],
+    ) {
+        let places = core.orbit.as_deref().filter(|_| self.moving).map(|o| times.map(|t| o.trajectory.place(t)));
+        self.expand(core, bench, &Instants { times, places, turns: of });
+    }
+
+    fn expand<B: Base>(&self, core: &Core, bench: &mut Bench<B>, when: &impl When<B>) {
         let orders = Orders::all(bench.degree);
         let row = bench.degree + 1;
         let mut missing = None;
         if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
-            let (from, to) = orbit.trajectory.reach();
-            let place = orbit.trajectory.place(t);
             for (i, (x, &needed)) in bench.state.iter_mut().zip(&self.needs).enumerate() {
                 // The field needs all states, the value of the outputs only their own.
                 if needed || bench.field.is_some() {
-                    *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+                    *x = when.state(&orbit.trajectory, i);
                 }
             }
-            let outside = !(from <= t && t <= to);
-            if outside || bench.state.iter().any(|x| x.checked().is_err()) {
+            if !when.is_within(orbit.trajectory.reach()) || bench.state.iter().any(|x| x.checked().is_err()) {
                 missing = Some(NoValue::Indeterminate);
             } else if let Some(field) = &mut bench.field {
-                let time = B::from_bounded(Bounded::exact(t));
-                let grown = orbit.flow.expand(field, bench.degree, time, &bench.state, &mut bench.coefficients);
+                let grown = orbit.flow.expand(field, bench.degree, when.time(), &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
             } else if bench.of_steps {
-                let mut polynomial = [0.0; ORDER + 1];
-                let polynomial = &mut polynomial[..row.min(ORDER + 1)];
                 for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
-                    orbit.trajectory.around(place, i, polynomial);
-                    for (to, &from) in bench.coefficients[i * row..].iter_mut().zip(polynomial.iter()) {
-                        *to = B::from_bounded(Bounded::exact(from));
-                    }
+                    when.polynomial(&orbit.trajectory, i, &mut bench.coefficients[i * row..(i + 1) * row]);
                 }
             } else {
                 bench.coefficients.copy_from_slice(&bench.state);
@@ -204,10 +347,10 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             match *input {
-                Input::Constant(_) => {}
+                Input::Constant(_) | Input::Unused => {}
                 Input::Time => {
                     let slot = bench.slots.value_mut(at);
-                    slot.set_coefficient(0, B::from_bounded(Bounded::exact(t)));
+                    slot.set_coefficient(0, when.time());
                     slot.set_coefficient(1, B::integer(1));
                 }
                 Input::State(i) => {
@@ -223,12 +366,12 @@ impl Program {
                         slot.set_coefficient(k, c);
                     }
                 }
-                Input::Turns(i) => match of.get(i).copied().unwrap_or(Err(NoValue::Indeterminate)).and_then(turns) {
+                Input::Turns(i) => match when.turns(i) {
                     Ok(shift) => {
                         if bench.slots.missing(at).is_some() {
                             bench.slots.set(at, Ok(Jet::constant(B::ZERO, &orders)));
                         }
-                        bench.slots.value_mut(at).set_coefficient(0, B::from_bounded(shift));
+                        bench.slots.value_mut(at).set_coefficient(0, shift);
                     }
                     Err(reason) => bench.slots.set(at, Err(reason)),
                 },
@@ -266,6 +409,28 @@ impl Program {
                 };
                 bench.slots.missing(slot).is_none() && argument.is_constant() && branch
             })
+    }
+
+    /// Whether an operation may have been evaluated at its branch point at one of several times.
+    pub(super) fn may_be_at_branch_point<const N: usize>(&self, bench: &Bench<BoundedLanes<N>>) -> bool {
+        bench.degree > 0
+            && self.branches.iter().any(|&(op, slot)| {
+                let argument = bench.slots.value(slot).coefficient(0);
+                let branch = |x: Bounded| match op {
+                    Op::Arcsin | Op::Arccos => {
+                        let one = Bounded::exact(1.0);
+                        (one - x).is_zero() || (one + x).is_zero()
+                    }
+                    _ => x.is_zero(),
+                };
+                bench.slots.missing(slot).is_none() && (0..N).any(|i| branch(argument.lane(i)))
+            })
+    }
+
+    /// For each output, whether it has no value at any time, since a constant that it depends on has none.
+    pub(super) fn never_valued(&self, core: &Core) -> Vec<bool> {
+        let constant = |input: &Input| matches!(input, Input::Constant(i) if core.constants[*i].value.is_err());
+        self.tape.depends(&self.inputs.iter().map(constant).collect::<Vec<bool>>())
     }
 
     /// An output after [`Program::run`].
@@ -313,18 +478,13 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             let value = match *input {
-                Input::Constant(_) => continue,
+                Input::Constant(_) | Input::Unused => continue,
                 Input::Time => Ok(Dual::new(t, 1.0)),
                 Input::State(i) => match missing {
                     Some(reason) => Err(reason),
                     None => Ok(Dual::new(bench.coefficients[2 * i], bench.coefficients[2 * i + 1])),
                 },
-                Input::Turns(i) => of
-                    .get(i)
-                    .copied()
-                    .unwrap_or(Err(NoValue::Indeterminate))
-                    .and_then(turns)
-                    .map(|x| Dual::new(x.value, 0.0)),
+                Input::Turns(i) => turns_of(of, i).map(|x| Dual::new(x.value, 0.0)),
             };
             bench.slots.set(at, value);
         }

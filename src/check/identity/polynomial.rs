@@ -10,7 +10,7 @@ pub(super) fn fraction(graph: &mut Graph, e: Expr) -> (Expr, Expr) {
     for node in graph.reachable([e]) {
         let value = match graph.node(node).clone() {
             Node::Constant(r) => {
-                let (top, under) = r.into_parts();
+                let (top, under) = Rational::clone(&r).into_parts();
                 let top = graph.constant(Rational::from(top));
                 (top, graph.constant(Rational::from(under)))
             }
@@ -52,7 +52,7 @@ pub(super) fn factors(graph: &Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
     let mut stack = vec![(e, 1i32)];
     while let Some((e, k)) = stack.pop() {
         match graph.node(e) {
-            Node::Constant(r) if *r != Rational::ZERO && k.unsigned_abs() <= 64 => q *= r.pow(k as isize),
+            Node::Constant(r) if **r != Rational::ZERO && k.unsigned_abs() <= 64 => q *= r.pow(k as isize),
             Node::Unary(Op::Neg, a) => {
                 if k % 2 != 0 {
                     q = -q;

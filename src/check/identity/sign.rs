@@ -72,9 +72,9 @@ impl Facts {
         let at = |e: Expr| known.get(&e).copied().unwrap_or_default();
         match *graph.node(node) {
             Node::Constant(ref r) => Known {
-                not_negative: *r >= Rational::ZERO,
-                not_positive: *r <= Rational::ZERO,
-                nonzero: *r != Rational::ZERO,
+                not_negative: **r >= Rational::ZERO,
+                not_positive: **r <= Rational::ZERO,
+                nonzero: **r != Rational::ZERO,
             },
             Node::Pi => Known { not_negative: true, not_positive: false, nonzero: true },
             Node::Leaf(leaf) => match generators.get(leaf) {

@@ -33,6 +33,7 @@ use crate::check::verdict::Outcome;
 use crate::check::{CheckError, one_pair};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
 use crate::latex::{self, RelationKind, Role};
 
@@ -102,7 +103,7 @@ fn is_absent(pair: &PairAccount) -> bool {
 
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
-    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &mut [Course]) -> Result<(), CheckError> {
+    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &[Course]) -> Result<(), CheckError> {
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut motions: Vec<Vec<usize>> = Vec::new();
         for (k, account) in accounts.iter_mut().enumerate() {
@@ -180,7 +181,7 @@ impl Search<'_> {
         self.points(k, asked, 6).iter().all(|(start, points)| {
             let Some(battery) = Battery::new(graph, &group, *start, Vec::new(), sign) else { return false };
             let placed = Placed::new(battery, &self.altered.known);
-            points.iter().all(|point| !placed.has_values(point, 0, formula.parts.len()))
+            points.iter().all(|point| !placed.has_values(Sample::Alone(point), 0, formula.parts.len()))
         })
     }
 
@@ -269,7 +270,8 @@ impl Search<'_> {
                 let Some(battery) = Battery::new(graph, &group, *start, left.clone(), sign) else { continue };
                 let placed = Placed::new(battery, known);
                 let precision = claim.precision;
-                let evidence = Evidence { points, first_counts: false, precision, one_sign_throughout: false };
+                let points: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
+                let evidence = Evidence { points: &points, first_counts: false, precision, one_sign_throughout: false };
                 let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
                 left.retain(|&v| !found.variants[v]);
             }
@@ -357,7 +359,7 @@ impl Search<'_> {
         accounts: &mut [ClaimAccount],
         candidates: Vec<Candidate>,
         motions: &[Vec<usize>],
-        courses: &mut [Course],
+        courses: &[Course],
     ) -> Result<(), CheckError> {
         let mut scratch = self.derivation.clone();
         let mut read: Vec<(Candidate, usize, Vec<Program>)> = Vec::new();
@@ -380,7 +382,10 @@ impl Search<'_> {
             }
         }
         let scratch = &scratch;
-        let on_one = |(t, course): (usize, &mut Course)| -> Vec<Option<bool>> {
+        let on_one = |(t, course): (usize, &Course)| -> Vec<Option<bool>> {
+            let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
+            let programs = here.filter_map(|(_, _, programs)| programs.get(self.start_of[self.tried[t]]));
+            let course = &course.again(programs.flat_map(Program::inputs).copied().collect());
             let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
                 let program = programs.get(self.start_of[self.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
@@ -390,7 +395,7 @@ impl Search<'_> {
             };
             read.iter().map(holds).collect()
         };
-        let found: Vec<Vec<Option<bool>>> = courses.par_iter_mut().enumerate().with_max_len(1).map(on_one).collect();
+        let found: Vec<Vec<Option<bool>>> = courses.par_iter().enumerate().with_max_len(1).map(on_one).collect();
         let holds = |n: usize| {
             let mut tried = found.iter().filter_map(|column| column[n]).peekable();
             tried.peek().is_some() && tried.all(|holds| holds)
