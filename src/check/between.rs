@@ -10,10 +10,10 @@
 use super::comparison::Standing;
 use super::describe::{Describer, short};
 use super::program::Use;
-use super::trial::{Applied, Measurements, Trial, Values, all_of, apply, incomplete, measure, not_applicable};
+use super::trial::{Applied, Measurements, Trial, all_of, apply, incomplete, measure, not_applicable};
 use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Judged, Left, weigh};
-use crate::flow::Incomplete;
+use crate::flow::{Incomplete, Points};
 use crate::latex::RelationKind;
 use crate::number::NoValue;
 
@@ -39,7 +39,7 @@ pub(super) struct Between<'a> {
     /// The times, increasing.
     pub times: Vec<f64>,
     /// The values at these times.
-    points: Vec<Values>,
+    points: Points,
     roles: Vec<Role>,
     /// What the search leaves open, in words.
     open: Vec<String>,
@@ -101,7 +101,7 @@ impl<'a> Between<'a> {
             Role::Crossing(slack) => course.values_at_event(t, slack),
             _ => course.values(t),
         };
-        let points: Vec<Values> = found.iter().map(point).collect();
+        let points: Points = found.iter().map(point).collect();
         let mut measured = measure(program, &points, Some(along));
         // Where the sign changes, the sides are equal.
         for group in &mut measured.groups {

@@ -4,10 +4,11 @@ use std::cell::RefCell;
 
 use super::comparison::Comparison;
 use super::program::Program;
-use super::trial::{Trial, Values};
+use super::trial::Trial;
 use super::weigh::{Left, Setting};
 use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
+use crate::flow::Points;
 use crate::number::{Bounded, NoValue};
 use crate::tape::{Fault, Slots};
 
@@ -19,7 +20,7 @@ pub(super) struct Describer<'a> {
     leaves: &'a [Leaf],
     /// The times of the points.
     pub times: &'a [f64],
-    points: &'a [Values],
+    points: &'a Points,
     slots: RefCell<Option<Slots<Bounded>>>,
 }
 
@@ -30,7 +31,7 @@ pub(super) fn short(x: f64) -> String {
 
 impl<'a> Describer<'a> {
     /// A describer of these points.
-    pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a [Values]) -> Describer<'a> {
+    pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
         let Trial { graph, claim, program, course } = *trial;
         Describer { graph, claim, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
     }
@@ -51,7 +52,7 @@ impl<'a> Describer<'a> {
         let wanted = self.graph.leaves([comparison.left, comparison.right]);
         let value = |leaf: Leaf| {
             let at = self.leaves.iter().position(|&l| l == leaf)?;
-            let v = self.points[time][at].ok()?;
+            let v = self.points.get(time, at).ok()?;
             Some((self.graph.leaf_latex(leaf), v.value))
         };
         wanted.into_iter().filter_map(value).collect()
@@ -61,7 +62,7 @@ impl<'a> Describer<'a> {
     pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
         let Some(tape) = self.program.tape() else { return reason.to_string() };
         let mut slots = self.slots.borrow_mut();
-        self.program.run(&self.points[time], 1.0, &mut slots);
+        self.program.run(self.points.sample(time), 1.0, &mut slots);
         let Some(slots) = slots.as_ref() else { return reason.to_string() };
         let position = self.program.position(comparison);
         let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));

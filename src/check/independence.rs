@@ -87,11 +87,11 @@ impl Gradients {
         let step = (course.points.len() / POINTS).max(1);
         let (mut unclear, mut smallest) = (None, f64::INFINITY);
         let mut dependent = 0;
-        for ((point, &t), left) in course.points.iter().zip(&course.times).zip(&left).step_by(step) {
+        for ((i, &t), left) in course.times.iter().enumerate().zip(&left).step_by(step) {
             if *left != Left::In {
                 continue;
             }
-            let values = tape.evaluate(&(), point, &mut slots);
+            let values = tape.evaluate(&(), &course.points.row(i), &mut slots);
             let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
             let (n, rows) = (self.variables.len(), self.constraints + self.functions);
             let all = normalised(rows, n, &values);

@@ -28,7 +28,7 @@ pub(super) fn limit(trial: &Trial, position: usize, point: &LimitPoint) -> Verdi
     if t0 < from || t0 > to {
         return undecided(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
-    let (times, points) = ([t0], [course.values(t0)]);
+    let (times, points) = ([t0], [course.values(t0)].into_iter().collect());
     let measured = measure(program, &points, None);
     let describer = Describer::new(trial, &times, &points);
     let verdict = weigh(describer.setting(vec![Left::In]), &measured.groups[position]);

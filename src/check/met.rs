@@ -11,7 +11,7 @@ use super::between::is_weak;
 use super::describe::short;
 use super::trial::{Trial, Values, incomplete, measure};
 use super::weigh::Judged;
-use crate::flow::Incomplete;
+use crate::flow::{Incomplete, Points};
 use crate::number::NoValue;
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
@@ -24,7 +24,7 @@ pub(super) struct Met {
     /// The times, increasing.
     pub times: Vec<f64>,
     /// The values at these times.
-    pub points: Vec<Values>,
+    pub points: Points,
 }
 
 /// What was looked for.
@@ -89,11 +89,14 @@ pub(super) fn look(trial: &Trial) -> Search {
     if times.is_empty() {
         return found;
     }
-    let mut all: Vec<(f64, Values)> = times.into_iter().map(|t| (t, course.values(t))).collect();
-    all.extend(course.times.iter().copied().zip(course.points.iter().cloned()));
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all.dedup_by(|a, b| a.0 == b.0);
-    let (times, points) = all.into_iter().unzip();
+    // In the order of time, each once; those of the motion lie between.
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let place = |&t: &f64| (course.times.partition_point(|&x| x < t), course.values(t));
+    let more: Vec<(usize, Values)> = times.iter().map(place).collect();
+    let points = course.points.with(&more, program.inputs());
+    times.extend(&course.times);
+    times.sort_by(f64::total_cmp);
     found.more = Some(Met { times, points });
     found
 }
@@ -101,7 +104,7 @@ pub(super) fn look(trial: &Trial) -> Search {
 /// Whether the inequalities among the assumptions are not violated at a time.
 fn is_met(trial: &Trial, t: f64) -> bool {
     use super::comparison::Standing;
-    let point = [trial.course.values(t)];
+    let point = [trial.course.values(t)].into_iter().collect();
     let measured = measure(trial.program, &point, None);
     let selecting = trial.program.assumptions.iter().zip(&measured.assumptions).filter(|(a, _)| !a.throughout);
     selecting

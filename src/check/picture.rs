@@ -106,7 +106,7 @@ fn table(derivation: &Derivation, course: &Course, formulas: &[Written<Expr>]) -
     let mut kept: Vec<usize> = (0..course.times.len()).step_by(step).collect();
     kept.extend(course.times.len().checked_sub(1).filter(|last| kept.last() != Some(last)));
     let row = |&i: &usize| {
-        let values = tape.evaluate(&(), &course.points[i], &mut slots);
+        let values = tape.evaluate(&(), &course.points.row(i), &mut slots);
         (course.times[i], values.into_iter().map(|v| v.map(|v| v.value)).collect())
     };
     Ok(kept.iter().map(row).collect())
@@ -232,10 +232,9 @@ fn level_sets(
     let inputs = graph.leaves([levels.value]);
     let tape = Tape::compile(graph, &inputs, &[levels.value]).ok()?;
     let mut slots = tape.slots::<Bounded>(&());
-    let first = course.points.first()?;
-    let at = |leaf: &Leaf| course.leaves.iter().position(|l| l == leaf).and_then(|i| first.get(i).copied());
+    let at = |leaf: &Leaf| course.leaves.iter().position(|l| l == leaf).ok_or(NoValue::OutOfDomain);
     let mut values: Vec<Result<Bounded, NoValue>> =
-        inputs.iter().map(|l| at(l).unwrap_or(Err(NoValue::OutOfDomain))).collect();
+        inputs.iter().map(|l| at(l).and_then(|i| course.points.get(0, i))).collect();
     // Where among the inputs each of the three quantities is.
     let shown: Vec<Option<usize>> = picture
         .show

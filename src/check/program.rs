@@ -5,12 +5,12 @@
 
 use super::comparison::{Comparison, Group, at_instant, traced};
 use super::steep::exponents;
-use super::trial::Values;
 use super::weigh::{Measured, Series};
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
+use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
-use crate::number::{Bounded, BoundedLanes, NoValue, Rational};
+use crate::number::{Bounded, BoundedLanes, Rational};
 use crate::tape::{Slots, Tape};
 
 /// Points that are evaluated at once.
@@ -339,6 +339,11 @@ impl Program {
         Ok(())
     }
 
+    /// The positions among the leaves of a point of everything that is needed.
+    pub fn inputs(&self) -> &[usize] {
+        &self.inputs
+    }
+
     /// The position among the leaves of a point of an input of the tape.
     pub fn input(&self, position: usize) -> Option<usize> {
         self.inputs.get(position).copied()
@@ -355,25 +360,27 @@ impl Program {
     }
 
     /// Evaluates everything at a point, for one sign of ±; what was found stays in the slots.
-    pub fn run(&self, values: &[Result<Bounded, NoValue>], sign: f64, slots: &mut Option<Slots<Bounded>>) {
+    pub fn run(&self, values: Sample, sign: f64, slots: &mut Option<Slots<Bounded>>) {
         let Some(tape) = &self.tape else { return };
         let slots = slots.get_or_insert_with(|| tape.slots(&()));
         for (i, &at) in self.inputs.iter().enumerate() {
-            slots.set(i, values.get(at).copied().unwrap_or(Err(NoValue::OutOfDomain)));
+            slots.set(i, values.get(at));
         }
         slots.set(self.inputs.len(), Ok(Bounded::exact(sign)));
         tape.run(&(), slots);
     }
 
     /// Evaluates everything at a block of points; whether every comparison has a value at each of them.
-    fn run_block(&self, tape: &Tape, block: &[Values], sign: f64, slots: &mut Slots<BoundedLanes<BLOCK>>) -> bool {
+    fn run_block(
+        &self,
+        tape: &Tape,
+        (points, from): (&Points, usize),
+        sign: f64,
+        slots: &mut Slots<BoundedLanes<BLOCK>>,
+    ) -> bool {
         for (i, &at) in self.inputs.iter().enumerate() {
-            let mut lanes = BoundedLanes::splat(Bounded::exact(0.0));
-            for (lane, values) in block.iter().enumerate() {
-                // What some comparison needs has no value: the points one by one.
-                let Some(Ok(x)) = values.get(at) else { return false };
-                lanes.set_lane(lane, *x);
-            }
+            // What some comparison needs has no value: the points one by one.
+            let Some(lanes) = points.lanes(from, at) else { return false };
             slots.set(i, Ok(lanes));
         }
         slots.set(self.inputs.len(), Ok(BoundedLanes::splat(Bounded::exact(sign))));
@@ -382,16 +389,16 @@ impl Program {
     }
 
     /// Measures every comparison at the points, for one sign of ±: `[comparison][point]`.
-    pub fn measure(&self, points: &[Values], sign: f64) -> Vec<Series> {
+    pub fn measure(&self, points: &Points, sign: f64) -> Vec<Series> {
         let Some(tape) = &self.tape else { return Vec::new() };
         let count = tape.output_count() / 4;
         let mut out: Vec<Series> = (0..count).map(|_| Vec::with_capacity(points.len())).collect();
         let (mut single, mut lanes) = (None, None);
         let mut failed = 0;
-        for block in points.chunks(BLOCK) {
-            if block.len() == BLOCK && failed < PATIENCE {
+        for from in (0..points.len()).step_by(BLOCK) {
+            if from + BLOCK <= points.len() && failed < PATIENCE {
                 let slots = lanes.get_or_insert_with(|| tape.slots::<BoundedLanes<BLOCK>>(&()));
-                if self.run_block(tape, block, sign, slots) {
+                if self.run_block(tape, (points, from), sign, slots) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
                         let output = |n: usize| slots.value(tape.output_slot(4 * k + n));
@@ -406,8 +413,8 @@ impl Program {
                 }
                 failed += 1;
             }
-            for values in block {
-                self.run(values, sign, &mut single);
+            for at in from..(from + BLOCK).min(points.len()) {
+                self.run(points.sample(at), sign, &mut single);
                 let Some(slots) = &single else { continue };
                 for (k, series) in out.iter_mut().enumerate() {
                     let output = |n: usize| tape.output(4 * k + n, slots).copied();

@@ -7,6 +7,7 @@ use super::verdict::Verdict;
 use super::weigh::{Measured, MeasuredGroup, Series, weigh};
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
+use crate::flow::Sample;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
@@ -45,13 +46,13 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &
             magnitude: node,
             boundaries: Vec::new(),
         });
-        let compare = |(ours, theirs): (&Vec<Result<Bounded, NoValue>>, &Option<Vec<_>>)| {
+        let compare = |(ours, theirs): (Sample, &Option<Vec<_>>)| {
             let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;
-            let (left, right): (Bounded, Bounded) = (ours[at]?, theirs[at]?);
+            let (left, right): (Bounded, Bounded) = (ours.get(at)?, theirs[at]?);
             let difference = left - right;
             Ok(Measured { left, right, difference, magnitude: left.value.abs() + right.value.abs() })
         };
-        series.push(course.points.iter().zip(&theirs).map(compare).collect());
+        series.push(course.points.samples().zip(&theirs).map(compare).collect());
     }
     let group = Group { comparisons, branching: false };
     let measured = MeasuredGroup::new(&group, vec![series], false);

@@ -239,11 +239,11 @@ impl Stage {
             times = times.into_iter().step_by(step).collect();
             times.extend(last.filter(|t| times.last() != Some(t)));
         }
-        let points: Vec<Values> = times.iter().map(|&t| self.values(trajectory, t)).collect();
+        let points = motion.along(&times).arranged(&built.places);
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
-                let (Some(place), Ok(bounded)) = (place, &points[i][k]) else { continue };
+                let (Some(place), Ok(bounded)) = (place, points.get(i, k)) else { continue };
                 let Some(Ok(dual)) = duals.get(*place) else { continue };
                 let gap = (dual.re - bounded.value).abs();
                 // Both routes round on their own way: the bound of one covers its distance from the truth.

@@ -10,8 +10,9 @@
 use super::comparison::{Comparison, traced};
 use super::trial::{Course, Trial};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::flow::Sample;
 use crate::latex::{Role, Scope};
-use crate::number::{Bounded, NoValue};
+use crate::number::Bounded;
 use crate::tape::{Slots, Tape};
 
 /// Powers from this one on are taken for exponentials.
@@ -66,9 +67,9 @@ struct Exponents<'a> {
 }
 
 impl Exponents<'_> {
-    fn at(&mut self, point: &[Result<Bounded, NoValue>]) -> Vec<Option<f64>> {
+    fn at(&mut self, point: Sample) -> Vec<Option<f64>> {
         let value = |place: &Option<usize>| match place {
-            Some(at) => point.get(*at).copied().unwrap_or(Err(NoValue::OutOfDomain)),
+            Some(at) => point.get(*at),
             // The sign of ±.
             None => Ok(Bounded::exact(1.0)),
         };
@@ -80,7 +81,7 @@ impl Exponents<'_> {
     fn climb(&mut self, which: usize, sign: f64, (mut a, mut b): (f64, f64), times: &mut Vec<f64>) {
         let mut height = |t: f64| {
             let point = self.course.values(t);
-            self.at(&point)[which].map_or(f64::NEG_INFINITY, |u| sign * u)
+            self.at(Sample::Alone(&point))[which].map_or(f64::NEG_INFINITY, |u| sign * u)
         };
         let (mut x, mut y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
         let (mut at_x, mut at_y) = (height(x), height(y));
@@ -114,7 +115,7 @@ pub(super) fn times(trial: &Trial) -> Option<Vec<f64>> {
     let places = leaves.iter().map(|leaf| course.leaves.binary_search(leaf).ok()).collect();
     let slots = tape.slots::<Bounded>(&());
     let mut exponents = Exponents { course, tape, places, slots };
-    let values: Vec<Vec<Option<f64>>> = course.points.iter().map(|point| exponents.at(point)).collect();
+    let values: Vec<Vec<Option<f64>>> = course.points.samples().map(|point| exponents.at(point)).collect();
     let last = course.times.len().checked_sub(1)?;
     let mut found = 0;
     for (which, i) in (0..program.steep.len()).flat_map(|which| (0..=last).map(move |i| (which, i))) {

@@ -12,9 +12,10 @@
 
 use super::comparison::{Comparison, GUARD};
 use super::program::Program;
-use super::trial::{Measurements, Values};
+use super::trial::Measurements;
 use super::weigh::MeasuredGroup;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
 use crate::tape::Tape;
 
@@ -98,12 +99,12 @@ impl Terms {
     }
 
     /// Whether the comparison is mute at all of these points.
-    fn mute<'v>(&self, places: &[Option<usize>], sign: f64, points: impl Iterator<Item = &'v Values>) -> bool {
+    fn mute<'v>(&self, places: &[Option<usize>], sign: f64, points: impl Iterator<Item = Sample<'v>>) -> bool {
         let mut seen = vec![false; self.negative.len()];
         let mut significant = vec![false; self.negative.len()];
         for point in points {
             let input = |place: &Option<usize>| match place {
-                Some(at) => point.get(*at).copied().unwrap_or(Err(NoValue::OutOfDomain)),
+                Some(at) => point.get(*at),
                 None => Ok(Bounded::exact(sign)),
             };
             let inputs: Vec<_> = places.iter().map(input).collect();
@@ -123,7 +124,7 @@ impl Terms {
 }
 
 /// Marks the comparisons of all groups that are mute at the points at which they were measured.
-pub(super) fn silence(graph: &Graph, program: &Program, leaves: &[Leaf], points: &[Values], all: &mut Measurements) {
+pub(super) fn silence(graph: &Graph, program: &Program, leaves: &[Leaf], points: &Points, all: &mut Measurements) {
     for group in all.assumptions.iter_mut().chain(&mut all.groups) {
         let found: Vec<(usize, usize)> = (0..group.signs.len())
             .flat_map(|s| (0..group.signs[s].len()).map(move |c| (s, c)))
@@ -139,7 +140,7 @@ fn is_mute(
     graph: &Graph,
     program: &Program,
     leaves: &[Leaf],
-    points: &[Values],
+    points: &Points,
     group: &MeasuredGroup,
     (s, c): (usize, usize),
 ) -> bool {
@@ -158,6 +159,6 @@ fn is_mute(
         .map(|leaf| if *leaf == program.sign() { None } else { leaves.binary_search(leaf).ok() })
         .collect();
     let sign = if s == 0 { 1.0 } else { -1.0 };
-    let spread = (0..FEW).map(|k| &points[k * (points.len() - 1) / (FEW - 1)]);
-    terms.mute(&places, sign, spread) && terms.mute(&places, sign, points.iter())
+    let spread = (0..FEW).map(|k| points.sample(k * (points.len() - 1) / (FEW - 1)));
+    terms.mute(&places, sign, spread) && terms.mute(&places, sign, points.samples())
 }

@@ -21,7 +21,7 @@ use super::verdict::{Evidence, Exclusion, Outcome, Verdict};
 use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::{Claim, Form};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Incomplete, Motion, Zeros};
+use crate::flow::{Incomplete, Motion, Points, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -41,7 +41,7 @@ pub(super) struct Course<'a> {
     /// The sample times, increasing.
     pub times: Vec<f64>,
     /// The values at the sample times.
-    pub points: Vec<Values>,
+    pub points: Points,
     /// What was looked at around a sample, by its position: claims ask for the same again and again.
     pub near: RefCell<BTreeMap<usize, Arc<Near>>>,
 }
@@ -49,7 +49,7 @@ pub(super) struct Course<'a> {
 /// Times around a sample, increasing, and the values there.
 pub(super) struct Near {
     times: Vec<f64>,
-    points: Vec<Values>,
+    points: Points,
 }
 
 impl Course<'_> {
@@ -79,7 +79,7 @@ impl Course<'_> {
     }
 
     /// The values of all leaves at events.
-    pub fn values_at_events(&self, zeros: &Zeros) -> Vec<Values> {
+    pub fn values_at_events(&self, zeros: &Zeros) -> Points {
         zeros.times.iter().zip(&zeros.slack).map(|(&t, &slack)| self.values_at_event(t, slack)).collect()
     }
 
@@ -120,7 +120,7 @@ pub(super) struct Measurements<'a> {
 
 /// Measures all groups of a program at the given points. What is typical of the size of their terms is that of `along`, the
 /// measurements along the whole motion; without it, that of the points.
-pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option<&Measurements>) -> Measurements<'a> {
+pub(super) fn measure<'a>(program: &'a Program, points: &Points, along: Option<&Measurements>) -> Measurements<'a> {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
     let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure(points, sign)).collect();
     let mut next = 0;
@@ -152,21 +152,21 @@ pub(super) fn measure<'a>(program: &'a Program, points: &[Values], along: Option
 pub(super) fn try_claim(trial: &Trial) -> Verdict {
     let Trial { program, course, .. } = *trial;
     let zeros = program.at.and_then(|e| course.zeros(e));
-    let at_events: Option<(Vec<f64>, Vec<Values>)> = match (&program.at, zeros) {
+    let at_events: Option<(Vec<f64>, Points)> = match (&program.at, zeros) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
             Some((zeros.times.clone(), course.values_at_events(zeros)))
         }
         (Some(_), zeros) => return no_event(trial, zeros),
     };
-    let samples = || (course.times.as_slice(), course.points.as_slice());
+    let samples = || (course.times.as_slice(), &course.points);
     let (mut times, mut points) = match &at_events {
-        Some((t, p)) => (t.as_slice(), p.as_slice()),
+        Some((t, p)) => (t.as_slice(), p),
         None => samples(),
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
-        let (first, point) = (&times[..1], &points[..1]);
+        let (first, point) = (&times[..1], &points.first());
         let applied = apply(trial, &measure(program, point, None), &Describer::new(trial, first, point));
         if let Some(reason) = applied.unmet {
             return not_applicable(reason);
@@ -268,7 +268,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
     if times.is_empty() {
         return verdict;
     }
-    let points: Vec<Values> = times.iter().map(|&t| course.values(t)).collect();
+    let points: Points = times.iter().map(|&t| course.values(t)).collect();
     let describer = Describer::new(trial, &times, &points);
     let measured = measure(program, &points, Some(along));
     let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };

@@ -10,17 +10,23 @@ use super::core::{Constant, Core, Orbit, fresh};
 use super::error::{FlowError, Problem, leaf_name};
 use super::field::VectorField;
 use super::hoist::hoist;
+use super::points::Points;
 use super::program::{Bench, DualBench, Program};
 use super::resolve::{Resolution, resolve};
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Incomplete, Minimum, Zeros};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, NoValue, Scalar};
+use crate::number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
 use crate::tape::Tape;
 
 /// Largest number of steps of a trajectory in each direction.
 const MAX_STEPS: usize = 40_000;
+
+/// How many times are looked at together.
+const BLOCK: usize = 8;
+/// How many blocks of times in a row may be without a value before times are looked at one by one.
+const PATIENCE: usize = 3;
 
 /// The values of the prepared leaves at one time, in the order in which they were asked for.
 pub type Point = Vec<Result<Bounded, NoValue>>;
@@ -85,6 +91,8 @@ struct Prepared {
     degree: usize,
     /// Output and order of the time derivative of every leaf.
     places: Vec<(usize, usize)>,
+    /// For every output, whether it has no value at any time.
+    never: Vec<bool>,
     dual: Program,
     /// Output for the value (with whether it is in the tangent) and for the rate of every leaf.
     dual_places: Vec<(usize, Option<usize>)>,
@@ -96,6 +104,7 @@ struct Scratch {
     bench: Bench<Bounded>,
     /// The same for other degrees, by degree: for branch points.
     others: Vec<Option<Bench<Bounded>>>,
+    lanes: Option<Bench<BoundedLanes<BLOCK>>>,
     dual: Option<DualBench>,
     angles: AngleBenches,
 }
@@ -123,19 +132,45 @@ impl Clone for Motion {
     }
 }
 
+/// The n-th derivative, from the series of a leaf.
+fn derivative<B: Scalar>(series: &Jet<B>, order: usize) -> Result<B, NoValue> {
+    let coefficient = series.coefficient(order);
+    if order < 2 {
+        // A product would add a rounding error, and make exact parameters inexact.
+        return coefficient.checked();
+    }
+    let factorial = (2..=order).fold(B::integer(1), |product, k| product * B::integer(k as i32));
+    (coefficient * factorial).checked()
+}
+
 impl Prepared {
+    /// Adds the leaves at several times; `false`, and nothing added, where that must be done one by one.
+    fn at_all(&self, scratch: &mut Scratch, times: &[f64; BLOCK], out: &mut Points) -> bool {
+        let turns = times.map(|t| self.core.turns(&self.program, t, &mut scratch.angles));
+        let bench = scratch.lanes.get_or_insert_with(|| self.program.bench(&self.core, self.degree));
+        self.program.run_lanes(&self.core, bench, times, &turns);
+        if self.program.may_be_at_branch_point(bench) {
+            return false;
+        }
+        let read = |&(output, order): &(usize, usize)| {
+            let series = self.program.output(bench, output);
+            series.and_then(|series| derivative(series, order))
+        };
+        let values: Vec<Result<BoundedLanes<BLOCK>, NoValue>> = self.places.iter().map(read).collect();
+        let known = |(x, place): (&Result<_, _>, &(usize, usize))| x.is_ok() || self.never[place.0];
+        if !values.iter().zip(&self.places).all(known) {
+            return false;
+        }
+        values.into_iter().enumerate().for_each(|(leaf, lanes)| out.push_lanes(leaf, lanes));
+        out.counted(BLOCK);
+        true
+    }
+
     /// The leaves at a time, and whether a branch point lies there.
     fn at(&self, scratch: &mut Scratch, t: f64) -> (Point, bool) {
         let turns = self.core.turns(&self.program, t, &mut scratch.angles);
         let read = |bench: &Bench<Bounded>, output: usize, order: usize| {
-            let series = self.program.output(bench, output)?;
-            let coefficient = series.coefficient(order);
-            if order < 2 {
-                // A product would add a rounding error, and make exact parameters inexact.
-                return coefficient.checked();
-            }
-            let factorial = Bounded::exact((2..=order).map(|k| k as f64).product());
-            (coefficient * factorial).checked()
+            derivative(self.program.output(bench, output)?, order)
         };
         self.program.run(&self.core, &mut scratch.bench, t, &turns);
         let branch = self.program.at_branch_point(&scratch.bench);
@@ -147,7 +182,7 @@ impl Prepared {
             for order in 0..=self.degree {
                 // Without a branch point, fewer orders can only help a leaf that has no value.
                 let helps = |(x, place): (&Result<Bounded, NoValue>, &(usize, usize))| {
-                    branch || (place.1 == order && order < self.degree && x.is_err())
+                    branch || (place.1 == order && order < self.degree && x.is_err() && !self.never[place.0])
                 };
                 if !point.iter().zip(&self.places).any(helps) {
                     continue;
@@ -284,7 +319,8 @@ impl Motion {
         }
         let program = core.compile(graph, &roots)?;
         let dual = core.compile(graph, &dual_roots)?;
-        self.prepared = Some(Prepared { core, program, degree, places, dual, dual_places });
+        let never = program.never_valued(&core);
+        self.prepared = Some(Prepared { core, program, degree, places, never, dual, dual_places });
         self.pool = Mutex::default();
         Ok(())
     }
@@ -294,6 +330,7 @@ impl Motion {
         let mut scratch = taken.unwrap_or_else(|| Scratch {
             bench: prepared.program.bench(&prepared.core, prepared.degree),
             others: Vec::new(),
+            lanes: None,
             dual: None,
             angles: Vec::new(),
         });
@@ -311,6 +348,29 @@ impl Motion {
     pub fn at(&self, t: f64) -> Point {
         let Some(prepared) = &self.prepared else { return Vec::new() };
         self.with_scratch(prepared, |scratch| prepared.at(scratch, t).0)
+    }
+
+    /// The prepared leaves at many times; no times before [`Motion::prepare`].
+    ///
+    /// Values and error bounds are those of [`Motion::at`], except that a bound may be larger by a few units in its last
+    /// place.
+    pub fn along(&self, times: &[f64]) -> Points {
+        let Some(prepared) = &self.prepared else { return Points::default() };
+        let mut out = Points::of(prepared.places.len());
+        self.with_scratch(prepared, |scratch| {
+            let mut failed = 0;
+            for block in times.chunks(BLOCK) {
+                if let (Ok(block), true) = (block.try_into(), failed < PATIENCE) {
+                    if prepared.at_all(scratch, block, &mut out) {
+                        failed = 0;
+                        continue;
+                    }
+                    failed += 1;
+                }
+                block.iter().for_each(|&t| out.push(prepared.at(scratch, t).0));
+            }
+        });
+        out.finished()
     }
 
     /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.

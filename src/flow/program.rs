@@ -3,9 +3,9 @@
 use num_dual::Dual;
 
 use super::core::Core;
-use super::trajectory::ORDER;
+use super::trajectory::{ORDER, Place, Trajectory};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, BoundedLanes, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -44,6 +44,12 @@ impl Base for f64 {
 impl Base for Bounded {
     fn from_bounded(x: Bounded) -> Bounded {
         x
+    }
+}
+
+impl<const N: usize> Base for BoundedLanes<N> {
+    fn from_bounded(x: Bounded) -> BoundedLanes<N> {
+        BoundedLanes::splat(x)
     }
 }
 
@@ -86,6 +92,89 @@ fn turns(n: i64) -> Result<Bounded, NoValue> {
     pi.pi(&())?;
     out.mul(&(), &pi, &Bounded::exact(2.0 * n as f64))?;
     Ok(out)
+}
+
+/// One time, or several, around which a program is expanded.
+trait When<B> {
+    /// The time.
+    fn time(&self) -> B;
+    /// Whether it lies between two times.
+    fn is_within(&self, reach: (f64, f64)) -> bool;
+    /// A state.
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B;
+    /// The polynomial of the step in which the time lies, around it.
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]);
+    /// 2π times the number of turns of an angle.
+    fn turns(&self, angle: usize) -> Result<B, NoValue>;
+}
+
+/// One time.
+struct Instant<'a> {
+    t: f64,
+    place: Option<Place>,
+    turns: &'a Turns,
+}
+
+fn turns_of(all: &Turns, angle: usize) -> Result<Bounded, NoValue> {
+    all.get(angle).copied().unwrap_or(Err(NoValue::Indeterminate)).and_then(turns)
+}
+
+impl<B: Base> When<B> for Instant<'_> {
+    fn time(&self) -> B {
+        B::from_bounded(Bounded::exact(self.t))
+    }
+    fn is_within(&self, (from, to): (f64, f64)) -> bool {
+        from <= self.t && self.t <= to
+    }
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
+        self.place.map_or(B::INVALID, |place| B::from_bounded(trajectory.bounded(place, i)))
+    }
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
+        let mut polynomial = [0.0; ORDER + 1];
+        let polynomial = &mut polynomial[..out.len().min(ORDER + 1)];
+        if let Some(place) = self.place {
+            trajectory.around(place, i, polynomial);
+        }
+        for (to, &from) in out.iter_mut().zip(polynomial.iter()) {
+            *to = B::from_bounded(Bounded::exact(from));
+        }
+    }
+    fn turns(&self, angle: usize) -> Result<B, NoValue> {
+        turns_of(self.turns, angle).map(B::from_bounded)
+    }
+}
+
+/// Several times.
+struct Instants<'a, const N: usize> {
+    times: &'a [f64; N],
+    places: Option<[Place; N]>,
+    turns: &'a [Turns; N],
+}
+
+impl<const N: usize> When<BoundedLanes<N>> for Instants<'_, N> {
+    fn time(&self) -> BoundedLanes<N> {
+        BoundedLanes::of(self.times.map(Bounded::exact))
+    }
+    fn is_within(&self, (from, to): (f64, f64)) -> bool {
+        self.times.iter().all(|&t| from <= t && t <= to)
+    }
+    fn state(&self, trajectory: &Trajectory, i: usize) -> BoundedLanes<N> {
+        match self.places {
+            Some(places) => BoundedLanes::of(places.map(|place| trajectory.bounded(place, i))),
+            None => BoundedLanes::INVALID,
+        }
+    }
+    fn polynomial(&self, _: &Trajectory, _: usize, out: &mut [BoundedLanes<N>]) {
+        // Polynomials of steps have no error bounds.
+        out.fill(BoundedLanes::INVALID);
+    }
+    fn turns(&self, angle: usize) -> Result<BoundedLanes<N>, NoValue> {
+        let mut each = [Bounded::exact(0.0); N];
+        for (x, all) in each.iter_mut().zip(self.turns) {
+            *x = turns_of(all, angle)?;
+        }
+        Ok(BoundedLanes::of(each))
+    }
 }
 
 impl Program {
@@ -170,33 +259,41 @@ impl Program {
 
     /// Expands all outputs around the time `t`; they are then read with [`Program::output`].
     pub(super) fn run<B: Base>(&self, core: &Core, bench: &mut Bench<B>, t: f64, of: &Turns) {
+        let place = core.orbit.as_deref().filter(|_| self.moving).map(|o| o.trajectory.place(t));
+        self.expand(core, bench, &Instant { t, place, turns: of });
+    }
+
+    /// Expands all outputs around several times at once. An output has a value only if it has one at all of them.
+    pub(super) fn run_lanes<const N: usize>(
+        &self,
+        core: &Core,
+        bench: &mut Bench<BoundedLanes<N>>,
+        times: &[f64; N],
+        of: &[Turns; N],
+    ) {
+        let places = core.orbit.as_deref().filter(|_| self.moving).map(|o| times.map(|t| o.trajectory.place(t)));
+        self.expand(core, bench, &Instants { times, places, turns: of });
+    }
+
+    fn expand<B: Base>(&self, core: &Core, bench: &mut Bench<B>, when: &impl When<B>) {
         let orders = Orders::all(bench.degree);
         let row = bench.degree + 1;
         let mut missing = None;
         if let Some(orbit) = core.orbit.as_deref().filter(|_| self.moving) {
-            let (from, to) = orbit.trajectory.reach();
-            let place = orbit.trajectory.place(t);
             for (i, (x, &needed)) in bench.state.iter_mut().zip(&self.needs).enumerate() {
                 // The field needs all states, the value of the outputs only their own.
                 if needed || bench.field.is_some() {
-                    *x = B::from_bounded(orbit.trajectory.bounded(place, i));
+                    *x = when.state(&orbit.trajectory, i);
                 }
             }
-            let outside = !(from <= t && t <= to);
-            if outside || bench.state.iter().any(|x| x.checked().is_err()) {
+            if !when.is_within(orbit.trajectory.reach()) || bench.state.iter().any(|x| x.checked().is_err()) {
                 missing = Some(NoValue::Indeterminate);
             } else if let Some(field) = &mut bench.field {
-                let time = B::from_bounded(Bounded::exact(t));
-                let grown = orbit.flow.expand(field, bench.degree, time, &bench.state, &mut bench.coefficients);
+                let grown = orbit.flow.expand(field, bench.degree, when.time(), &bench.state, &mut bench.coefficients);
                 missing = grown.err().map(|(_, reason)| reason);
             } else if bench.of_steps {
-                let mut polynomial = [0.0; ORDER + 1];
-                let polynomial = &mut polynomial[..row.min(ORDER + 1)];
                 for i in (0..bench.state.len()).filter(|&i| self.needs[i]) {
-                    orbit.trajectory.around(place, i, polynomial);
-                    for (to, &from) in bench.coefficients[i * row..].iter_mut().zip(polynomial.iter()) {
-                        *to = B::from_bounded(Bounded::exact(from));
-                    }
+                    when.polynomial(&orbit.trajectory, i, &mut bench.coefficients[i * row..(i + 1) * row]);
                 }
             } else {
                 bench.coefficients.copy_from_slice(&bench.state);
@@ -207,7 +304,7 @@ impl Program {
                 Input::Constant(_) => {}
                 Input::Time => {
                     let slot = bench.slots.value_mut(at);
-                    slot.set_coefficient(0, B::from_bounded(Bounded::exact(t)));
+                    slot.set_coefficient(0, when.time());
                     slot.set_coefficient(1, B::integer(1));
                 }
                 Input::State(i) => {
@@ -223,12 +320,12 @@ impl Program {
                         slot.set_coefficient(k, c);
                     }
                 }
-                Input::Turns(i) => match of.get(i).copied().unwrap_or(Err(NoValue::Indeterminate)).and_then(turns) {
+                Input::Turns(i) => match when.turns(i) {
                     Ok(shift) => {
                         if bench.slots.missing(at).is_some() {
                             bench.slots.set(at, Ok(Jet::constant(B::ZERO, &orders)));
                         }
-                        bench.slots.value_mut(at).set_coefficient(0, B::from_bounded(shift));
+                        bench.slots.value_mut(at).set_coefficient(0, shift);
                     }
                     Err(reason) => bench.slots.set(at, Err(reason)),
                 },
@@ -266,6 +363,33 @@ impl Program {
                 };
                 bench.slots.missing(slot).is_none() && argument.is_constant() && branch
             })
+    }
+
+    /// Whether an operation may have been evaluated at its branch point at one of several times.
+    pub(super) fn may_be_at_branch_point<const N: usize>(&self, bench: &Bench<BoundedLanes<N>>) -> bool {
+        bench.degree > 0
+            && self.branches.iter().any(|&(op, slot)| {
+                let argument = bench.slots.value(slot).coefficient(0);
+                let branch = |x: Bounded| match op {
+                    Op::Arcsin | Op::Arccos => {
+                        let one = Bounded::exact(1.0);
+                        (one - x).is_zero() || (one + x).is_zero()
+                    }
+                    _ => x.is_zero(),
+                };
+                bench.slots.missing(slot).is_none() && (0..N).any(|i| branch(argument.lane(i)))
+            })
+    }
+
+    /// For each output, whether it has no value at any time, since a constant that it depends on has none.
+    pub(super) fn never_valued(&self, core: &Core) -> Vec<bool> {
+        let constant = |input: &Input| matches!(input, Input::Constant(i) if core.constants[*i].value.is_err());
+        let mut missing: Vec<bool> = self.inputs.iter().map(constant).collect();
+        missing.resize(self.tape.slot_count(), false);
+        for step in self.tape.instructions() {
+            missing[step.out as usize] = missing[step.a as usize] || missing[step.b as usize];
+        }
+        (0..self.output_count()).map(|i| missing[self.tape.output_slot(i)]).collect()
     }
 
     /// An output after [`Program::run`].
@@ -319,12 +443,7 @@ impl Program {
                     Some(reason) => Err(reason),
                     None => Ok(Dual::new(bench.coefficients[2 * i], bench.coefficients[2 * i + 1])),
                 },
-                Input::Turns(i) => of
-                    .get(i)
-                    .copied()
-                    .unwrap_or(Err(NoValue::Indeterminate))
-                    .and_then(turns)
-                    .map(|x| Dual::new(x.value, 0.0)),
+                Input::Turns(i) => turns_of(of, i).map(|x| Dual::new(x.value, 0.0)),
             };
             bench.slots.set(at, value);
         }

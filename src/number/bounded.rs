@@ -197,37 +197,47 @@ impl Scalar for Bounded {
         self
     }
 
-    /// Values are added as over `f64`. Of n products and their sum, each term is rounded at most n times, by u each.
     #[inline]
     fn convolution(a: &[Bounded], b: &[Bounded]) -> Bounded {
-        let (head, tail) = a.as_chunks::<4>();
-        let (rest, back) = b.as_rchunks::<4>();
-        let (mut s, mut size, mut spread) = ([0.0; 4], [0.0; 4], [0.0; 4]);
-        let mut value = 0.0;
-        let mut weigh = |i: usize, p: &Bounded, q: &Bounded| {
-            let (x, y) = (p.value.abs(), q.value.abs());
-            size[i] += x * y;
-            spread[i] += x * q.error + (y + q.error) * p.error;
-        };
-        for (p, q) in head.iter().zip(back.iter().rev()) {
-            for i in 0..4 {
-                s[i] += p[i].value * q[3 - i].value;
-                weigh(i, &p[i], &q[3 - i]);
-            }
-        }
-        value += (s[0] + s[2]) + (s[1] + s[3]);
-        for (i, (p, q)) in tail.iter().zip(rest.iter().rev()).enumerate() {
-            value += p.value * q.value;
-            weigh(i, p, q);
-        }
-        let n = a.len() as f64;
-        let size = (size[0] + size[1]) + (size[2] + size[3]);
-        let spread = (spread[0] + spread[1]) + (spread[2] + spread[3]);
-        if size == 0.0 && spread == 0.0 && a.iter().zip(b.iter().rev()).all(|(p, q)| p.is_zero() || q.is_zero()) {
-            return Bounded { value, error: 0.0 };
-        }
-        Bounded { value, error: (spread + (n + 1.0) * U * size) * (UP + 2.0 * n * U) + n * TINY }
+        convolved(a, b, |x| *x)
     }
+}
+
+/// Σᵢ aᵢ·bₙ₋₁₋ᵢ over two slices of the same length n, of which `of` takes one number each.
+///
+/// Values are added as over `f64`. Of n products and their sum, each term is rounded at most n times, by u each.
+#[inline(always)]
+pub(super) fn convolved<T>(a: &[T], b: &[T], of: impl Fn(&T) -> Bounded) -> Bounded {
+    let (head, tail) = a.as_chunks::<4>();
+    let (rest, back) = b.as_rchunks::<4>();
+    let (mut s, mut size, mut spread) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+    let mut value = 0.0;
+    let mut weigh = |i: usize, p: &Bounded, q: &Bounded| {
+        let (x, y) = (p.value.abs(), q.value.abs());
+        size[i] += x * y;
+        spread[i] += x * q.error + (y + q.error) * p.error;
+    };
+    for (p, q) in head.iter().zip(back.iter().rev()) {
+        for i in 0..4 {
+            let (p, q) = (of(&p[i]), of(&q[3 - i]));
+            s[i] += p.value * q.value;
+            weigh(i, &p, &q);
+        }
+    }
+    value += (s[0] + s[2]) + (s[1] + s[3]);
+    for (i, (p, q)) in tail.iter().zip(rest.iter().rev()).enumerate() {
+        let (p, q) = (of(p), of(q));
+        value += p.value * q.value;
+        weigh(i, &p, &q);
+    }
+    let n = a.len() as f64;
+    let size = (size[0] + size[1]) + (size[2] + size[3]);
+    let spread = (spread[0] + spread[1]) + (spread[2] + spread[3]);
+    let zero = |(p, q): (&T, &T)| of(p).is_zero() || of(q).is_zero();
+    if size == 0.0 && spread == 0.0 && a.iter().zip(b.iter().rev()).all(zero) {
+        return Bounded { value, error: 0.0 };
+    }
+    Bounded { value, error: (spread + (n + 1.0) * U * size) * (UP + 2.0 * n * U) + n * TINY }
 }
 
 /// At least the largest |arcsin p − arcsin q| (and |arccos p − arccos q|) for q the centre and p within `error` of it.

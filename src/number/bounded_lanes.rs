@@ -8,7 +8,9 @@
 //! **Why:** the price of reading an instruction of the tape is paid once per block, and the loops of + − × become vector
 //! instructions. Nearly all blocks of a motion have values throughout.
 
-use super::{Bounded, NoValue, Number, Rational, Scalar};
+use super::bounded::convolved;
+use super::{Bounded, NoValue, Number, Rational, Scalar, scalar};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points with their error bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,12 @@ impl<const N: usize> BoundedLanes<N> {
     /// The same number in all lanes.
     pub const fn splat(x: Bounded) -> BoundedLanes<N> {
         BoundedLanes { value: [x.value; N], error: [x.error; N] }
+    }
+
+    /// A number for each lane.
+    #[inline(always)]
+    pub fn of(each: [Bounded; N]) -> BoundedLanes<N> {
+        BoundedLanes { value: each.map(|x| x.value), error: each.map(|x| x.error) }
     }
 
     /// The number in a lane; lanes are counted from 0 to N − 1.
@@ -58,6 +66,90 @@ impl<const N: usize> BoundedLanes<N> {
             self.set_lane(i, x);
         }
         Ok(())
+    }
+}
+
+/// An operator, lane by lane.
+macro_rules! by_lanes {
+    ($($operator:ident $method:ident),*) => {$(
+        impl<const N: usize> $operator for BoundedLanes<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, b: Self) -> Self {
+                for i in 0..N {
+                    self.set_lane(i, self.lane(i).$method(b.lane(i)));
+                }
+                self
+            }
+        }
+    )*};
+}
+
+by_lanes!(Add add, Sub sub, Mul mul, Div div);
+
+impl<const N: usize> Neg for BoundedLanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(mut self) -> Self {
+        for x in &mut self.value {
+            *x = -*x;
+        }
+        self
+    }
+}
+
+/// A series over lanes has a coefficient only if all lanes have one. Where some lanes of a coefficient are exactly 0 and
+/// others are not, the zeros are kept as coefficients: values stay the same, bit for bit; error bounds may grow by a few units
+/// in their last place.
+impl<const N: usize> Scalar for BoundedLanes<N> {
+    const ZERO: Self = Self::splat(Bounded::ZERO);
+    const INVALID: Self = Self::splat(Bounded::INVALID);
+
+    #[inline(always)]
+    fn integer(n: i32) -> Self {
+        Self::splat(Bounded::integer(n))
+    }
+    #[inline(always)]
+    fn checked(self) -> Result<Self, NoValue> {
+        let finite = (0..N).fold(true, |all, i| all & self.value[i].is_finite() & self.error[i].is_finite());
+        if finite { Ok(self) } else { Err(NoValue::Indeterminate) }
+    }
+    #[inline(always)]
+    fn is_zero(&self) -> bool {
+        (0..N).all(|i| self.lane(i).is_zero())
+    }
+    #[inline(always)]
+    fn sign(mut self) -> Self {
+        for i in 0..N {
+            self.set_lane(i, self.lane(i).sign());
+        }
+        self
+    }
+    #[inline(always)]
+    fn scale(mut self, other: Self) -> Self {
+        for i in 0..N {
+            self.set_lane(i, Bounded::exact(scalar::scale(self.value[i], other.value[i])));
+        }
+        self
+    }
+    #[inline(always)]
+    fn times(mut self, tangent: Self) -> Self {
+        for i in 0..N {
+            self.set_lane(i, self.lane(i).times(tangent.lane(i)));
+        }
+        self
+    }
+    #[inline(always)]
+    fn poisoned_by(self, _: Self) -> Self {
+        self
+    }
+
+    fn convolution(a: &[Self], b: &[Self]) -> Self {
+        let mut out = Self::ZERO;
+        for i in 0..N {
+            out.set_lane(i, convolved(a, b, |x| x.lane(i)));
+        }
+        out
     }
 }
 
@@ -137,7 +229,10 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.total(|i| a.lane(i) * b.lane(i))
     }
     fn div(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
-        self.each(|x, i| x.div(&(), &a.lane(i), &b.lane(i)))
+        if (0..N).any(|i| b.lane(i).contains_zero()) {
+            return Err(NoValue::Indeterminate);
+        }
+        self.total(|i| a.lane(i) / b.lane(i))
     }
     fn pow(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
         self.each(|x, i| x.pow(&(), &a.lane(i), &b.lane(i)))

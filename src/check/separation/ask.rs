@@ -16,9 +16,10 @@ use super::candidates::Candidate;
 use crate::check::comparison::{Standing, judge};
 use crate::check::one_pair;
 use crate::check::program::{Program, Use};
-use crate::check::trial::{Course, Trial, Values};
+use crate::check::trial::{Course, Trial};
 use crate::check::verdict::Outcome;
 use crate::derivation::Derivation;
+use crate::flow::Points;
 
 /// Points of a motion at which a condition is tried first.
 const FIRST: usize = 8;
@@ -102,17 +103,16 @@ impl Ask<'_> {
 }
 
 /// A few points, spread evenly.
-fn few(course: &Course) -> Vec<Values> {
+fn few(course: &Course) -> Points {
     let count = course.points.len();
     let used = count.min(FIRST);
     (0..used)
-        .filter_map(|i| course.points.get(i * count.saturating_sub(1) / used.max(2).saturating_sub(1)))
-        .cloned()
+        .map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1)))
         .collect()
 }
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.
-fn is_refuted(program: &Program, points: &[Values]) -> bool {
+fn is_refuted(program: &Program, points: &Points) -> bool {
     if !program.assumptions.is_empty() || program.at.is_some() || program.is_branching() {
         return false;
     }

@@ -33,6 +33,7 @@ use crate::check::verdict::Outcome;
 use crate::check::{CheckError, one_pair};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
 use crate::latex::{self, RelationKind, Role};
 
@@ -180,7 +181,7 @@ impl Search<'_> {
         self.points(k, asked, 6).iter().all(|(start, points)| {
             let Some(battery) = Battery::new(graph, &group, *start, Vec::new(), sign) else { return false };
             let placed = Placed::new(battery, &self.altered.known);
-            points.iter().all(|point| !placed.has_values(point, 0, formula.parts.len()))
+            points.iter().all(|point| !placed.has_values(Sample::Alone(point), 0, formula.parts.len()))
         })
     }
 
@@ -269,7 +270,8 @@ impl Search<'_> {
                 let Some(battery) = Battery::new(graph, &group, *start, left.clone(), sign) else { continue };
                 let placed = Placed::new(battery, known);
                 let precision = claim.precision;
-                let evidence = Evidence { points, first_counts: false, precision, one_sign_throughout: false };
+                let points: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
+                let evidence = Evidence { points: &points, first_counts: false, precision, one_sign_throughout: false };
                 let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
                 left.retain(|&v| !found.variants[v]);
             }

@@ -46,6 +46,7 @@ use super::trial::{Course, Values};
 use super::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
+use crate::flow::Sample;
 use crate::latex::Role;
 use battery::Battery;
 use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
@@ -207,7 +208,7 @@ impl Altered {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
         let order = rejection::spread(course.times.len());
         let kept = order.iter().take(KEPT);
-        out.kept = kept.map(|&i| (course.times[i], course.points[i].clone())).collect();
+        out.kept = kept.map(|&i| (course.times[i], course.points.row(i))).collect();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
                 Some(found) => self.rejections(k, start, course, found).unwrap_or_default(),
@@ -239,7 +240,7 @@ impl Altered {
         let mut own: Vec<Values> = Vec::new();
         if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {
             own.push(match course.times.binary_search_by(|t| t.total_cmp(&witness.t)) {
-                Ok(i) if found.program.at.is_none() => course.points[i].clone(),
+                Ok(i) if found.program.at.is_none() => course.points.row(i),
                 _ if found.program.at.is_none() => course.values(witness.t),
                 _ => {
                     let zeros = found.program.at.and_then(|e| course.zeros(e))?;
@@ -253,10 +254,10 @@ impl Altered {
             let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
             own.extend(times.take(rejection::MOST_TIMES).map(|(&t, &slack)| course.values_at_event(t, slack)));
         }
-        let mut points: Vec<&Values> = own.iter().collect();
+        let mut points: Vec<Sample> = own.iter().map(|values| Sample::Alone(values)).collect();
         if found.program.at.is_none() {
-            let counted = course.times.iter().zip(&course.points).filter(|(t, _)| found.counts(**t));
-            points.extend(counted.map(|(_, p)| p));
+            let counted = course.times.iter().zip(course.points.samples()).filter(|(t, _)| found.counts(**t));
+            points.extend(counted.map(|(_, point)| point));
         }
         if points.is_empty() {
             return None;

@@ -8,10 +8,10 @@
 //! are left go on. So what is reported as not rejected is so at these times; what is reported as rejected is rejected.
 
 use super::super::comparison::{Standing, judge};
-use super::super::trial::Values;
 use super::battery::{Battery, Outputs};
 use super::generate::ClaimVariants;
 use crate::expr::{Graph, Leaf};
+use crate::flow::Sample;
 use crate::number::NoValue;
 
 /// Most times of a motion at which a variant is tried.
@@ -35,13 +35,13 @@ impl Placed {
     }
 
     /// Whether a formula has a value at a point, in all of its parts.
-    pub fn has_values(&self, point: &Values, formula: usize, parts: usize) -> bool {
+    pub fn has_values(&self, point: Sample, formula: usize, parts: usize) -> bool {
         let outputs = self.at(point, 1.0, &mut self.battery.slots());
         (0..parts).all(|part| outputs.own(formula, part).is_ok())
     }
 
-    fn at(&self, point: &Values, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
-        let value = |i: &Option<usize>| i.and_then(|i| point.get(i).copied()).unwrap_or(Err(NoValue::Indeterminate));
+    fn at(&self, point: Sample, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
+        let value = |i: &Option<usize>| i.map_or(Err(NoValue::Indeterminate), |i| point.get(i));
         self.battery.at(self.inputs.iter().map(value), sign, slots)
     }
 }
@@ -62,7 +62,7 @@ struct Record {
 /// Where and how a claim was tried.
 pub(super) struct Evidence<'a> {
     /// The points: those at which the claim was compared.
-    pub points: &'a [&'a Values],
+    pub points: &'a [Sample<'a>],
     /// Whether the first of the points must be used: it is the witness.
     pub first_counts: bool,
     /// The precision that the claim asks for.
