@@ -242,12 +242,18 @@ fn check_and(
         let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
         prepared.push(per_start.into_iter().map(one).collect());
     }
+    let mut kept: Vec<usize> = probes.programs().flat_map(|p| p.inputs().iter().copied()).collect();
+    let of_gradients = gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph));
+    let compared = of_gradients.chain(same_motion::leaves(derivation));
+    kept.extend(compared.filter_map(|leaf| wanted.binary_search(&leaf).ok()));
+    kept.sort_unstable();
+    kept.dedup();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let columns: Vec<Result<Tried, String>> = tried
         .par_iter()
         .with_max_len(1)
         .map(|&t| {
-            let course = stage.course(&derivation.graph, t, &wanted)?;
+            let mut course = stage.course(&derivation.graph, t, &wanted)?;
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
@@ -267,6 +273,8 @@ fn check_and(
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
+            // What is asked later needs few of the leaves; those of all motions at once take much memory.
+            course.keep(&kept);
             let course = (!probes.is_empty() || altered.is_some()).then_some(course);
             Ok(((verdicts, measured, drawn), (weighed, course)))
         })
@@ -288,8 +296,8 @@ fn check_and(
     let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
-    let mut courses: Vec<Course> = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, recall, &mut courses, &mut account);
+    let courses: Vec<Course> = courses.into_iter().flatten().collect();
+    probes.separate(derivation, &gradients, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
@@ -299,7 +307,7 @@ fn check_and(
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
-        altered.conclude(derivation, &mut account.claims, &weighed, &places, &mut courses)?;
+        altered.conclude(derivation, &mut account.claims, &weighed, &places, &courses)?;
     }
     Ok(account)
 }

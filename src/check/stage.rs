@@ -4,9 +4,8 @@
 //! everything compiled that claims will ask for. A leaf that a motion does not know (a parameter it was not given, a state
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 
@@ -19,7 +18,7 @@ use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{Motion, Observable, Search, Setup, Source, VectorField, Zeros};
+use crate::flow::{Motion, Observable, Points, Search, Setup, Source, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -212,6 +211,15 @@ impl Stage {
         built.places.iter().map(place).collect()
     }
 
+    /// The values of some of the wanted leaves, by their positions, on a motion at times; the others have none.
+    pub fn points(&self, trajectory: usize, times: &[f64], leaves: &[usize]) -> Points {
+        let Some(built) = self.built(trajectory) else { return Points::default() };
+        let mut here: Vec<usize> = leaves.iter().filter_map(|&l| built.places.get(l).copied().flatten()).collect();
+        here.sort_unstable();
+        here.dedup();
+        built.motion.along_some(times, &here).arranged(&built.places)
+    }
+
     /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.
     pub fn zeros(&self, trajectory: usize, e: Expr) -> Option<&Zeros> {
         self.built(trajectory)?.searches.get(&e).map(Search::zeros)
@@ -259,7 +267,7 @@ impl Stage {
                 }
             }
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: RefCell::default() })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() })
     }
 
     /// The value of an expression in parameters on a motion.

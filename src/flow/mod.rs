@@ -18,6 +18,7 @@ mod core;
 mod cover;
 mod enclosure;
 mod error;
+mod expansion;
 mod field;
 mod hoist;
 mod motion;

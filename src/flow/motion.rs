@@ -8,25 +8,21 @@ use num_dual::Dual64;
 use super::angle::{Angle, AngleBenches};
 use super::core::{Constant, Core, Orbit, fresh};
 use super::error::{FlowError, Problem, leaf_name};
+use super::expansion::{Expansion, Memory};
 use super::field::VectorField;
 use super::hoist::hoist;
 use super::points::Points;
-use super::program::{Bench, DualBench, Program};
+use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Incomplete, Minimum, Zeros};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
+use crate::number::{Bounded, NoValue};
 use crate::tape::Tape;
 
 /// Largest number of steps of a trajectory in each direction.
 const MAX_STEPS: usize = 40_000;
-
-/// How many times are looked at together.
-const BLOCK: usize = 8;
-/// How many blocks of times in a row may be without a value before times are looked at one by one.
-const PATIENCE: usize = 3;
 
 /// The values of the prepared leaves at one time, in the order in which they were asked for.
 pub type Point = Vec<Result<Bounded, NoValue>>;
@@ -87,24 +83,16 @@ pub struct Setup<'a> {
 #[derive(Clone, Debug)]
 struct Prepared {
     core: Core,
-    program: Program,
-    degree: usize,
-    /// Output and order of the time derivative of every leaf.
-    places: Vec<(usize, usize)>,
-    /// For every output, whether it has no value at any time.
-    never: Vec<bool>,
+    leaves: Expansion,
     dual: Program,
     /// Output for the value (with whether it is in the tangent) and for the rate of every leaf.
     dual_places: Vec<(usize, Option<usize>)>,
 }
 
 /// Memory of one evaluation.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Scratch {
-    bench: Bench<Bounded>,
-    /// The same for other degrees, by degree: for branch points.
-    others: Vec<Option<Bench<Bounded>>>,
-    lanes: Option<Bench<BoundedLanes<BLOCK>>>,
+    leaves: Memory,
     dual: Option<DualBench>,
     angles: AngleBenches,
 }
@@ -129,75 +117,6 @@ impl Clone for Motion {
             prepared: self.prepared.clone(),
             pool: Mutex::default(),
         }
-    }
-}
-
-/// The n-th derivative, from the series of a leaf.
-fn derivative<B: Scalar>(series: &Jet<B>, order: usize) -> Result<B, NoValue> {
-    let coefficient = series.coefficient(order);
-    if order < 2 {
-        // A product would add a rounding error, and make exact parameters inexact.
-        return coefficient.checked();
-    }
-    let factorial = (2..=order).fold(B::integer(1), |product, k| product * B::integer(k as i32));
-    (coefficient * factorial).checked()
-}
-
-impl Prepared {
-    /// Adds the leaves at several times; `false`, and nothing added, where that must be done one by one.
-    fn at_all(&self, scratch: &mut Scratch, times: &[f64; BLOCK], out: &mut Points) -> bool {
-        let turns = times.map(|t| self.core.turns(&self.program, t, &mut scratch.angles));
-        let bench = scratch.lanes.get_or_insert_with(|| self.program.bench(&self.core, self.degree));
-        self.program.run_lanes(&self.core, bench, times, &turns);
-        if self.program.may_be_at_branch_point(bench) {
-            return false;
-        }
-        let read = |&(output, order): &(usize, usize)| {
-            let series = self.program.output(bench, output);
-            series.and_then(|series| derivative(series, order))
-        };
-        let values: Vec<Result<BoundedLanes<BLOCK>, NoValue>> = self.places.iter().map(read).collect();
-        let known = |(x, place): (&Result<_, _>, &(usize, usize))| x.is_ok() || self.never[place.0];
-        if !values.iter().zip(&self.places).all(known) {
-            return false;
-        }
-        values.into_iter().enumerate().for_each(|(leaf, lanes)| out.push_lanes(leaf, lanes));
-        out.counted(BLOCK);
-        true
-    }
-
-    /// The leaves at a time, and whether a branch point lies there.
-    fn at(&self, scratch: &mut Scratch, t: f64) -> (Point, bool) {
-        let turns = self.core.turns(&self.program, t, &mut scratch.angles);
-        let read = |bench: &Bench<Bounded>, output: usize, order: usize| {
-            derivative(self.program.output(bench, output)?, order)
-        };
-        self.program.run(&self.core, &mut scratch.bench, t, &turns);
-        let branch = self.program.at_branch_point(&scratch.bench);
-        let mut point: Point = self.places.iter().map(|&(at, order)| read(&scratch.bench, at, order)).collect();
-        if self.degree > 0 && (branch || point.iter().any(Result::is_err)) {
-            // A value exists also where a derivative does not: every order by itself. At a branch point, whether an
-            // argument of √ is constant up to order n takes 2n orders to tell.
-            scratch.others.resize(2 * self.degree + 1, None);
-            for order in 0..=self.degree {
-                // Without a branch point, fewer orders can only help a leaf that has no value.
-                let helps = |(x, place): (&Result<Bounded, NoValue>, &(usize, usize))| {
-                    branch || (place.1 == order && order < self.degree && x.is_err() && !self.never[place.0])
-                };
-                if !point.iter().zip(&self.places).any(helps) {
-                    continue;
-                }
-                let degree = if branch { 2 * order } else { order };
-                let bench = scratch.others[degree].get_or_insert_with(|| self.program.bench(&self.core, degree));
-                self.program.run(&self.core, bench, t, &turns);
-                for (x, place) in point.iter_mut().zip(&self.places) {
-                    if place.1 == order {
-                        *x = read(bench, place.0, order);
-                    }
-                }
-            }
-        }
-        (point, branch)
     }
 }
 
@@ -289,7 +208,6 @@ impl Motion {
         let mut core = self.core.clone();
         let (mut roots, mut places) = (Vec::new(), Vec::new());
         let (mut dual_roots, mut dual_places) = (Vec::new(), Vec::new());
-        let mut degree = 0;
         let place = |roots: &mut Vec<Expr>, e: Expr| {
             roots.iter().position(|&r| r == e).unwrap_or_else(|| {
                 roots.push(e);
@@ -306,7 +224,6 @@ impl Motion {
             }
             let order = usize::from(leaf.rate - base.rate);
             let definition = core.definition(graph, base)?;
-            degree = degree.max(order);
             places.push((place(&mut roots, definition), order));
             let mut value = definition;
             if order > 1 {
@@ -319,21 +236,15 @@ impl Motion {
         }
         let program = core.compile(graph, &roots)?;
         let dual = core.compile(graph, &dual_roots)?;
-        let never = program.never_valued(&core);
-        self.prepared = Some(Prepared { core, program, degree, places, never, dual, dual_places });
+        let leaves = Expansion::new(&core, program, places);
+        self.prepared = Some(Prepared { core, leaves, dual, dual_places });
         self.pool = Mutex::default();
         Ok(())
     }
 
-    fn with_scratch<T>(&self, prepared: &Prepared, work: impl FnOnce(&mut Scratch) -> T) -> T {
+    fn with_scratch<T>(&self, work: impl FnOnce(&mut Scratch) -> T) -> T {
         let taken = self.pool.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let mut scratch = taken.unwrap_or_else(|| Scratch {
-            bench: prepared.program.bench(&prepared.core, prepared.degree),
-            others: Vec::new(),
-            lanes: None,
-            dual: None,
-            angles: Vec::new(),
-        });
+        let mut scratch = taken.unwrap_or_default();
         let out = work(&mut scratch);
         self.pool.lock().unwrap_or_else(PoisonError::into_inner).push(scratch);
         out
@@ -347,7 +258,7 @@ impl Motion {
     /// The error of a state is the estimate of its trajectory; from there on bounds are propagated.
     pub fn at(&self, t: f64) -> Point {
         let Some(prepared) = &self.prepared else { return Vec::new() };
-        self.with_scratch(prepared, |scratch| prepared.at(scratch, t).0)
+        self.with_scratch(|scratch| prepared.leaves.at(&prepared.core, &mut scratch.leaves, t).0)
     }
 
     /// The prepared leaves at many times; no times before [`Motion::prepare`].
@@ -356,21 +267,18 @@ impl Motion {
     /// place.
     pub fn along(&self, times: &[f64]) -> Points {
         let Some(prepared) = &self.prepared else { return Points::default() };
-        let mut out = Points::of(prepared.places.len());
-        self.with_scratch(prepared, |scratch| {
-            let mut failed = 0;
-            for block in times.chunks(BLOCK) {
-                if let (Ok(block), true) = (block.try_into(), failed < PATIENCE) {
-                    if prepared.at_all(scratch, block, &mut out) {
-                        failed = 0;
-                        continue;
-                    }
-                    failed += 1;
-                }
-                block.iter().for_each(|&t| out.push(prepared.at(scratch, t).0));
-            }
-        });
-        out.finished()
+        // Blocks take much memory, and are asked for once.
+        prepared.leaves.along(&prepared.core, &mut Memory::default(), times)
+    }
+
+    /// The same for some of the prepared leaves, by their positions: the others have no values.
+    pub fn along_some(&self, times: &[f64], leaves: &[usize]) -> Points {
+        let Some(prepared) = &self.prepared else { return Points::default() };
+        let part = prepared.leaves.part(leaves);
+        let found = part.along(&prepared.core, &mut Memory::default(), times);
+        let mut places = vec![None; prepared.leaves.orders().count()];
+        leaves.iter().enumerate().for_each(|(i, &leaf)| places[leaf] = Some(i));
+        found.arranged(&places)
     }
 
     /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.
@@ -379,8 +287,8 @@ impl Motion {
     /// is the tangent of its (n − 1)-th rate. A rate is NaN where it cannot be written as an expression.
     pub fn dual_at(&self, t: f64) -> Vec<Result<Dual64, NoValue>> {
         let Some(prepared) = &self.prepared else { return Vec::new() };
-        self.with_scratch(prepared, |scratch| {
-            let (exact, branch) = prepared.at(scratch, t);
+        self.with_scratch(|scratch| {
+            let (exact, branch) = prepared.leaves.at(&prepared.core, &mut scratch.leaves, t);
             let turns = prepared.core.turns(&prepared.dual, t, &mut scratch.angles);
             let bench = scratch.dual.get_or_insert_with(|| prepared.dual.dual_bench(&prepared.core));
             let found = prepared.dual.run_dual(&prepared.core, bench, t, &turns);
@@ -397,8 +305,8 @@ impl Motion {
                 let rate = rate.and_then(|r| get(r).ok()).map_or(f64::NAN, |r| r.eps);
                 Ok(Dual64::new(x.eps, rate))
             };
-            let places = prepared.dual_places.iter().zip(&prepared.places).enumerate();
-            places.map(|(at, (&dual, &(_, order)))| leaf(at, dual, order)).collect()
+            let places = prepared.dual_places.iter().zip(prepared.leaves.orders()).enumerate();
+            places.map(|(at, (&dual, order))| leaf(at, dual, order)).collect()
         })
     }
 

@@ -144,6 +144,15 @@ impl Points {
         Some(lanes)
     }
 
+    /// Why a leaf has no value at any time; `None` if it has one at some time.
+    pub fn absent(&self, leaf: usize) -> Option<NoValue> {
+        match self.columns.get(leaf) {
+            Some(Column::Same(x)) => x.err(),
+            Some(_) => None,
+            None => Some(NoValue::OutOfDomain),
+        }
+    }
+
     /// Adds a time.
     pub fn push(&mut self, values: impl IntoIterator<Item = Value>) {
         let mut values = values.into_iter();
@@ -153,16 +162,25 @@ impl Points {
         self.count += 1;
     }
 
-    /// Adds `N` times at once; `None` stands for a leaf that has no value at any of them, for this reason.
+    /// Adds the values of a leaf at `N` further times, or why it has none at any of them.
     pub(super) fn push_lanes<const N: usize>(&mut self, leaf: usize, lanes: Result<BoundedLanes<N>, NoValue>) {
-        if let Some(column) = self.columns.get_mut(leaf) {
-            for i in 0..N {
-                column.push(self.count + i, lanes.map(|lanes| lanes.lane(i)));
+        match (self.columns.get_mut(leaf), lanes) {
+            (Some(Column::Known(all)), Ok(lanes)) => all.extend((0..N).map(|i| lanes.lane(i))),
+            (Some(column), lanes) => {
+                (0..N).for_each(|i| column.push(self.count + i, lanes.map(|lanes| lanes.lane(i))));
             }
+            (None, _) => {}
         }
     }
 
-    /// Counts the times whose values were added with [`Points::push_lanes`], leaf by leaf.
+    /// Adds the value of a leaf at the time that comes after `further` others that are not counted yet.
+    pub(super) fn push_one(&mut self, leaf: usize, further: usize, x: Value) {
+        if let Some(column) = self.columns.get_mut(leaf) {
+            column.push(self.count + further, x);
+        }
+    }
+
+    /// Counts the times whose values were added leaf by leaf.
     pub(super) fn counted(&mut self, more: usize) {
         self.count += more;
     }
@@ -171,6 +189,15 @@ impl Points {
     pub(super) fn finished(mut self) -> Points {
         self.columns.iter_mut().for_each(Column::shrink);
         self
+    }
+
+    /// Forgets all leaves but these.
+    pub fn keep(&mut self, leaves: &[usize]) {
+        for (leaf, column) in self.columns.iter_mut().enumerate() {
+            if leaves.binary_search(&leaf).is_err() {
+                *column = Column::Same(Err(NoValue::OutOfDomain));
+            }
+        }
     }
 
     /// The same times with the leaves in another order: for each its position here, where no two are the same; one that is

@@ -5,7 +5,7 @@ use num_dual::Dual;
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, BoundedLanes, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -16,6 +16,8 @@ enum Input {
     Constant(usize),
     /// 2π times the number of turns of an angle.
     Turns(usize),
+    /// What no output depends on.
+    Unused,
 }
 
 /// Expressions in the basic leaves of a motion, as one tape.
@@ -53,6 +55,12 @@ impl<const N: usize> Base for BoundedLanes<N> {
     }
 }
 
+impl<const N: usize> Base for Lanes<N> {
+    fn from_bounded(x: Bounded) -> Lanes<N> {
+        Lanes::splat(x.value)
+    }
+}
+
 impl Base for Interval {
     fn from_bounded(x: Bounded) -> Interval {
         Interval::ball(x.value, x.error)
@@ -82,6 +90,12 @@ pub(super) struct DualBench {
 
 /// Number of turns of every angle at one time, or why it has none.
 pub(super) type Turns = Vec<Result<i64, NoValue>>;
+
+/// Operations with a branch point, and the slots of their first arguments.
+fn branches(tape: &Tape) -> Vec<(Op, usize)> {
+    let some = tape.instructions().iter().filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos));
+    some.map(|i| (i.op, i.a as usize)).collect()
+}
 
 /// 2π·n with its rounding error.
 fn turns(n: i64) -> Result<Bounded, NoValue> {
@@ -151,29 +165,53 @@ struct Instants<'a, const N: usize> {
     turns: &'a [Turns; N],
 }
 
-impl<const N: usize> When<BoundedLanes<N>> for Instants<'_, N> {
-    fn time(&self) -> BoundedLanes<N> {
-        BoundedLanes::of(self.times.map(Bounded::exact))
+/// Numbers of several times.
+pub(super) trait Wide<const N: usize>: Base {
+    /// One for each time.
+    fn of(each: [Bounded; N]) -> Self;
+}
+
+impl<const N: usize> Wide<N> for BoundedLanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        BoundedLanes::of(each)
+    }
+}
+
+impl<const N: usize> Wide<N> for Lanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        Lanes(each.map(|x| x.value))
+    }
+}
+
+impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
+    fn time(&self) -> B {
+        B::of(self.times.map(Bounded::exact))
     }
     fn is_within(&self, (from, to): (f64, f64)) -> bool {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
-    fn state(&self, trajectory: &Trajectory, i: usize) -> BoundedLanes<N> {
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
         match self.places {
-            Some(places) => BoundedLanes::of(places.map(|place| trajectory.bounded(place, i))),
-            None => BoundedLanes::INVALID,
+            Some(places) => B::of(places.map(|place| trajectory.bounded(place, i))),
+            None => B::INVALID,
         }
     }
-    fn polynomial(&self, _: &Trajectory, _: usize, out: &mut [BoundedLanes<N>]) {
-        // Polynomials of steps have no error bounds.
-        out.fill(BoundedLanes::INVALID);
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
+        let mut each = [[0.0; N]; ORDER + 1];
+        let length = out.len().min(ORDER + 1);
+        if let Some(places) = &self.places {
+            trajectory.around_lanes(places, i, &mut each[..length]);
+        }
+        for (to, from) in out.iter_mut().zip(each) {
+            *to = B::of(from.map(Bounded::exact));
+        }
     }
-    fn turns(&self, angle: usize) -> Result<BoundedLanes<N>, NoValue> {
+    fn turns(&self, angle: usize) -> Result<B, NoValue> {
         let mut each = [Bounded::exact(0.0); N];
         for (x, all) in each.iter_mut().zip(self.turns) {
             *x = turns_of(all, angle)?;
         }
-        Ok(BoundedLanes::of(each))
+        Ok(B::of(each))
     }
 }
 
@@ -202,13 +240,21 @@ impl Program {
         let needs: Vec<bool> = (0..dimension).map(|i| inputs.contains(&Input::State(i))).collect();
         let moving = needs.contains(&true);
         let tape = Tape::compile(graph, &leaves, roots)?;
-        let branches = tape
-            .instructions()
-            .iter()
-            .filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos))
-            .map(|i| (i.op, i.a as usize))
-            .collect();
+        let branches = branches(&tape);
         Ok(Program { tape, inputs, moving, needs, branches })
+    }
+
+    /// The same for some of the outputs, in the order of `outputs`.
+    pub(super) fn part(&self, outputs: &[usize]) -> Program {
+        let tape = self.tape.part(outputs);
+        let mut used = vec![false; tape.slot_count()];
+        tape.instructions().iter().for_each(|i| [i.a, i.b].iter().for_each(|&slot| used[slot as usize] = true));
+        (0..outputs.len()).for_each(|i| used[tape.output_slot(i)] = true);
+        let kept = |(&input, used): (&Input, &bool)| if *used { input } else { Input::Unused };
+        let inputs: Vec<Input> = self.inputs.iter().zip(&used).map(kept).collect();
+        let needs: Vec<bool> = (0..self.needs.len()).map(|i| inputs.contains(&Input::State(i))).collect();
+        let (moving, branches) = (needs.contains(&true), branches(&tape));
+        Program { tape, inputs, moving, needs, branches }
     }
 
     pub(super) fn output_count(&self) -> usize {
@@ -234,7 +280,7 @@ impl Program {
     }
 
     /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
-    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+    pub(super) fn bench_of_steps<B: Base>(&self, core: &Core, degree: usize) -> Bench<B> {
         self.memory(core, degree, true)
     }
 
@@ -264,10 +310,10 @@ impl Program {
     }
 
     /// Expands all outputs around several times at once. An output has a value only if it has one at all of them.
-    pub(super) fn run_lanes<const N: usize>(
+    pub(super) fn run_lanes<const N: usize, B: Wide<N>>(
         &self,
         core: &Core,
-        bench: &mut Bench<BoundedLanes<N>>,
+        bench: &mut Bench<B>,
         times: &[f64; N],
         of: &[Turns; N],
     ) {
@@ -301,7 +347,7 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             match *input {
-                Input::Constant(_) => {}
+                Input::Constant(_) | Input::Unused => {}
                 Input::Time => {
                     let slot = bench.slots.value_mut(at);
                     slot.set_coefficient(0, when.time());
@@ -384,12 +430,7 @@ impl Program {
     /// For each output, whether it has no value at any time, since a constant that it depends on has none.
     pub(super) fn never_valued(&self, core: &Core) -> Vec<bool> {
         let constant = |input: &Input| matches!(input, Input::Constant(i) if core.constants[*i].value.is_err());
-        let mut missing: Vec<bool> = self.inputs.iter().map(constant).collect();
-        missing.resize(self.tape.slot_count(), false);
-        for step in self.tape.instructions() {
-            missing[step.out as usize] = missing[step.a as usize] || missing[step.b as usize];
-        }
-        (0..self.output_count()).map(|i| missing[self.tape.output_slot(i)]).collect()
+        self.tape.depends(&self.inputs.iter().map(constant).collect::<Vec<bool>>())
     }
 
     /// An output after [`Program::run`].
@@ -437,7 +478,7 @@ impl Program {
         }
         for (at, input) in self.inputs.iter().enumerate() {
             let value = match *input {
-                Input::Constant(_) => continue,
+                Input::Constant(_) | Input::Unused => continue,
                 Input::Time => Ok(Dual::new(t, 1.0)),
                 Input::State(i) => match missing {
                     Some(reason) => Err(reason),

@@ -138,6 +138,16 @@ impl Tape {
         &self.instructions
     }
 
+    /// For every output, whether it depends on one of the inputs that are marked.
+    pub fn depends(&self, marked: &[bool]) -> Vec<bool> {
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        for step in &self.instructions {
+            depends[step.out as usize] = depends[step.a as usize] || depends[step.b as usize];
+        }
+        self.outputs.iter().map(|&o| depends[o as usize]).collect()
+    }
+
     /// Number of slots: inputs, constants and results.
     pub fn slot_count(&self) -> usize {
         self.inputs.len() + self.presets.len() + self.instructions.len()

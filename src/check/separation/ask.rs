@@ -59,14 +59,14 @@ pub(super) struct Sides {
 
 impl Ask<'_> {
     /// Tries every condition at a few points of every motion.
-    pub fn first(&self, courses: &mut [Course]) -> Stands {
-        let on_one = |course: &mut Course| -> Vec<Stand> {
+    pub fn first(&self, courses: &[Course]) -> Stands {
+        let on_one = |course: &Course| -> Vec<Stand> {
             let few = few(course);
             let refuted = |k: usize| self.program(k, course).is_some_and(|p| is_refuted(p, &few));
             let each = (0..self.candidates.len()).map(refuted);
             each.map(|refuted| if refuted { Stand::Judged(Some(false)) } else { Stand::Open }).collect()
         };
-        let columns: Vec<Vec<Stand>> = courses.par_iter_mut().with_max_len(1).map(on_one).collect();
+        let columns: Vec<Vec<Stand>> = courses.par_iter().with_max_len(1).map(on_one).collect();
         let of = |k: usize| columns.iter().map(|column| column[k]).collect();
         Stands { all: (0..self.candidates.len()).map(of).collect() }
     }
@@ -76,17 +76,14 @@ impl Ask<'_> {
     }
 
     /// Judges what is asked for: candidates and columns.
-    pub fn judge(&self, stands: &mut Stands, asked: &BTreeSet<(usize, usize)>, courses: &mut [Course]) {
-        let on_one = |(column, course): (usize, &mut Course)| -> Vec<(usize, Option<bool>)> {
-            let of = asked.iter().filter(|(_, c)| *c == column);
-            of.map(|(k, _)| (*k, self.standing(*k, course))).collect()
-        };
-        let found: Vec<Vec<(usize, Option<bool>)>> =
-            courses.par_iter_mut().enumerate().with_max_len(1).map(on_one).collect();
-        for (column, found) in found.into_iter().enumerate() {
-            for (k, met) in found {
-                stands.all[k][column] = Stand::Judged(met);
-            }
+    pub fn judge(&self, stands: &mut Stands, asked: &BTreeSet<(usize, usize)>, courses: &[Course]) {
+        // Long motions first: what is left at the end is short.
+        let mut order: Vec<(usize, usize)> = asked.iter().copied().collect();
+        order.sort_by_key(|(_, column)| std::cmp::Reverse(courses[*column].motion.steps()));
+        let judged = |&(k, column): &(usize, usize)| self.standing(k, &courses[column]);
+        let found: Vec<Option<bool>> = order.par_iter().with_max_len(1).map(judged).collect();
+        for ((k, column), met) in order.into_iter().zip(found) {
+            stands.all[k][column] = Stand::Judged(met);
         }
     }
 
@@ -114,9 +111,7 @@ impl Ask<'_> {
 fn few(course: &Course) -> Points {
     let count = course.points.len();
     let used = count.min(FIRST);
-    (0..used)
-        .map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1)))
-        .collect()
+    (0..used).map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).collect()
 }
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.

@@ -100,7 +100,7 @@ impl Probes {
         gradients: &[Option<Result<Gradients, String>>],
         start_of: &[usize],
         recall: Recall,
-        courses: &mut [Course],
+        courses: &[Course],
         account: &mut Account,
     ) {
         let split = account.claims.iter().any(explain::is_split);
@@ -109,7 +109,7 @@ impl Probes {
             whole.is_some_and(|c| assumptions::is_open(c, &derivation.trajectories[t].id, d.selects))
         };
         let count = self.candidates.len();
-        let on_one = |course: &mut Course| -> (String, Vec<Option<Verdict>>) {
+        let on_one = |course: &Course| -> (String, Vec<Option<Verdict>>) {
             let t = course.trajectory;
             let verdict = |(d, dropped): (usize, &Dropped)| {
                 let wanted = open(dropped, t) && dropped.claim.trajectories.contains(&t);
@@ -121,7 +121,7 @@ impl Probes {
             };
             (derivation.trajectories[t].id.clone(), self.dropped.iter().enumerate().map(verdict).collect())
         };
-        let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter_mut().with_max_len(1).map(on_one).collect();
+        let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter().with_max_len(1).map(on_one).collect();
         if split {
             self.explain(derivation, start_of, recall, courses, account);
         }
@@ -143,7 +143,7 @@ impl Probes {
         derivation: &Derivation,
         start_of: &[usize],
         recall: Recall,
-        courses: &mut [Course],
+        courses: &[Course],
         account: &mut Account,
     ) {
         let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();

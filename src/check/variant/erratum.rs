@@ -103,7 +103,7 @@ fn is_absent(pair: &PairAccount) -> bool {
 
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
-    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &mut [Course]) -> Result<(), CheckError> {
+    pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &[Course]) -> Result<(), CheckError> {
         let mut candidates: Vec<Candidate> = Vec::new();
         let mut motions: Vec<Vec<usize>> = Vec::new();
         for (k, account) in accounts.iter_mut().enumerate() {
@@ -359,7 +359,7 @@ impl Search<'_> {
         accounts: &mut [ClaimAccount],
         candidates: Vec<Candidate>,
         motions: &[Vec<usize>],
-        courses: &mut [Course],
+        courses: &[Course],
     ) -> Result<(), CheckError> {
         let mut scratch = self.derivation.clone();
         let mut read: Vec<(Candidate, usize, Vec<Program>)> = Vec::new();
@@ -382,7 +382,10 @@ impl Search<'_> {
             }
         }
         let scratch = &scratch;
-        let on_one = |(t, course): (usize, &mut Course)| -> Vec<Option<bool>> {
+        let on_one = |(t, course): (usize, &Course)| -> Vec<Option<bool>> {
+            let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
+            let programs = here.filter_map(|(_, _, programs)| programs.get(self.start_of[self.tried[t]]));
+            let course = &course.again(programs.flat_map(Program::inputs).copied().collect());
             let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
                 let program = programs.get(self.start_of[self.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
@@ -392,7 +395,7 @@ impl Search<'_> {
             };
             read.iter().map(holds).collect()
         };
-        let found: Vec<Vec<Option<bool>>> = courses.par_iter_mut().enumerate().with_max_len(1).map(on_one).collect();
+        let found: Vec<Vec<Option<bool>>> = courses.par_iter().enumerate().with_max_len(1).map(on_one).collect();
         let holds = |n: usize| {
             let mut tried = found.iter().filter_map(|column| column[n]).peekable();
             tried.peek().is_some() && tried.all(|holds| holds)

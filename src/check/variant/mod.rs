@@ -285,7 +285,7 @@ impl Altered {
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
         places: &Places,
-        courses: &mut [Course],
+        courses: &[Course],
     ) -> Result<(), CheckError> {
         let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
         for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
