@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod memory;
 mod met;
 mod occurrence;
 mod picture;
@@ -64,6 +65,7 @@ use crate::diag::Diagnostic;
 use crate::expr::Rational;
 use crate::latex::RelationKind;
 use independence::Gradients;
+use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
@@ -113,7 +115,17 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, &[], true, progress)?;
+    check_recalling(derivation, options, Recall::default(), progress)
+}
+
+/// [`check`], with what is known from before.
+fn check_recalling(
+    derivation: &mut Derivation,
+    options: &Options,
+    recall: Recall,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let mut account = check_and(derivation, options, &[], true, recall, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
@@ -125,8 +137,9 @@ fn check_beside(
     derivation: &mut Derivation,
     options: &Options,
     known: &[ClaimAccount],
+    recall: Recall,
 ) -> Result<Vec<ClaimAccount>, CheckError> {
-    Ok(check_and(derivation, options, known, true, &|_, _| {})?.claims)
+    Ok(check_and(derivation, options, known, true, recall, &|_, _| {})?.claims)
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -135,7 +148,7 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, &[], false, progress)
+    check_and(derivation, options, &[], false, Recall::default(), progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
@@ -144,6 +157,7 @@ fn check_and(
     options: &Options,
     known: &[ClaimAccount],
     separating: bool,
+    recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
@@ -253,7 +267,7 @@ fn check_and(
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
                     let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
-                    one_pair(derivation, &trial, gradients.as_ref())
+                    recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
@@ -284,7 +298,7 @@ fn check_and(
             let step = Step::of(derivation, claim)?;
             match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
                 Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => step.decide(),
+                None => recall.identity(derivation, claim, || step.decide()),
             }
         })
         .collect();
@@ -292,7 +306,7 @@ fn check_and(
     let identities = identities.map_err(CheckError::Defect)?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, &courses, &mut account);
+    probes.separate(derivation, &gradients, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
