@@ -285,27 +285,26 @@ fn check_and(
             // What is asked later needs few of the leaves; those of all motions at once take much memory.
             course.keep(&kept);
             let course = (!probes.is_empty() || altered.is_some()).then_some(course);
-            Ok(((verdicts, measured, drawn), (weighed, course)))
+            Ok(((verdicts, (measured, drawn)), (weighed, course)))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, (weighed, courses)): (Vec<Column>, (Vec<Option<Weighed>>, Vec<_>)) = columns.into_iter().unzip();
-    let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|k| {
-            let claim = &derivation.claims[claimed[k]];
-            let step = Step::of(derivation, claim)?;
-            match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
-                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => recall.identity(derivation, claim, || step.decide()),
-            }
-        })
-        .collect();
-    let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
-    let identities = identities.map_err(CheckError::Defect)?;
-    let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    let ((columns, shown), (weighed, courses)): ((Vec<Column>, Vec<_>), (Vec<Option<Weighed>>, Vec<_>)) =
+        columns.into_iter().unzip();
+    let mut account = assemble(derivation, &stage, &claimed, &tried, &columns, shown);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
+    let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
+        let claim = &derivation.claims[claimed[k]];
+        let step = Step::of(derivation, claim)?;
+        match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
+            Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+            None => recall.identity(derivation, claim, || step.decide()),
+        }
+    };
+    let identities: Vec<_> = (0..claimed.len()).into_par_iter().with_max_len(1).map(identity).collect();
+    for (claim, identity) in account.claims.iter_mut().zip(identities) {
+        claim.identity = identity.transpose().map_err(CheckError::Defect)?;
+    }
     probes.separate(derivation, &gradients, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
@@ -338,7 +337,7 @@ fn counterexample<'a>(
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
     let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|((verdicts, ..), &t)| {
+    columns.iter().zip(tried).find_map(|(verdicts, &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
@@ -372,11 +371,14 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
     matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
-/// What was found on one motion: a verdict for every claim that is tried on it, measurements, and pictures.
-type Column = (Vec<Option<Verdict>>, Vec<Measurement>, Vec<PictureAccount>);
+/// What was found on one motion: a verdict for every claim that is tried on it.
+type Column = Vec<Option<Verdict>>;
+
+/// What was measured and drawn on one motion.
+type Shown = (Vec<Measurement>, Vec<PictureAccount>);
 
 /// A column, what it says of the variants, and the motion where it is needed again.
-type Tried<'a> = (Column, (Option<Weighed>, Option<Course<'a>>));
+type Tried<'a> = ((Column, Shown), (Option<Weighed>, Option<Course<'a>>));
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
@@ -480,14 +482,14 @@ fn assemble(
     stage: &Stage,
     claimed: &[usize],
     tried: &[usize],
-    columns: Vec<Column>,
-    identities: Vec<Option<IdentityAccount>>,
+    columns: &[Column],
+    shown: Vec<Shown>,
 ) -> Account {
     let mut claims = Vec::new();
-    for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
+    for (k, &c) in claimed.iter().enumerate() {
         let claim = &derivation.claims[c];
         let pair = |(column, &t): (&Column, &usize)| {
-            let verdict = column.0[k].clone()?;
+            let verdict = column[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
             Some(PairAccount {
                 trajectory: derivation.trajectories[t].id.clone(),
@@ -504,7 +506,7 @@ fn assemble(
             formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
-            identity,
+            identity: None,
             conditions: Default::default(),
             results: columns.iter().zip(tried).filter_map(pair).collect(),
             region: None,
@@ -513,7 +515,7 @@ fn assemble(
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
     let (mut measurements, mut pictures) = (Vec::new(), Vec::new());
-    for (_, measured, drawn) in columns {
+    for (measured, drawn) in shown {
         measurements.extend(measured);
         pictures.extend(drawn);
     }
