@@ -34,7 +34,7 @@ const TINY: f64 = 1e-290;
 const NEGLIGIBLE: f64 = 1e-19;
 
 /// Most coefficients of a polynomial that becomes a model.
-const MOST_TERMS: usize = 21;
+pub(super) const MOST_TERMS: usize = 27;
 /// 0, 1, 2 …
 const ORDERS: [f64; ROOM] = {
     let mut orders = [0.0; ROOM];
@@ -46,7 +46,7 @@ const ORDERS: [f64; ROOM] = {
     orders
 };
 /// The coefficients of ((1 + s)/2)ᵏ: binomial coefficients over powers of two, which binary64 holds exactly.
-const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
+pub(super) const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
     let mut powers = [[0.0; MOST_TERMS + 1]; MOST_TERMS + 1];
     powers[0][0] = 1.0;
     let mut k = 1;
@@ -60,6 +60,39 @@ const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
         k += 1;
     }
     powers
+};
+
+/// Number of places that [`TaylorModel::through`] takes values at.
+pub const NODES: usize = 8;
+
+/// Those places: near the zeros of a Chebyshev polynomial.
+const PLACES: [f64; NODES] = [-0.98, -0.83, -0.555, -0.195, 0.195, 0.555, 0.83, 0.98];
+
+/// Coefficients of the polynomials that are 1 at one place and 0 at the others.
+const LAGRANGE: [[f64; NODES]; NODES] = {
+    let mut all = [[0.0; NODES]; NODES];
+    let mut j = 0;
+    while j < NODES {
+        let mut product = [0.0; NODES];
+        product[0] = 1.0;
+        let (mut m, mut degree) = (0, 0);
+        while m < NODES {
+            if m != j {
+                let scale = PLACES[j] - PLACES[m];
+                let mut k = degree + 1;
+                while k > 0 {
+                    product[k] = (product[k - 1] - PLACES[m] * product[k]) / scale;
+                    k -= 1;
+                }
+                product[0] = -PLACES[m] * product[0] / scale;
+                degree += 1;
+            }
+            m += 1;
+        }
+        all[j] = product;
+        j += 1;
+    }
+    all
 };
 
 /// See the module.
@@ -101,6 +134,27 @@ impl TaylorModel {
         new
     }
 
+    /// A polynomial, of which coefficients that there is no room for count as unknown, and what else is not known.
+    pub(super) fn from_parts(coefficients: impl Iterator<Item = f64>, rest: f64) -> TaylorModel {
+        let mut new = TaylorModel::ZERO;
+        let mut beyond = rest;
+        for (k, c) in coefficients.enumerate() {
+            if k < ROOM {
+                new.coefficients[k] = c;
+                new.length = if c != 0.0 { k + 1 } else { new.length };
+            } else {
+                beyond += c.abs();
+            }
+        }
+        new.rest = beyond * GROW;
+        new
+    }
+
+    /// The coefficients up to the last that is not zero.
+    pub(super) fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..self.length]
+    }
+
     /// Whether it is one number.
     #[inline(always)]
     fn is_point(&self) -> bool {
@@ -110,6 +164,30 @@ impl TaylorModel {
     #[inline(always)]
     fn is_zero(&self) -> bool {
         self.is_point() && self.coefficients[0] == 0.0
+    }
+
+    /// The polynomial, without what is not known of the quantity.
+    pub fn polynomial(&self) -> TaylorModel {
+        TaylorModel { rest: 0.0, ..*self }
+    }
+
+    /// A polynomial without a remainder, close to given values at the [`NODES`] places of [`TaylorModel::at_node`]. How close
+    /// is not said.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] when a coefficient is not finite.
+    pub fn through(values: &[f64; NODES]) -> Result<TaylorModel, NoValue> {
+        let mut new = TaylorModel::ZERO;
+        for (basis, &value) in LAGRANGE.iter().zip(values) {
+            new.coefficients.iter_mut().zip(basis).for_each(|(c, b)| *c += b * value);
+        }
+        new.length = NODES;
+        if new.norm(0) < f64::MAX { Ok(new) } else { Err(NoValue::Indeterminate) }
+    }
+
+    /// The polynomial at one of the places of [`TaylorModel::through`], to nearest.
+    pub fn at_node(&self, node: usize) -> f64 {
+        self.coefficients[..self.length].iter().rev().fold(0.0, |sum, c| sum * PLACES[node] + c)
     }
 
     /// What it is known of the quantity beside the polynomial.
@@ -163,7 +241,7 @@ impl TaylorModel {
     }
 
     /// A polynomial without a remainder, close to Σₖ cₖ·σᵏ for σ from 0 to h, where s = −1 is σ = 0. How close is not said.
-    /// At most 22 coefficients are taken.
+    /// At most 28 coefficients are taken.
     ///
     /// # Errors
     /// [`NoValue::Indeterminate`] when a coefficient is not finite, or there are too many.
@@ -244,6 +322,12 @@ impl TaylorModel {
             sum = sum * s + Interval::point(c);
         }
         sum + Interval::ball(0.0, self.rest)
+    }
+
+    /// All values at s = 1.
+    pub fn at_end(&self) -> Interval {
+        let sum: f64 = self.coefficients.iter().sum();
+        Interval::ball(sum, (self.rest + ROOM as f64 * unit() * self.norm(0)) * GROW)
     }
 
     /// Checks, and leaves out what is negligible.
