@@ -153,11 +153,12 @@ fn no_report_loses_a_claim_over_ranges() {
 fn the_picture_tells_the_parts_apart_without_colour() {
     let mut derivation = three();
     let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("an account");
-    let page = report::page(&derivation, &account);
-    assert_eq!(page.matches("<figure class=\"map\">").count(), 1, "two ranges vary in one claim");
-    let figure = page.split_once("<figure class=\"map\">").and_then(|(_, rest)| rest.split_once("</figure>"));
+    // Quotes that HTML can do without may be left out.
+    let page = report::page(&derivation, &account).replace('"', "");
+    assert_eq!(page.matches("<figure class=map>").count(), 1, "two ranges vary in one claim");
+    let figure = page.split_once("<figure class=map>").and_then(|(_, rest)| rest.split_once("</figure>"));
     let (figure, _) = figure.expect("a figure");
-    for part in ["role=\"img\"", "<title>", "<desc>", "path class=\"rf\"", "path class=\"rp\"", "refuted", "x in rad"] {
+    for part in ["role=img", "<title>", "<desc>", "path class=rf", "path class=rp", "refuted", "x in rad"] {
         assert!(figure.contains(part), "{part} in\n{figure}");
     }
     assert!(figure.len() < 12_000, "{} bytes", figure.len());
