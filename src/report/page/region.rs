@@ -108,7 +108,11 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
     let say = |(parts, _, word): &&(&[Part], &str, &str)| {
         let squares: u32 = map.patches.iter().filter(|p| parts.contains(&p.part)).map(|p| p.width * p.height).sum();
         let share = 100.0 * f64::from(squares) / f64::from(map.squares * map.squares);
-        format!("{word} on {} of 100 parts", (10.0 * share).round() / 10.0)
+        match share {
+            s if s < 0.1 => format!("{word} on less than 0.1 % of the squares"),
+            s if s > 99.9 => format!("{word} on more than 99.9 % of the squares"),
+            s => format!("{word} on {} % of the squares", (10.0 * s).round() / 10.0),
+        }
     };
     let describe = format!(
         "{} from {} to {} to the right, {} from {} to {} upwards: {}{more}.",
@@ -139,7 +143,8 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
                 (text(0.5 * (left + right), bottom + 38.0, "middle", label(across)))
                 text transform=(format!("translate(16 {}) rotate(-90)", top + 0.5 * side)) text-anchor="middle" { (label(up)) }
                 @for (i, (_, class, word)) in shown.iter().enumerate() {
-                    @let x = left + 104.0 * i as f64 - 60.0;
+                    @let before: usize = shown[..i].iter().map(|(_, _, word)| word.chars().count()).sum();
+                    @let x = 24.0 + 34.0 * i as f64 + 8.0 * before as f64;
                     g transform=(format!("translate({x} 452) scale({scale})")) {
                         path class=(class) d=(match *class {
                             "rf" => "M0 1l1-1M0 2l2-2M1 2l1-1",
