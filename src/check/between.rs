@@ -97,11 +97,11 @@ impl<'a> Between<'a> {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let point = |&(t, role): &(f64, Role)| match role {
-            Role::Crossing(slack) => course.values_at_event(t, slack),
-            _ => course.values(t),
+        let event = |&(t, role): &(f64, Role)| match role {
+            Role::Crossing(slack) => (t, Some(slack)),
+            _ => (t, None),
         };
-        let points: Points = found.iter().map(point).collect();
+        let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
         // Where the sign changes, the sides are equal.
         for group in &mut measured.groups {

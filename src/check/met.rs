@@ -92,8 +92,9 @@ pub(super) fn look(trial: &Trial) -> Search {
     // In the order of time, each once; those of the motion lie between.
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let place = |&t: &f64| (course.times.partition_point(|&x| x < t), course.values(t));
-    let more: Vec<(usize, Values)> = times.iter().map(place).collect();
+    let values = course.points_at(program, &times);
+    let place = |(i, &t): (usize, &f64)| (course.times.partition_point(|&x| x < t), values.row(i));
+    let more: Vec<(usize, Values)> = times.iter().enumerate().map(place).collect();
     let points = course.points.with(&more, program.inputs());
     times.extend(&course.times);
     times.sort_by(f64::total_cmp);
@@ -104,7 +105,7 @@ pub(super) fn look(trial: &Trial) -> Search {
 /// Whether the inequalities among the assumptions are not violated at a time.
 fn is_met(trial: &Trial, t: f64) -> bool {
     use super::comparison::Standing;
-    let point = [trial.course.values(t)].into_iter().collect();
+    let point = trial.course.points_at(trial.program, &[t]);
     let measured = measure(trial.program, &point, None);
     let selecting = trial.program.assumptions.iter().zip(&measured.assumptions).filter(|(a, _)| !a.throughout);
     selecting

@@ -10,7 +10,7 @@ use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
-use crate::number::{Bounded, BoundedLanes, Rational};
+use crate::number::{Bounded, BoundedLanes, NoValue, Rational};
 use crate::tape::{Slots, Tape};
 
 /// Points that are evaluated at once.
@@ -215,7 +215,11 @@ impl Program {
                         each(graph, w, |_| Use::Always);
                     }
                 }
-                Form::FirstIntegral(_) | Form::Defined(_) | Form::SameMotion { .. } | Form::Independent { .. } => {}
+                Form::FirstIntegral(_)
+                | Form::Defined(_)
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. } => {}
             }
         }
         for form in &claim.forms {
@@ -370,7 +374,7 @@ impl Program {
         tape.run(&(), slots);
     }
 
-    /// Evaluates everything at a block of points; whether every comparison has a value at each of them.
+    /// Evaluates everything at a block of points; `false` where some input has a value at some of the points only.
     fn run_block(
         &self,
         tape: &Tape,
@@ -379,13 +383,18 @@ impl Program {
         slots: &mut Slots<BoundedLanes<BLOCK>>,
     ) -> bool {
         for (i, &at) in self.inputs.iter().enumerate() {
-            // What some comparison needs has no value: the points one by one.
-            let Some(lanes) = points.lanes(from, at) else { return false };
-            slots.set(i, Ok(lanes));
+            let lanes = match points.absent(at) {
+                Some(reason) => Err(reason),
+                None => match points.lanes(from, at) {
+                    Some(lanes) => Ok(lanes),
+                    None => return false,
+                },
+            };
+            slots.set(i, lanes);
         }
         slots.set(self.inputs.len(), Ok(BoundedLanes::splat(Bounded::exact(sign))));
         tape.run(&(), slots);
-        (0..tape.output_count()).all(|k| tape.output(k, slots).is_ok())
+        true
     }
 
     /// Measures every comparison at the points, for one sign of ±: `[comparison][point]`.
@@ -395,19 +404,24 @@ impl Program {
         let mut out: Vec<Series> = (0..count).map(|_| Vec::with_capacity(points.len())).collect();
         let (mut single, mut lanes) = (None, None);
         let mut failed = 0;
+        // What depends on something that has no value at any of the points has none either.
+        let absent: Vec<bool> = self.inputs.iter().map(|&at| points.absent(at).is_some()).collect();
+        let never = tape.depends(&absent);
         for from in (0..points.len()).step_by(BLOCK) {
             if from + BLOCK <= points.len() && failed < PATIENCE {
                 let slots = lanes.get_or_insert_with(|| tape.slots::<BoundedLanes<BLOCK>>(&()));
-                if self.run_block(tape, (points, from), sign, slots) {
+                let valued = |slots: &_| (0..4 * count).all(|o| never[o] || tape.output(o, slots).is_ok());
+                if self.run_block(tape, (points, from), sign, slots) && valued(slots) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
-                        let output = |n: usize| slots.value(tape.output_slot(4 * k + n));
-                        let (left, right, difference, magnitude) = (output(0), output(1), output(2), output(3));
-                        series.extend((0..BLOCK).map(|i| {
-                            let (left, right) = (left.lane(i), right.lane(i));
-                            let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
-                            Ok(Measured { left, right, difference, magnitude })
-                        }));
+                        match four(|n| tape.output(4 * k + n, slots).copied()) {
+                            Ok([left, right, difference, magnitude]) => series.extend((0..BLOCK).map(|i| {
+                                let (left, right) = (left.lane(i), right.lane(i));
+                                let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
+                                Ok(Measured { left, right, difference, magnitude })
+                            })),
+                            Err(reason) => series.extend([Err(reason); BLOCK]),
+                        }
                     }
                     continue;
                 }
@@ -417,15 +431,19 @@ impl Program {
                 self.run(points.sample(at), sign, &mut single);
                 let Some(slots) = &single else { continue };
                 for (k, series) in out.iter_mut().enumerate() {
-                    let output = |n: usize| tape.output(4 * k + n, slots).copied();
-                    let one = || {
-                        let (left, right, difference) = (output(0)?, output(1)?, output(2)?);
-                        Ok(Measured { left, right, difference, magnitude: output(3)?.value })
+                    let of = |[left, right, difference, magnitude]: [Bounded; 4]| {
+                        let magnitude = magnitude.value;
+                        Measured { left, right, difference, magnitude }
                     };
-                    series.push(one());
+                    series.push(four(|n| tape.output(4 * k + n, slots).copied()).map(of));
                 }
             }
         }
         out
     }
+}
+
+/// The four outputs of a comparison, or why the first that has no value has none.
+fn four<T>(output: impl Fn(usize) -> Result<T, NoValue>) -> Result<[T; 4], NoValue> {
+    Ok([output(0)?, output(1)?, output(2)?, output(3)?])
 }

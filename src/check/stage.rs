@@ -18,7 +18,7 @@ use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
-use crate::flow::{Motion, Observable, Search, Setup, Source, VectorField, Zeros};
+use crate::flow::{Motion, Observable, Points, Search, Setup, Source, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -214,6 +214,15 @@ impl Stage {
         let point = built.motion.at(t);
         let place = |p: &Option<usize>| p.and_then(|i| point.get(i).copied()).unwrap_or(Err(NoValue::OutOfDomain));
         built.places.iter().map(place).collect()
+    }
+
+    /// The values of some of the wanted leaves, by their positions, on a motion at times; the others have none.
+    pub fn points(&self, trajectory: usize, times: &[f64], leaves: &[usize]) -> Points {
+        let Some(built) = self.built(trajectory) else { return Points::default() };
+        let mut here: Vec<usize> = leaves.iter().filter_map(|&l| built.places.get(l).copied().flatten()).collect();
+        here.sort_unstable();
+        here.dedup();
+        built.motion.along_some(times, &here).arranged(&built.places)
     }
 
     /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.

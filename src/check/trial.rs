@@ -57,6 +57,20 @@ impl Course<'_> {
         self.stage.values(self.trajectory, t)
     }
 
+    /// The same motion at the same times, with the values of other leaves, by their positions.
+    pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
+        let points = self.stage.points(self.trajectory, &self.times, &leaves);
+        let (times, near) = (self.times.clone(), Mutex::default());
+        Course { points, times, near, ..*self }
+    }
+
+    /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
+    pub fn keep(&mut self, leaves: &[usize]) {
+        self.points.keep(leaves);
+        self.motion.rest();
+        self.near = Mutex::default();
+    }
+
     /// Times around a sample: a few between it and its neighbours.
     fn near(&self, at: usize) -> Arc<Near> {
         let look = || {
@@ -82,23 +96,46 @@ impl Course<'_> {
         self.stage.zeros(self.trajectory, e)
     }
 
-    /// The values of all leaves at events.
-    pub fn values_at_events(&self, zeros: &Zeros) -> Points {
-        zeros.times.iter().zip(&zeros.slack).map(|(&t, &slack)| self.values_at_event(t, slack)).collect()
+    /// What a claim needs at other times.
+    pub fn points_at(&self, program: &Program, times: &[f64]) -> Points {
+        self.stage.points(self.trajectory, times, program.inputs())
+    }
+
+    /// What a claim needs at events, and at other times: an event has a `slack`, up to which its time is known, and how far
+    /// the values move meanwhile is part of their error.
+    pub fn points_at_events(&self, program: &Program, events: &[(f64, Option<f64>)]) -> Points {
+        let around = |&(t, slack): &(f64, Option<f64>)| {
+            let beside = slack.map(|slack| [t - slack, t + slack]);
+            [t].into_iter().chain(beside.into_iter().flatten())
+        };
+        let times: Vec<f64> = events.iter().flat_map(around).collect();
+        let found = self.points_at(program, &times);
+        let mut next = 0;
+        let point = |(_, slack): &(f64, Option<f64>)| -> Values {
+            let at = next;
+            next += if slack.is_some() { 3 } else { 1 };
+            let here = found.row(at);
+            if slack.is_none() { here } else { widened(here, found.row(at + 1), found.row(at + 2)) }
+        };
+        events.iter().map(point).collect()
     }
 
     /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
     /// their error.
     pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
-        let (before, after) = (self.values(t - slack), self.values(t + slack));
-        let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
-            let here = here?;
-            let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
-            // Over so short a time everything moves linearly; twice the change covers what is not.
-            Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
-        };
-        self.values(t).into_iter().zip(before).zip(after).map(widened).collect()
+        widened(self.values(t), self.values(t - slack), self.values(t + slack))
     }
+}
+
+/// Values at an event, with how far they move until just before and just after it.
+fn widened(here: Values, before: Values, after: Values) -> Values {
+    let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
+        let here = here?;
+        let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
+        // Over so short a time everything moves linearly; twice the change covers what is not.
+        Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
+    };
+    here.into_iter().zip(before).zip(after).map(widened).collect()
 }
 
 /// A claim to be tried on a motion.
@@ -159,7 +196,8 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
     let at_events: Option<(Vec<f64>, Points)> = match (&program.at, zeros) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            Some((zeros.times.clone(), course.values_at_events(zeros)))
+            let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
+            Some((zeros.times.clone(), course.points_at_events(program, &events)))
         }
         (Some(_), zeros) => return no_event(trial, zeros),
     };
@@ -272,7 +310,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
     if times.is_empty() {
         return verdict;
     }
-    let points: Points = times.iter().map(|&t| course.values(t)).collect();
+    let points = course.points_at(program, &times);
     let describer = Describer::new(trial, &times, &points);
     let measured = measure(program, &points, Some(along));
     let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };

@@ -1,6 +1,10 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-use super::{FastMap, Op, Rational, Shape};
+use super::hash::FastHasher;
+use super::{Op, Rational, Shape};
+use hashbrown::HashTable;
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
 /// A node of a [`Graph`]. Children have smaller numbers than their parents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,7 +45,7 @@ pub struct Leaf {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// An exact rational number.
-    Constant(Rational),
+    Constant(Arc<Rational>),
     /// π.
     Pi,
     /// Something whose value comes from outside.
@@ -77,8 +81,15 @@ struct SymbolEntry {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: FastMap<Node, Expr>,
+    /// The nodes by what they say: one number each, since copies of a graph are many.
+    index: HashTable<Expr>,
     symbols: Vec<SymbolEntry>,
+}
+
+fn hash(node: &Node) -> u64 {
+    let mut hasher = FastHasher::default();
+    node.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
@@ -142,7 +153,7 @@ impl Graph {
 
     /// The node that is written like this, if there is one already.
     pub fn find(&self, node: &Node) -> Option<Expr> {
-        self.index.get(node).copied()
+        self.index.find(hash(node), |&e| self.nodes[e.index()] == *node).copied()
     }
 
     /// Number of nodes.
@@ -161,24 +172,26 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&e) = self.index.get(&node) {
+        if let Some(e) = self.find(&node) {
             return e;
         }
         // a + b and b + a are one node, printed in the order in which it was first written.
         if let Node::Binary(op @ (Op::Add | Op::Mul | Op::Agm), a, b) = node
-            && let Some(&e) = self.index.get(&Node::Binary(op, b, a))
+            && let Some(e) = self.find(&Node::Binary(op, b, a))
         {
             return e;
         }
         let e = Expr(self.nodes.len() as u32);
-        self.nodes.push(node.clone());
-        self.index.insert(node, e);
+        let hashed = hash(&node);
+        self.nodes.push(node);
+        let nodes = &self.nodes;
+        self.index.insert_unique(hashed, e, |e| hash(&nodes[e.index()]));
         e
     }
 
     /// An exact rational.
     pub fn constant(&mut self, value: Rational) -> Expr {
-        self.intern(Node::Constant(value))
+        self.intern(Node::Constant(Arc::new(value)))
     }
 
     /// An integer.
@@ -223,20 +236,20 @@ impl Graph {
     pub fn unary(&mut self, op: Op, a: Expr) -> Expr {
         debug_assert_eq!(op.arity(), 1);
         match (op, self.node(a).clone()) {
-            (Op::Neg, Node::Constant(r)) => self.constant(-r),
+            (Op::Neg, Node::Constant(r)) => self.constant(-&*r),
             (Op::Neg, Node::Unary(Op::Neg, inner)) => inner,
             (Op::Powi(1), _) => a,
-            (Op::Powi(n), Node::Constant(r)) if (n >= 0 || r != Rational::ZERO) && folds(&r, n) => {
+            (Op::Powi(n), Node::Constant(r)) if (n >= 0 || *r != Rational::ZERO) && folds(&r, n) => {
                 self.constant(r.pow(n as isize))
             }
-            (Op::Abs, Node::Constant(r)) => self.constant(if r < Rational::ZERO { -r } else { r }),
+            (Op::Abs, Node::Constant(r)) => self.constant(if *r < Rational::ZERO { -&*r } else { (*r).clone() }),
             (Op::Sin | Op::Tan | Op::Arcsin | Op::Arctan | Op::Sinh | Op::Tanh | Op::Sqrt, Node::Constant(r))
-                if r == Rational::ZERO =>
+                if *r == Rational::ZERO =>
             {
                 a
             }
-            (Op::Cos | Op::Cosh | Op::Exp, Node::Constant(r)) if r == Rational::ZERO => self.integer(1),
-            (Op::Sqrt, Node::Constant(r)) if r == Rational::ONE => a,
+            (Op::Cos | Op::Cosh | Op::Exp, Node::Constant(r)) if *r == Rational::ZERO => self.integer(1),
+            (Op::Sqrt, Node::Constant(r)) if *r == Rational::ONE => a,
             _ => self.intern(Node::Unary(op, a)),
         }
     }
@@ -246,10 +259,10 @@ impl Graph {
         debug_assert_eq!(op.arity(), 2);
         if let (Node::Constant(x), Node::Constant(y)) = (self.node(a), self.node(b)) {
             let folded = match op {
-                Op::Add => Some(x + y),
-                Op::Sub => Some(x - y),
-                Op::Mul => Some(x * y),
-                Op::Div if *y != Rational::ZERO => Some(x / y),
+                Op::Add => Some(&**x + &**y),
+                Op::Sub => Some(&**x - &**y),
+                Op::Mul => Some(&**x * &**y),
+                Op::Div if **y != Rational::ZERO => Some(&**x / &**y),
                 _ => None,
             };
             if let Some(value) = folded {

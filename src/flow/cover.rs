@@ -3,7 +3,10 @@
 use super::angle::AngleBenches;
 use super::core::Core;
 use super::program::{Bench, Program};
-use crate::number::{Bounded, NoValue};
+use crate::number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
+
+/// How many stretches, or times, are looked at together.
+const BLOCK: usize = 8;
 
 /// A stretch of time.
 #[derive(Clone, Debug)]
@@ -47,6 +50,8 @@ pub(super) struct Explorer<'a> {
     series: Bench<f64>,
     values: Bench<Bounded>,
     plain: Bench<f64>,
+    wide_series: Bench<Lanes<BLOCK>>,
+    wide_values: Bench<BoundedLanes<BLOCK>>,
     angles: AngleBenches,
 }
 
@@ -58,6 +63,8 @@ impl<'a> Explorer<'a> {
             series: program.bench_of_steps(core, degree),
             values: program.bench(core, 0),
             plain: program.bench(core, 0),
+            wide_series: program.bench_of_steps(core, degree),
+            wide_values: program.bench(core, 0),
             angles: Vec::new(),
         }
     }
@@ -69,6 +76,51 @@ impl<'a> Explorer<'a> {
         (0..self.program.output_count())
             .map(|i| self.program.output(&self.values, i).map(|x| x.coefficient(0)))
             .collect()
+    }
+
+    /// The value of the first output at many times.
+    pub(super) fn all_values(&mut self, times: &[f64]) -> Vec<Result<Bounded, NoValue>> {
+        let mut out = Vec::with_capacity(times.len());
+        for block in times.chunks(BLOCK) {
+            let lanes = block.try_into().ok().and_then(|times: &[f64; BLOCK]| {
+                self.run_values(times);
+                self.program.output(&self.wide_values, 0).ok().map(|x| x.coefficient(0))
+            });
+            match lanes {
+                Some(lanes) => out.extend((0..BLOCK).map(|i| Ok(lanes.lane(i)))),
+                None => out.extend(
+                    block.iter().map(|&t| self.values(t).first().copied().unwrap_or(Err(NoValue::Unsupported))),
+                ),
+            }
+        }
+        out
+    }
+
+    fn run_values(&mut self, times: &[f64; BLOCK]) {
+        let turns = times.map(|t| self.core.turns(self.program, t, &mut self.angles));
+        self.program.run_lanes(self.core, &mut self.wide_values, times, &turns);
+    }
+
+    /// The polynomials around the middles of several stretches; none where that must be found out for a stretch alone.
+    fn pieces(&mut self, stretches: &[(f64, f64); BLOCK]) -> [Option<Piece>; BLOCK] {
+        let centres = stretches.map(|(start, end)| start + 0.5 * (end - start));
+        self.run_values(&centres);
+        let turns = centres.map(|t| self.core.turns(self.program, t, &mut self.angles));
+        self.program.run_lanes(self.core, &mut self.wide_series, &centres, &turns);
+        let outputs = 0..self.program.output_count();
+        let values: Result<Vec<_>, _> =
+            outputs.clone().map(|o| self.program.output(&self.wide_values, o).map(|x| x.coefficient(0))).collect();
+        let series: Result<Vec<_>, _> = outputs.map(|o| self.program.output(&self.wide_series, o)).collect();
+        let (Ok(values), Ok(series)) = (values, series) else { return [const { None }; BLOCK] };
+        std::array::from_fn(|i| {
+            let of = |x: &&Jet<Lanes<BLOCK>>| x.coefficients().iter().map(|c| c.0[i]).collect::<Vec<f64>>();
+            let outputs: Vec<Vec<f64>> = series.iter().map(of).collect();
+            // Of lanes, one without a value does not stop the others.
+            let known = outputs.iter().flatten().all(|c| c.is_finite());
+            let (start, end) = stretches[i];
+            let values = values.iter().map(|x| x.lane(i)).collect();
+            known.then(|| Piece { start, end, centre: centres[i], outputs, values })
+        })
     }
 
     /// The value of the first output, without its error.
@@ -108,10 +160,18 @@ impl<'a> Explorer<'a> {
         let mut out: Vec<Stretch> = Vec::new();
         let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
         let mut budget = 4000 + 200 * times.len();
-        for pair in times.windows(2) {
-            let mut stack = vec![(pair[0], pair[1])];
+        let stretches: Vec<(f64, f64)> = times.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let mut together: std::vec::IntoIter<Option<Piece>> = Vec::new().into_iter();
+        for (i, &stretch) in stretches.iter().enumerate() {
+            if let Some(block) = stretches.get(i..i + BLOCK).filter(|_| i.is_multiple_of(BLOCK))
+                && let Ok(block) = block.try_into()
+            {
+                together = Vec::from(self.pieces(block)).into_iter();
+            }
+            let mut whole = together.next().flatten();
+            let mut stack = vec![stretch];
             while let Some((start, end)) = stack.pop() {
-                let found = self.piece(start, end);
+                let found = whole.take().map_or_else(|| self.piece(start, end), Ok);
                 let reason = found.as_ref().err().copied();
                 if let Ok(piece) = found
                     && accept(self, &piece)

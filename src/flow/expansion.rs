@@ -66,7 +66,7 @@ impl Expansion {
     }
 
     /// The same for some of the leaves.
-    fn part(&self, leaves: &[usize]) -> Expansion {
+    pub(super) fn part(&self, leaves: &[usize]) -> Expansion {
         let mut outputs: Vec<usize> = leaves.iter().map(|&l| self.places[l].0).collect();
         outputs.sort_unstable();
         outputs.dedup();

@@ -250,6 +250,11 @@ impl Motion {
         out
     }
 
+    /// Gives back the memory of evaluations; the next one takes it anew.
+    pub fn rest(&self) {
+        self.pool.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+
     /// The prepared leaves at a time; empty before [`Motion::prepare`].
     ///
     /// Outside the times of the trajectory nothing that depends on it has a value.
@@ -267,7 +272,18 @@ impl Motion {
     /// place.
     pub fn along(&self, times: &[f64]) -> Points {
         let Some(prepared) = &self.prepared else { return Points::default() };
-        self.with_scratch(|scratch| prepared.leaves.along(&prepared.core, &mut scratch.leaves, times))
+        // Blocks take much memory, and are asked for once.
+        prepared.leaves.along(&prepared.core, &mut Memory::default(), times)
+    }
+
+    /// The same for some of the prepared leaves, by their positions: the others have no values.
+    pub fn along_some(&self, times: &[f64], leaves: &[usize]) -> Points {
+        let Some(prepared) = &self.prepared else { return Points::default() };
+        let part = prepared.leaves.part(leaves);
+        let found = part.along(&prepared.core, &mut Memory::default(), times);
+        let mut places = vec![None; prepared.leaves.orders().count()];
+        leaves.iter().enumerate().for_each(|(i, &leaf)| places[leaf] = Some(i));
+        found.arranged(&places)
     }
 
     /// The prepared leaves at the dual time t + ε, by dual numbers: each with its rate.

@@ -144,6 +144,15 @@ impl Points {
         Some(lanes)
     }
 
+    /// Why a leaf has no value at any time; `None` if it has one at some time.
+    pub fn absent(&self, leaf: usize) -> Option<NoValue> {
+        match self.columns.get(leaf) {
+            Some(Column::Same(x)) => x.err(),
+            Some(_) => None,
+            None => Some(NoValue::OutOfDomain),
+        }
+    }
+
     /// Adds a time.
     pub fn push(&mut self, values: impl IntoIterator<Item = Value>) {
         let mut values = values.into_iter();
@@ -180,6 +189,15 @@ impl Points {
     pub(super) fn finished(mut self) -> Points {
         self.columns.iter_mut().for_each(Column::shrink);
         self
+    }
+
+    /// Forgets all leaves but these.
+    pub fn keep(&mut self, leaves: &[usize]) {
+        for (leaf, column) in self.columns.iter_mut().enumerate() {
+            if leaves.binary_search(&leaf).is_err() {
+                *column = Column::Same(Err(NoValue::OutOfDomain));
+            }
+        }
     }
 
     /// The same times with the leaves in another order: for each its position here, where no two are the same; one that is

@@ -5,7 +5,7 @@ use num_dual::Dual;
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, BoundedLanes, Interval, Jet, NoValue, Number, Op, Orders, Scalar};
+use crate::number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
@@ -52,6 +52,12 @@ impl Base for Bounded {
 impl<const N: usize> Base for BoundedLanes<N> {
     fn from_bounded(x: Bounded) -> BoundedLanes<N> {
         BoundedLanes::splat(x)
+    }
+}
+
+impl<const N: usize> Base for Lanes<N> {
+    fn from_bounded(x: Bounded) -> Lanes<N> {
+        Lanes::splat(x.value)
     }
 }
 
@@ -159,29 +165,53 @@ struct Instants<'a, const N: usize> {
     turns: &'a [Turns; N],
 }
 
-impl<const N: usize> When<BoundedLanes<N>> for Instants<'_, N> {
-    fn time(&self) -> BoundedLanes<N> {
-        BoundedLanes::of(self.times.map(Bounded::exact))
+/// Numbers of several times.
+pub(super) trait Wide<const N: usize>: Base {
+    /// One for each time.
+    fn of(each: [Bounded; N]) -> Self;
+}
+
+impl<const N: usize> Wide<N> for BoundedLanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        BoundedLanes::of(each)
+    }
+}
+
+impl<const N: usize> Wide<N> for Lanes<N> {
+    fn of(each: [Bounded; N]) -> Self {
+        Lanes(each.map(|x| x.value))
+    }
+}
+
+impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
+    fn time(&self) -> B {
+        B::of(self.times.map(Bounded::exact))
     }
     fn is_within(&self, (from, to): (f64, f64)) -> bool {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
-    fn state(&self, trajectory: &Trajectory, i: usize) -> BoundedLanes<N> {
+    fn state(&self, trajectory: &Trajectory, i: usize) -> B {
         match self.places {
-            Some(places) => BoundedLanes::of(places.map(|place| trajectory.bounded(place, i))),
-            None => BoundedLanes::INVALID,
+            Some(places) => B::of(places.map(|place| trajectory.bounded(place, i))),
+            None => B::INVALID,
         }
     }
-    fn polynomial(&self, _: &Trajectory, _: usize, out: &mut [BoundedLanes<N>]) {
-        // Polynomials of steps have no error bounds.
-        out.fill(BoundedLanes::INVALID);
+    fn polynomial(&self, trajectory: &Trajectory, i: usize, out: &mut [B]) {
+        let mut each = [[0.0; N]; ORDER + 1];
+        let length = out.len().min(ORDER + 1);
+        if let Some(places) = &self.places {
+            trajectory.around_lanes(places, i, &mut each[..length]);
+        }
+        for (to, from) in out.iter_mut().zip(each) {
+            *to = B::of(from.map(Bounded::exact));
+        }
     }
-    fn turns(&self, angle: usize) -> Result<BoundedLanes<N>, NoValue> {
+    fn turns(&self, angle: usize) -> Result<B, NoValue> {
         let mut each = [Bounded::exact(0.0); N];
         for (x, all) in each.iter_mut().zip(self.turns) {
             *x = turns_of(all, angle)?;
         }
-        Ok(BoundedLanes::of(each))
+        Ok(B::of(each))
     }
 }
 
@@ -250,7 +280,7 @@ impl Program {
     }
 
     /// Memory for series that are made from the polynomials of the steps, up to a degree that is not above theirs.
-    pub(super) fn bench_of_steps(&self, core: &Core, degree: usize) -> Bench<f64> {
+    pub(super) fn bench_of_steps<B: Base>(&self, core: &Core, degree: usize) -> Bench<B> {
         self.memory(core, degree, true)
     }
 
@@ -280,10 +310,10 @@ impl Program {
     }
 
     /// Expands all outputs around several times at once. An output has a value only if it has one at all of them.
-    pub(super) fn run_lanes<const N: usize>(
+    pub(super) fn run_lanes<const N: usize, B: Wide<N>>(
         &self,
         core: &Core,
-        bench: &mut Bench<BoundedLanes<N>>,
+        bench: &mut Bench<B>,
         times: &[f64; N],
         of: &[Turns; N],
     ) {
@@ -400,12 +430,7 @@ impl Program {
     /// For each output, whether it has no value at any time, since a constant that it depends on has none.
     pub(super) fn never_valued(&self, core: &Core) -> Vec<bool> {
         let constant = |input: &Input| matches!(input, Input::Constant(i) if core.constants[*i].value.is_err());
-        let mut missing: Vec<bool> = self.inputs.iter().map(constant).collect();
-        missing.resize(self.tape.slot_count(), false);
-        for step in self.tape.instructions() {
-            missing[step.out as usize] = missing[step.a as usize] || missing[step.b as usize];
-        }
-        (0..self.output_count()).map(|i| missing[self.tape.output_slot(i)]).collect()
+        self.tape.depends(&self.inputs.iter().map(constant).collect::<Vec<bool>>())
     }
 
     /// An output after [`Program::run`].

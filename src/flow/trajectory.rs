@@ -149,6 +149,29 @@ impl Trajectory {
         }
     }
 
+    /// The same around several times at once: the same operations, time by time.
+    pub(super) fn around_lanes<const N: usize>(&self, places: &[Place; N], state: usize, out: &mut [[f64; N]]) {
+        let mut c = [[f64::NAN; N]; ORDER + 1];
+        for (i, place) in places.iter().enumerate() {
+            let branch = self.branch(place.backward);
+            let at = place.step * self.dimension + state;
+            let stored = branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)).unwrap_or_default();
+            c.iter_mut().zip(stored).for_each(|(c, &x)| c[i] = x);
+        }
+        let since = places.map(|place| place.since);
+        for lowest in 0..ORDER.min(out.len()) {
+            for k in (lowest..ORDER).rev() {
+                for i in 0..N {
+                    c[k][i] += since[i] * c[k + 1][i];
+                }
+            }
+        }
+        c[0] = places.map(|place| self.value(place, state));
+        for (to, from) in out.iter_mut().zip(c) {
+            *to = from;
+        }
+    }
+
     /// The value of a state with its error.
     pub(super) fn bounded(&self, place: Place, state: usize) -> Bounded {
         let value = self.value(place, state);

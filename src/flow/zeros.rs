@@ -125,16 +125,24 @@ fn note(incomplete: &mut Vec<Incomplete>, what: Incomplete) {
     incomplete.push(what);
 }
 
-/// The value at the time that was asked for last: neighbouring pieces share an end.
-struct LastValue(Option<(f64, Option<Bounded>)>);
+/// Values at times that are known beforehand, and at others.
+struct Known<'t> {
+    times: &'t [f64],
+    values: Vec<Result<Bounded, NoValue>>,
+    /// The time that was asked for last: neighbouring pieces share an end.
+    last: Option<(f64, Option<Bounded>)>,
+}
 
-impl LastValue {
+impl Known<'_> {
     fn get(&mut self, explorer: &mut Explorer, t: f64) -> Option<Bounded> {
-        match self.0 {
+        if let Ok(at) = self.times.binary_search_by(|x| x.total_cmp(&t)) {
+            return self.values[at].ok();
+        }
+        match self.last {
             Some((last, value)) if last == t => value,
             _ => {
                 let value = explorer.values(t).first().copied().and_then(Result::ok);
-                self.0 = Some((t, value));
+                self.last = Some((t, value));
                 value
             }
         }
@@ -144,7 +152,7 @@ impl LastValue {
 /// Covers the motion.
 fn look(explorer: &mut Explorer) -> Seen {
     let times = explorer.core.boundaries();
-    let mut ends = LastValue(None);
+    let mut ends = Known { times: &times, values: explorer.all_values(&times), last: None };
     let stretches = explorer.cover(&times, |explorer, piece| {
         let (Some(c), Some(x)) = (piece.outputs.first(), piece.values.first()) else { return false };
         let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
@@ -162,10 +170,26 @@ fn look(explorer: &mut Explorer) -> Seen {
         };
         follows(piece.start) && follows(piece.end)
     });
+    // The times at which each piece is looked at, and whether it stays within its error of 0.
+    let inner = |stretch: &Stretch| match stretch {
+        Stretch::Gap { .. } => (Vec::new(), false),
+        Stretch::Piece(piece) => {
+            let mut inner = vec![piece.start];
+            let flat = turning_points(piece, &mut inner);
+            inner.push(piece.end);
+            (inner, flat)
+        }
+    };
+    let inner: Vec<(Vec<f64>, bool)> = stretches.iter().map(inner).collect();
+    let mut further: Vec<f64> = inner.iter().flat_map(|(times, _)| times.iter().copied()).collect();
+    further.sort_by(f64::total_cmp);
+    further.dedup();
+    further.retain(|t| times.binary_search_by(|x| x.total_cmp(t)).is_err());
+    let mut further = Known { values: explorer.all_values(&further), times: &further, last: None };
     let (mut incomplete, mut kinks) = (Vec::new(), Vec::new());
     let mut runs: Vec<Run> = vec![Vec::new()];
     let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
-    for stretch in &stretches {
+    for (stretch, (inner, flat)) in stretches.iter().zip(inner) {
         match *stretch {
             Stretch::Gap { start, end, reason } => {
                 // A kink at one time is no obstacle: the expression is continuous across it, or has a pole.
@@ -185,9 +209,6 @@ fn look(explorer: &mut Explorer) -> Seen {
                     Some(run) => run,
                     None => continue,
                 };
-                let mut inner = vec![piece.start];
-                let flat = turning_points(piece, &mut inner);
-                inner.push(piece.end);
                 if flat {
                     note(&mut incomplete, Incomplete::Vanishing { start: piece.start, end: piece.end });
                 }
@@ -195,8 +216,10 @@ fn look(explorer: &mut Explorer) -> Seen {
                     if run.last().is_some_and(|n: &Node| n.time >= time) {
                         continue;
                     }
-                    if let Some(Ok(value)) = explorer.values(time).first() {
-                        run.push(Node { time, value: *value });
+                    let known =
+                        if times.binary_search_by(|x| x.total_cmp(&time)).is_ok() { &mut ends } else { &mut further };
+                    if let Some(value) = known.get(explorer, time) {
+                        run.push(Node { time, value });
                     }
                 }
             }

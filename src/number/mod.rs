@@ -31,7 +31,7 @@ pub use dashu_ratio::RBig as Rational;
 pub use finite::{Finite, FiniteField, is_prime};
 #[cfg(test)]
 pub(crate) use interval::faults as interval_faults;
-pub use interval::{Continuity, Interval, Limit, NODES, Tail, TaylorModel};
+pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};

@@ -67,7 +67,7 @@ impl Tape {
     pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
         let place: FastMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
         let order = graph.reachable(roots.iter().copied());
-        let mut slot: FastMap<Expr, u32> = FastMap::default();
+        let mut slot: FastMap<Expr, u32> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
         let mut presets = Vec::new();
         for &e in &order {
             match graph.node(e) {
@@ -77,7 +77,7 @@ impl Tape {
                 Node::Constant(_) | Node::Pi => {
                     slot.insert(e, (inputs.len() + presets.len()) as u32);
                     presets.push(match graph.node(e) {
-                        Node::Constant(r) => Preset::Rational(r.clone()),
+                        Node::Constant(r) => Preset::Rational((**r).clone()),
                         _ => Preset::Pi,
                     });
                 }
@@ -136,6 +136,16 @@ impl Tape {
     /// The instructions in order.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
+    }
+
+    /// For every output, whether it depends on one of the inputs that are marked.
+    pub fn depends(&self, marked: &[bool]) -> Vec<bool> {
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        for step in &self.instructions {
+            depends[step.out as usize] = depends[step.a as usize] || depends[step.b as usize];
+        }
+        self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
     /// Number of slots: inputs, constants and results.

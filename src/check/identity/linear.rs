@@ -97,8 +97,8 @@ impl Combinations {
     fn step(&self, graph: &Graph, node: Expr) -> Option<Combination> {
         let known = |e: Expr| self.known.get(&e);
         Some(match *graph.node(node) {
-            Node::Constant(ref r) if *r == Rational::ZERO => Combination::new(),
-            Node::Constant(ref r) => Combination::from([(Vec::new(), r.clone())]),
+            Node::Constant(ref r) if **r == Rational::ZERO => Combination::new(),
+            Node::Constant(ref r) => Combination::from([(Vec::new(), (**r).clone())]),
             Node::Unary(Op::Neg, a) => known(a)?.iter().map(|(m, q)| (m.clone(), -q.clone())).collect(),
             Node::Unary(Op::Powi(n), a) => match power(known(a)?, n) {
                 Some(c) => c,

@@ -103,9 +103,7 @@ impl Ask<'_> {
 fn few(course: &Course) -> Points {
     let count = course.points.len();
     let used = count.min(FIRST);
-    (0..used)
-        .map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1)))
-        .collect()
+    (0..used).map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).collect()
 }
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.

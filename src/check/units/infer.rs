@@ -105,7 +105,7 @@ impl<'g> Inference<'g> {
     fn node(&mut self, e: Expr) -> (State, Option<Fault>) {
         let one = || State::Known(Unit::one());
         match self.graph.node(e).clone() {
-            Node::Constant(r) if r == Rational::ZERO => (State::Zero, None),
+            Node::Constant(r) if *r == Rational::ZERO => (State::Zero, None),
             Node::Constant(_) | Node::Pi => (one(), None),
             Node::Leaf(leaf) => {
                 let fault = leaf.instant.and_then(|at| self.instant(at));

@@ -383,6 +383,9 @@ impl Search<'_> {
         }
         let scratch = &scratch;
         let on_one = |(t, course): (usize, &Course)| -> Vec<Option<bool>> {
+            let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
+            let programs = here.filter_map(|(_, _, programs)| programs.get(self.start_of[self.tried[t]]));
+            let course = &course.again(programs.flat_map(Program::inputs).copied().collect());
             let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
                 let program = programs.get(self.start_of[self.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {

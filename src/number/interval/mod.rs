@@ -19,6 +19,7 @@
 //!
 //! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
 
+mod decorated;
 mod elementary;
 pub(crate) mod faults;
 mod model;
@@ -27,6 +28,7 @@ mod model_tests;
 mod round;
 mod tail;
 
+pub use decorated::Decorated;
 pub use model::{NODES, TaylorModel};
 pub use tail::{Limit, Tail};
 
