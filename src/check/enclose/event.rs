@@ -28,7 +28,9 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
         if ready.selected(ranges) == Some(false) {
             return Judgement::Settled;
         }
-        let Ok(reach) = &ranges[place] else { return Judgement::Open("whether there is an event cannot be told".to_owned()) };
+        let Ok(reach) = &ranges[place] else {
+            return Judgement::Open("whether there is an event cannot be told".to_owned());
+        };
         if certain(RelationKind::Equal, reach.range()) == Some(false) {
             return Judgement::Settled;
         }

@@ -144,20 +144,7 @@ impl<'a> Ready<'a> {
         let roots = Selection::new(roots);
         let throughout = signs > 1 && claim.branches_throughout;
         let (scale, known) = (1.0, 0.0);
-        Ok(Ready {
-            group,
-            roots,
-            sides,
-            given,
-            assumptions,
-            signs,
-            throughout,
-            slope,
-            event,
-            scale,
-            known,
-            precision,
-        })
+        Ok(Ready { group, roots, sides, given, assumptions, signs, throughout, slope, event, scale, known, precision })
     }
 
     /// Looks at more than the comparisons: where the first of the further expressions stands.

@@ -3,8 +3,8 @@
 use super::claim::{Part, remark};
 use super::cover::Along;
 use super::event;
-use super::ready::{POINTS, Ready, Shown, certain};
 use super::limit::limit;
+use super::ready::{POINTS, Ready, Shown, certain};
 use super::span::{changes_sign, eventually};
 use crate::check::program::Use;
 use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
@@ -18,9 +18,7 @@ pub(super) fn certify(parts: Vec<Part>, along: &mut Along, verdict: &mut Verdict
     let mut why = "no part of it is refuted at the witness".to_owned();
     for part in parts {
         let found = match part {
-            Part::Comparisons(how, _, ready) => {
-                ready.and_then(|mut ready| refuted(how, &mut ready, along, &sampled))
-            }
+            Part::Comparisons(how, _, ready) => ready.and_then(|mut ready| refuted(how, &mut ready, along, &sampled)),
             Part::Rank(rank) => rank.and_then(|rank| rank.refuted(along, &sampled)),
             Part::Same(same) => same.and_then(|same| same.refuted(along, &sampled)),
         };
@@ -81,9 +79,8 @@ fn differing(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witn
     if ready.throughout {
         // Each sign fails somewhere.
         let near = [sampled.t].into_iter().chain(times.iter().copied());
-        let against: Option<Vec<Witness>> = (0..ready.signs)
-            .map(|s| near.clone().find_map(|t| ready.witness_against(s, along, t)))
-            .collect();
+        let against: Option<Vec<Witness>> =
+            (0..ready.signs).map(|s| near.clone().find_map(|t| ready.witness_against(s, along, t))).collect();
         if let Some(first) = against.and_then(|found| found.into_iter().next()) {
             return Ok(first);
         }

@@ -17,8 +17,8 @@
 //!
 //! [Neumaier 1990, §2.3]: https://doi.org/10.1017/CBO9780511526473
 
-use super::compiled::{Compiled, Reach, Stretch};
 use super::Enclosure;
+use super::compiled::{Compiled, Reach, Stretch};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
 use crate::number::{Interval, NODES, NoValue, Number, TaylorModel};
@@ -71,7 +71,11 @@ impl Sharp {
 }
 
 /// Derivatives of expressions by states, with row and state.
-fn gradients(graph: &mut Graph, states: &[Leaf], roots: &[Expr]) -> Result<(Vec<Expr>, Vec<(usize, usize)>), FlowError> {
+fn gradients(
+    graph: &mut Graph,
+    states: &[Leaf],
+    roots: &[Expr],
+) -> Result<(Vec<Expr>, Vec<(usize, usize)>), FlowError> {
     let (mut entries, mut slopes) = (Vec::new(), Vec::new());
     for (row, &e) in roots.iter().enumerate() {
         let present = graph.leaves([e]);
