@@ -96,8 +96,10 @@ pub(super) fn always(claim: &Claim, how: &Use, ready: &Ready, event: (usize, usi
     if claim.branches_throughout && !serves.contains(&true) {
         return Shown::Nothing("no single sign of ± is shown to serve".to_owned());
     }
-    let events = if counted == 1 { "event" } else { "events" };
-    Shown::Holds(format!("at {counted} {events}, which are all in the span"))
+    Shown::Holds(match counted {
+        1 => "at the only event in the span".to_owned(),
+        n => format!("at all {n} events in the span"),
+    })
 }
 
 /// An event at which a claim fails for certain: where samples see one, or elsewhere.
