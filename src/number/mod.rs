@@ -13,6 +13,7 @@
 
 mod bounded;
 mod bounded_lanes;
+mod double_double;
 mod dual;
 mod finite;
 mod interval;
@@ -28,10 +29,11 @@ mod slope;
 pub use bounded::Bounded;
 pub use bounded_lanes::BoundedLanes;
 pub use dashu_ratio::RBig as Rational;
+pub use double_double::DoubleDouble;
 pub use finite::{Finite, FiniteField, is_prime};
 #[cfg(test)]
 pub(crate) use interval::faults as interval_faults;
-pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Tail, TaylorModel};
+pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};

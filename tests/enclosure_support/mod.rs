@@ -67,9 +67,10 @@ impl Case {
         state.iter().map(Interval::width).fold(0.0, f64::max)
     }
 
-    /// The width at the end from a point: that of the errors alone.
-    pub fn final_width_of_error(&self, centre: &[f64]) -> f64 {
-        self.final_width(centre, 0.0)
+    /// Whether the enclosure of the motion from a point reaches the end.
+    pub fn reaches_the_end(&self, centre: &[f64]) -> bool {
+        let start: Vec<Interval> = centre.iter().map(|&x| Interval::point(x)).collect();
+        self.enclose(&start).reach().1 == self.span
     }
 
     /// Compares random starts and times with the closed form: how many there were, and how many states were outside.

@@ -42,7 +42,7 @@ use super::stage::{Fields, Stage, setup};
 use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Enclosure, Source};
+use crate::flow::{Enclosure, Motion, Source};
 use cover::Along;
 use rayon::prelude::*;
 
@@ -77,8 +77,11 @@ pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Resu
     let mut graph = request.derivation.graph.clone();
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
+    // Long motions first: what is left at the end is short.
+    let mut order = request.tried.to_vec();
+    order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let changes: Vec<Result<Vec<Change>, String>> =
-        request.tried.par_iter().map(|&t| one_motion(request, known, t, claims)).collect();
+        order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
     for change in changes {
         for (k, at, verdict) in change? {
             claims[k].results[at].verdict = verdict;
@@ -96,7 +99,9 @@ fn enclosure(
 ) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
     let trajectory = &request.derivation.trajectories[t];
     let (from, source) = match trajectory.motion {
-        Given::Derived { from, .. } => (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from)),
+        Given::Derived { from, .. } => {
+            (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from))
+        }
         _ => (None, None),
     };
     let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);

@@ -31,7 +31,7 @@ use super::field::VectorField;
 use super::hoist::hoist;
 use super::motion::{Setup, Source};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Interval, NoValue};
+use crate::number::{Interval, NoValue, Precise, PreciseModel};
 use crate::tape::Tape;
 use angle::Angle;
 use sharpen::Integrals;
@@ -69,6 +69,8 @@ pub struct Enclosure {
     span: (f64, f64),
     tube: Option<std::sync::Arc<Tube>>,
     constants: Vec<(Leaf, Result<Interval, NoValue>)>,
+    /// What is known of constants, where that is more.
+    precise: BTreeMap<Leaf, Precise>,
     angles: Vec<Angle>,
     /// Definitions of leaves in basic leaves: time, states, constants, turns of angles.
     definitions: BTreeMap<Leaf, Expr>,
@@ -90,6 +92,7 @@ impl Enclosure {
             span: setup.span,
             tube: None,
             constants: Vec::new(),
+            precise: BTreeMap::new(),
             angles: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
@@ -117,7 +120,7 @@ impl Enclosure {
             let value = match graph.as_constant(resolved) {
                 Some(_) => resolved,
                 None => {
-                    let value = new.constant_value(graph, resolved);
+                    let value = new.known(graph, resolved);
                     new.constant(graph, value)
                 }
             };
@@ -170,8 +173,8 @@ impl Enclosure {
             },
         );
         for (leaf, e) in found {
-            let value = self.constant_value(graph, e);
-            self.constants.push((leaf, value));
+            let value = self.known(graph, e);
+            self.add_constant(leaf, value);
         }
         let mut constants = Vec::new();
         for leaf in graph.leaves(rates.iter().copied()) {
@@ -180,7 +183,8 @@ impl Enclosure {
             }
             let value = self.constants.iter().find(|c| c.0 == leaf).map_or(Err(NoValue::Unsupported), |c| c.1);
             let what = || "a coefficient of the system".to_owned();
-            constants.push((leaf, value.map_err(|reason| FlowError::Undefined { what: what(), reason })?));
+            let value = value.map_err(|reason| FlowError::Undefined { what: what(), reason })?;
+            constants.push((leaf, self.precise.get(&leaf).copied().unwrap_or(Precise::enclosing(value))));
         }
         let compiled = Field::new(graph, time, &states, &rates, constants)?;
         let mut state = Vec::new();
@@ -189,7 +193,7 @@ impl Enclosure {
             let given = initial.iter().find(|(l, _)| *l == leaf);
             let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
             let resolved = self.resolve(graph, e)?;
-            let value = self.constant_value(graph, resolved);
+            let value = self.known(graph, resolved);
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));
             state.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
         }
@@ -197,9 +201,10 @@ impl Enclosure {
         Ok(())
     }
 
-    fn run(&mut self, states: Vec<Leaf>, rates: Vec<Expr>, field: Field, initial: Vec<Interval>) {
+    fn run(&mut self, states: Vec<Leaf>, rates: Vec<Expr>, field: Field, initial: Vec<Precise>) {
         let (forward, ahead) = field.integrate(self.initial_time, &initial, self.span.1);
         let (backward, behind) = field.integrate(self.initial_time, &initial, self.span.0);
+        let initial = initial.iter().map(Precise::interval).collect();
         let tube = Tube { states, rates, field, initial, forward, backward, stops: [ahead, behind] };
         self.tube = Some(std::sync::Arc::new(tube));
     }
@@ -215,7 +220,8 @@ impl Enclosure {
     pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
         let mut new = Enclosure { span, integrals: None, ..self.clone() };
-        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.to_vec());
+        let initial = initial.iter().copied().map(Precise::enclosing).collect();
+        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial);
         Some(new)
     }
 
@@ -329,7 +335,7 @@ impl Enclosure {
             let time = self.constant_value(graph, instant);
             let compiled = self.compile_resolved(graph, &[value])?;
             let value = time.and_then(|time| self.value(&compiled, time)[0]);
-            self.constant(graph, value)
+            self.constant(graph, value.map(Precise::enclosing))
         } else if leaf.rate > 0 {
             let lower = self.definition(graph, Leaf { rate: leaf.rate - 1, ..leaf }).map_err(|error| match error {
                 FlowError::UnknownLeaf { .. } => unknown(graph),
@@ -354,7 +360,7 @@ impl Enclosure {
 
     /// A quantity of which only bounds are known, and that does not depend on anything.
     pub fn between(&mut self, graph: &mut Graph, value: Interval) -> Expr {
-        self.constant(graph, Ok(value))
+        self.constant(graph, Ok(Precise::enclosing(value)))
     }
 
     /// The derivative along the motion of an expression in its leaves.
@@ -384,10 +390,36 @@ impl Enclosure {
         })
     }
 
-    fn constant(&mut self, graph: &mut Graph, value: Result<Interval, NoValue>) -> Expr {
+    fn constant(&mut self, graph: &mut Graph, value: Result<Precise, NoValue>) -> Expr {
         let leaf = fresh(graph, "constant");
-        self.constants.push((leaf, value));
+        self.add_constant(leaf, value);
         graph.leaf(leaf)
+    }
+
+    fn add_constant(&mut self, leaf: Leaf, value: Result<Precise, NoValue>) {
+        self.constants.push((leaf, value.map(|v| v.interval())));
+        if let Ok(value) = value {
+            self.precise.insert(leaf, value);
+        }
+    }
+
+    /// The value of an expression in constants, as precisely as it can be had.
+    fn known(&self, graph: &Graph, e: Expr) -> Result<Precise, NoValue> {
+        let plain = self.constant_value(graph, e)?;
+        let precise = || -> Option<Precise> {
+            let leaves = graph.leaves([e]);
+            let tape = Tape::compile(graph, &leaves, &[e]).ok()?;
+            let input = |leaf: &Leaf| match *leaf == self.time {
+                true => Some(Precise::enclosing(Interval::point(self.initial_time))),
+                false => self.precise.get(leaf).copied(),
+            };
+            let inputs: Vec<_> =
+                leaves.iter().map(|l| Some(Ok(PreciseModel::constant(&input(l)?)))).collect::<Option<_>>()?;
+            let mut slots = tape.slots::<PreciseModel>(&());
+            let found = tape.evaluate(&(), &inputs, &mut slots).pop()?.ok()?.value();
+            (found.error() < plain.radius()).then_some(found)
+        };
+        Ok(precise().unwrap_or(Precise::enclosing(plain)))
     }
 
     /// The value of an expression in constants; the time, if it occurs, is the initial time.

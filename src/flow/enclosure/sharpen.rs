@@ -137,7 +137,7 @@ impl Enclosure {
     }
 
     /// What the integrals do over a stretch.
-    fn known(&self, stretch: &Stretch) -> Option<Known> {
+    fn known_over(&self, stretch: &Stretch) -> Option<Known> {
         let integrals = self.integrals.as_ref()?;
         let states = stretch.models().as_ref().ok()?;
         let spread: Vec<f64> = states.iter().map(TaylorModel::remainder).collect();
@@ -168,7 +168,7 @@ impl Enclosure {
     /// For each quantity, why the theorem does not apply: it or a derivative has no value, or may have none.
     pub fn sharpened(&self, sharp: &Sharp, stretch: &Stretch) -> (Vec<Result<Reach, NoValue>>, usize) {
         let count = sharp.values.outputs();
-        let Some(known) = stretch.known(|| self.known(stretch)) else {
+        let Some(known) = stretch.known(|| self.known_over(stretch)) else {
             return (vec![Err(NoValue::Indeterminate); count], 0);
         };
         let values = self.models(&sharp.values, stretch, &known.centre);

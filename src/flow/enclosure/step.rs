@@ -25,24 +25,30 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::core::fresh;
 use crate::flow::error::{FlowError, leaf_name};
 use crate::flow::taylor::Flow;
-use crate::number::{Interval, Jet, NoValue, Number, Scalar, TaylorModel};
+use crate::number::{DoubleDouble, Interval, Jet, NoValue, Number, Precise, PreciseModel, Scalar, TaylorModel};
 use crate::tape::{Slots, Tape};
 use std::sync::Arc;
 
-/// Order of the Taylor polynomials.
-pub(super) const ORDER: usize = 18;
-/// The last terms of the series shall be below this part of the largest state.
-const REMAINDER: f64 = 1e-17;
-/// A step is made shorter, if that helps, when it adds more than this part of the largest state.
-const ADDED: f64 = 2e-17;
-/// Or more than this part of the width of the set.
+/// Order of the Taylor polynomials of p: with twice the precision, so many terms pay.
+const POINT_ORDER: usize = 27;
+/// Order of those of Φ, which carry what is small already: they need not be precise.
+const ORDER: usize = 12;
+/// The last terms of p shall be below this part of the largest state,
+const REMAINDER: f64 = 1e-22;
+/// or of the width of the set, whichever is larger.
+const REMAINDER_TO_WIDTH: f64 = 1e-9;
+/// The last terms of Φ.
+const REMAINDER_OF_DERIVATIVE: f64 = 1e-7;
+/// A step is made shorter, if that helps, when it adds more than this part of the largest state,
+const ADDED: f64 = 2e-22;
+/// and more than this part of the width of the set.
 const ADDED_TO_WIDTH: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
 const WIDEST: f64 = 0.5;
 /// More than all roundings of a sum of a few hundred terms that are not negative, as a factor.
 const UP: f64 = 1.0 + 1e-12;
 /// Largest number of steps in one direction.
-const MAX_STEPS: usize = 2_000;
+const MAX_STEPS: usize = 10_000;
 /// After so many steps it is asked whether the end is within reach.
 const OUTLOOK: usize = 100;
 
@@ -52,14 +58,14 @@ pub(super) struct Field {
     /// Names of the states.
     names: Vec<String>,
     /// The field, and its partial derivatives that do not vanish, each with its row and column.
-    rates: Tape,
+    rates: Flow,
     slopes: Tape,
     partial: Vec<(usize, usize)>,
     /// The field and its variational equations, as one field whose further states are the entries of Φ.
     variation: Flow,
     /// Row and column of every further state.
     entries: Arc<[(usize, usize)]>,
-    pub(super) constants: Vec<Interval>,
+    constants: Vec<Precise>,
     driven: bool,
 }
 
@@ -147,37 +153,48 @@ impl Piece {
             &TaylorModel::constant(Interval::point(self.half)),
         )?;
         s.add(&(), &TaylorModel::constant(place), &scaled)?;
-        let of = |((m, &spread), &centre): ((&TaylorModel, &f64), &f64)| {
+        let of = |((m, &spread), centre): ((&TaylorModel, &f64), &DoubleDouble)| {
             let mut sum = TaylorModel::ZERO;
-            sum.add(&(), &m.after(&s)?, &TaylorModel::constant(Interval::point(centre)))?;
-            Ok(sum.widened(spread))
+            sum.add(&(), &m.after(&s)?, &TaylorModel::constant(Interval::point(centre.high())))?;
+            Ok(sum.widened(spread + centre.low().abs()))
         };
         self.moved.iter().zip(&self.spread).zip(&self.set.centre).map(of).collect()
     }
 
-    /// The s of a time after the start.
+    /// The s of a time after the start, which lies between −1 and 1.
     fn place(&self, after: Interval) -> Interval {
-        after / Interval::point(self.half) - Interval::point(1.0)
+        let s = after / Interval::point(self.half) - Interval::point(1.0);
+        let all = Interval::point(-1.0).hull(Interval::point(1.0));
+        s.intersection(all).unwrap_or(all)
     }
 
-    /// The map from the states at the start to those some time later, as [`Set::image`] takes it.
+    /// The map from the states at the start to those some time later, as [`Set::hull_of_image`] takes it.
     fn map(&self, after: Interval) -> (Vec<Interval>, Vec<Interval>) {
-        let n = self.set.centre.len();
         let s = self.place(after);
         let shift = self.moved.iter().zip(&self.errors).map(|(m, &w)| m.at(s) + Interval::ball(0.0, w)).collect();
+        (shift, self.jacobian(|phi| phi.at(s)))
+    }
+
+    /// Its derivative, from values of the entries of Φ.
+    fn jacobian(&self, at: impl Fn(&TaylorModel) -> Interval) -> Vec<Interval> {
+        let n = self.set.centre.len();
         let mut jacobian = vec![Interval::ZERO; n * n];
         for (phi, &(i, j)) in self.derivatives.iter().zip(self.entries.iter()) {
-            jacobian[i * n + j] = phi.at(s);
+            jacobian[i * n + j] = at(phi);
         }
-        (shift, jacobian)
+        jacobian
     }
 }
 
 /// Memory of the steps.
 struct Bench {
     series: Slots<Jet<f64>>,
-    /// Coefficients of p and of the entries of Φ.
+    /// Coefficients of the motion through the centre, and of the entries of Φ.
     coefficients: Vec<f64>,
+    point: Slots<Jet<DoubleDouble>>,
+    /// Coefficients of p.
+    point_coefficients: Vec<DoubleDouble>,
+    precise: Slots<PreciseModel>,
     rates: Slots<TaylorModel>,
     slopes: Slots<TaylorModel>,
 }
@@ -185,7 +202,7 @@ struct Bench {
 /// What is known of all motions of a step: p − x̂, Φ, W, E, and their hull.
 struct Tube {
     half: f64,
-    moved: Vec<TaylorModel>,
+    moved: Vec<PreciseModel>,
     derivatives: Vec<TaylorModel>,
     errors: Vec<f64>,
     spread: Vec<f64>,
@@ -202,7 +219,7 @@ impl Field {
         time: Leaf,
         states: &[Leaf],
         rates: &[Expr],
-        constants: Vec<(Leaf, Interval)>,
+        constants: Vec<(Leaf, Precise)>,
     ) -> Result<Field, FlowError> {
         let n = states.len();
         let unknown = |graph: &Graph, leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) };
@@ -260,7 +277,7 @@ impl Field {
         let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
         Ok(Field {
             names,
-            rates: tape,
+            rates: Flow::new(tape, states, Vec::new()),
             slopes,
             partial,
             variation: Flow::new(variation, &extended, Vec::new()),
@@ -275,18 +292,24 @@ impl Field {
     }
 
     /// The motions from `state` at `start` until `end`, and why they end earlier.
-    pub(super) fn integrate(&self, start: f64, state: &[Interval], end: f64) -> (Vec<Piece>, Option<Stop>) {
+    pub(super) fn integrate(&self, start: f64, state: &[Precise], end: f64) -> (Vec<Piece>, Option<Stop>) {
         let (n, m) = (self.dimension(), self.entries.len());
-        let middles: Vec<f64> = self.constants.iter().map(Interval::mid).collect();
+        let middles: Vec<DoubleDouble> = self.constants.iter().map(Precise::centre).collect();
+        let rounded: Vec<f64> = middles.iter().map(DoubleDouble::high).collect();
         let mut bench = Bench {
-            series: self.variation.slots(ORDER, &middles),
+            series: self.variation.slots(ORDER, &rounded),
             coefficients: vec![0.0; (n + m) * (ORDER + 1)],
-            rates: self.rates.slots(&()),
+            point: self.rates.slots(POINT_ORDER, &middles),
+            point_coefficients: vec![DoubleDouble::ZERO; n * (POINT_ORDER + 1)],
+            precise: self.rates.tape.slots(&()),
+            rates: self.rates.tape.slots(&()),
             slopes: self.slopes.slots(&()),
         };
-        for slots in [&mut bench.rates, &mut bench.slopes] {
-            let constants = self.constants.iter().enumerate();
-            constants.for_each(|(i, &c)| slots.set(1 + n + i, Ok(TaylorModel::constant(c))));
+        for (i, c) in self.constants.iter().enumerate() {
+            bench.precise.set(1 + n + i, Ok(PreciseModel::constant(c)));
+            for slots in [&mut bench.rates, &mut bench.slopes] {
+                slots.set(1 + n + i, Ok(TaylorModel::constant(c.interval())));
+            }
         }
         let mut pieces = Vec::new();
         let (mut time, mut set) = (start, Set::new(state));
@@ -327,25 +350,28 @@ impl Field {
             return Err("the set is too wide".to_owned());
         }
         let one = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 0.0 };
-        let extended: Vec<f64> = set.centre.iter().copied().chain(self.entries.iter().map(one)).collect();
+        let centre = set.centre.iter().map(DoubleDouble::high);
+        let extended: Vec<f64> = centre.chain(self.entries.iter().map(one)).collect();
         let expanded = self.variation.expand(&mut bench.series, ORDER, time, &extended, &mut bench.coefficients);
+        expanded.map_err(|(i, reason)| self.no_rate(i, reason))?;
+        let (now, out) = (DoubleDouble::point(time), &mut bench.point_coefficients);
+        let expanded = self.rates.expand(&mut bench.point, POINT_ORDER, now, &set.centre, out);
         expanded.map_err(|(i, reason)| self.no_rate(i, reason))?;
 
         let direction = if end > time { 1.0 } else { -1.0 };
         let remaining = (end - time).abs();
         let longest = (end - start).abs() * if self.driven { 1.0 / 64.0 } else { 0.25 };
-        let mut step = self.proposal(&bench.coefficients, size).min(longest);
+        let mut step = self.proposal(bench, size, width).min(longest);
         if step > 0.6 * remaining {
             step = if step >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (64.0 * f64::EPSILON * time.abs()).max(1e-9 * (end - start).abs()).min(remaining);
         let tolerance = (ADDED * size).max(ADDED_TO_WIDTH * width);
-        let starts: Vec<f64> =
-            hull.iter().zip(&set.centre).map(|(h, &c)| (*h - Interval::point(c)).magnitude()).collect();
+        let starts = set.radii();
         let mut reason = String::new();
         let mut found: Option<(f64, Tube)> = None;
         while step >= smallest {
-            let to = if step >= remaining { end } else { time + direction * step };
+            let to = if step >= remaining { end } else { on_grid(time + direction * step, step) };
             match self.hold(bench, &set.centre, &starts, time, to) {
                 Ok(tube) => {
                     // Of two steps the shorter one, if it adds less in proportion.
@@ -356,7 +382,7 @@ impl Field {
                     if better {
                         found = Some((to, tube));
                     }
-                    if !better || added <= tolerance || faults::long_steps() {
+                    if !better || added <= tolerance || faults::short_series() {
                         break;
                     }
                 }
@@ -365,19 +391,32 @@ impl Field {
             step *= 0.5;
         }
         let Some((to, tube)) = found else { return Err(reason) };
+        // T(x̂) − x̂ at the end; where the length of the step is not a binary number, s = 1 is a little later.
+        let exact = Interval::point(to) - Interval::point(time);
+        let gap = (Interval::point(exact.width()) / Interval::point(tube.half.abs())).hi();
+        let errors = if faults::no_remainder() { vec![0.0; n] } else { tube.errors };
+        let shift = |(m, &w): (&PreciseModel, &f64)| {
+            let beyond = if exact.is_point() { 0.0 } else { m.change_before_end(gap) };
+            let end = m.at_end();
+            Precise::new(end.centre(), (end.error() + w + beyond) * UP)
+        };
+        let shift: Vec<Precise> = tube.moved.iter().zip(&errors).map(shift).collect();
         let piece = Piece {
             from: time,
             to,
             half: tube.half,
             set: set.clone(),
-            moved: tube.moved,
+            moved: tube.moved.iter().map(PreciseModel::rounded).collect(),
             derivatives: tube.derivatives,
             entries: Arc::clone(&self.entries),
-            errors: if faults::no_remainder() { vec![0.0; n] } else { tube.errors },
+            errors,
             spread: tube.spread,
             hull: tube.hull,
         };
-        let (shift, jacobian) = piece.map(Interval::point(to) - Interval::point(time));
+        let jacobian = match exact.is_point() {
+            true => piece.jacobian(TaylorModel::at_end),
+            false => piece.jacobian(|phi| phi.at(piece.place(exact))),
+        };
         match set.image(&shift, &jacobian) {
             Some(next) => Ok((piece, next)),
             None => Err("the image of the set is not finite".to_owned()),
@@ -391,22 +430,15 @@ impl Field {
         }
     }
 
-    /// Runs a tape over models of the states.
-    fn run(
-        &self,
-        tape: &Tape,
-        slots: &mut Slots<TaylorModel>,
-        time: TaylorModel,
-        states: impl Iterator<Item = TaylorModel>,
-    ) -> Result<Vec<TaylorModel>, (usize, NoValue)> {
-        slots.set(0, Ok(time));
-        states.enumerate().for_each(|(i, x)| slots.set(1 + i, Ok(x)));
-        tape.run(&(), slots);
-        (0..tape.output_count()).map(|i| tape.output(i, slots).copied().map_err(|reason| (i, reason))).collect()
-    }
-
     /// Finds bounds W and E that hold for all motions until `to`, as the module says; `starts` is |e₀|.
-    fn hold(&self, bench: &mut Bench, centre: &[f64], starts: &[f64], time: f64, to: f64) -> Result<Tube, String> {
+    fn hold(
+        &self,
+        bench: &mut Bench,
+        centre: &[DoubleDouble],
+        starts: &[f64],
+        time: f64,
+        to: f64,
+    ) -> Result<Tube, String> {
         let n = self.dimension();
         let row = ORDER + 1;
         let shape = |reason: NoValue| format!("no box was found that holds the motion: a bound is {reason}");
@@ -417,28 +449,36 @@ impl Field {
         // At least as long as the step.
         let h = if to > time { exact.hi() } else { exact.lo() };
         let half = 0.5 * h;
-        let now = TaylorModel::variable(Interval::point(time) + Interval::point(half), half);
         let polynomial = |c: &[f64]| TaylorModel::close_to(c, h).map_err(shape);
-        let rows = bench.coefficients.chunks_exact(row);
-        // p without x̂, so that little is lost to rounding.
-        let from_zero = |c: &[f64]| polynomial(&[&[0.0], &c[1..]].concat());
-        let moved: Vec<TaylorModel> = rows.clone().take(n).map(from_zero).collect::<Result<_, _>>()?;
-        let from = |(m, &c): (&TaylorModel, &f64)| {
-            let mut sum = TaylorModel::ZERO;
-            sum.add(&(), m, &TaylorModel::constant(Interval::point(c))).map(|()| sum).map_err(shape)
+        let no_rate = |(i, reason)| self.no_rate(i, reason);
+        // p without x̂.
+        let terms = if faults::short_series() { 8 } else { POINT_ORDER };
+        let from_zero =
+            |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..=terms]].concat(), h);
+        let point = bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
+        let moved: Vec<PreciseModel> = point.map(from_zero).collect::<Result<_, _>>().map_err(shape)?;
+        let from = |(m, &c): (&PreciseModel, &DoubleDouble)| {
+            let mut sum = PreciseModel::ZERO;
+            sum.add(&(), m, &PreciseModel::constant(&Precise::new(c, 0.0))).map(|()| sum).map_err(shape)
         };
-        let states: Vec<TaylorModel> = moved.iter().zip(centre).map(from).collect::<Result<_, _>>()?;
+        let precise: Vec<PreciseModel> = moved.iter().zip(centre).map(from).collect::<Result<_, _>>()?;
+        let middle = Precise::new(DoubleDouble::new(time, half), 0.0);
+        let now = PreciseModel::variable(&middle, half);
+        let rates = run(&self.rates.tape, &mut bench.precise, now, precise.iter().copied()).map_err(no_rate)?;
+        let mut defects = vec![0.0; n];
+        for ((defect, rate), moved) in defects.iter_mut().zip(&rates).zip(&moved) {
+            let mut left = PreciseModel::ZERO;
+            left.sub(&(), &rate.integral(half), moved).map_err(shape)?;
+            *defect = left.bound();
+        }
+
+        let now = now.rounded();
+        let states: Vec<TaylorModel> = precise.iter().map(PreciseModel::rounded).collect();
+        let rows = bench.coefficients.chunks_exact(row);
         let phi: Vec<TaylorModel> = rows.skip(n).map(polynomial).collect::<Result<_, _>>()?;
         let mut carried = vec![0.0; n];
         for (model, &(i, j)) in phi.iter().zip(self.entries.iter()) {
             carried[i] += model.bound() * starts[j] * UP;
-        }
-
-        let no_rate = |(i, reason)| self.no_rate(i, reason);
-        let rates = self.run(&self.rates, &mut bench.rates, now, states.iter().copied()).map_err(no_rate)?;
-        let mut defects = vec![0.0; n];
-        for (i, defect) in defects.iter_mut().enumerate() {
-            *defect = defect_of(&rates[i], half, &moved[i], 0.0).map_err(shape)?;
         }
         let size = states.iter().map(TaylorModel::bound).fold(0.0, f64::max);
         let mut spread: Vec<f64> =
@@ -446,8 +486,8 @@ impl Field {
         for _ in 0..4 {
             let tube = || states.iter().zip(&spread).map(|(x, &e)| x.widened(e));
             // The field must have values in the whole tube, also where its derivatives would.
-            self.run(&self.rates, &mut bench.rates, now, tube()).map_err(no_rate)?;
-            let slopes = self.run(&self.slopes, &mut bench.slopes, now, tube());
+            run(&self.rates.tape, &mut bench.rates, now, tube()).map_err(no_rate)?;
+            let slopes = run(&self.slopes, &mut bench.slopes, now, tube());
             let slopes = slopes.map_err(|(_, reason)| self.no_rate(n, reason))?;
             let errors = self.errors(&slopes, &phi, &defects, starts, half).map_err(shape)?;
             if errors.iter().zip(&carried).zip(&spread).all(|((w, c), e)| (w + c) * UP <= *e) {
@@ -514,27 +554,48 @@ impl Field {
         }
     }
 
-    /// The step at which the last terms of the series, and what a model of it leaves out, are as small as they should be.
-    fn proposal(&self, coefficients: &[f64], size: f64) -> f64 {
-        let row = ORDER + 1;
-        let top = |k: usize| (0..self.dimension()).map(|i| coefficients[i * row + k].abs()).fold(0.0, f64::max);
+    /// The step at which the last terms of the series, and what models of them leave out, are as small as they should be.
+    fn proposal(&self, bench: &Bench, size: f64, width: f64) -> f64 {
         let mut step = f64::INFINITY;
-        // Around its middle a step reaches half as far.
-        let left_out = TaylorModel::DEGREE + 1;
-        for (k, reach) in [(left_out, 2.0), (ORDER - 1, 1.0), (ORDER, 1.0)] {
-            let last = top(k);
-            if last > 1e-280 && size > 0.0 {
-                let ratio = 4.0 * remainder_of_step() * size / last;
-                step = step.min(reach * pxfm::f_exp(pxfm::f_log(ratio) / k as f64));
+        let mut limit = |last: f64, most: f64, order: usize, reach: f64| {
+            if last > 1e-280 && most > 0.0 {
+                step = step.min(reach * pxfm::f_exp(pxfm::f_log(most / last) / order as f64));
             }
+        };
+        let most = (REMAINDER * size).max(REMAINDER_TO_WIDTH * width);
+        let rows = || bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
+        // Around its middle a step reaches half as far.
+        for (k, reach) in [(PreciseModel::DEGREE + 1, 2.0), (POINT_ORDER - 1, 1.0), (POINT_ORDER, 1.0)] {
+            limit(rows().map(|c| c[k].high().abs()).fold(0.0, f64::max), most, k, reach);
+        }
+        let rows = || bench.coefficients.chunks_exact(ORDER + 1).skip(self.dimension());
+        for (k, reach) in [(ORDER - 1, 1.0), (ORDER, 1.0)] {
+            limit(rows().map(|c| c[k].abs()).fold(0.0, f64::max), REMAINDER_OF_DERIVATIVE, k, reach);
         }
         step
     }
 }
 
-/// What the remainder of a step shall be, as a part of the largest state.
-fn remainder_of_step() -> f64 {
-    if faults::long_steps() { 1e-9 } else { REMAINDER }
+/// Runs a tape over models of the states.
+fn run<N: Number<Context = ()>>(
+    tape: &Tape,
+    slots: &mut Slots<N>,
+    time: N,
+    states: impl Iterator<Item = N>,
+) -> Result<Vec<N>, (usize, NoValue)> {
+    slots.set(0, Ok(time));
+    states.enumerate().for_each(|(i, x)| slots.set(1 + i, Ok(x)));
+    tape.run(&(), slots);
+    (0..tape.output_count()).map(|i| tape.output(i, slots).cloned().map_err(|reason| (i, reason))).collect()
+}
+
+/// A time near a given one that is a multiple of a millionth of the step, or less: the difference of two such times is a
+/// binary number.
+fn on_grid(time: f64, step: f64) -> f64 {
+    let exponent = (step.to_bits() >> 52).saturating_sub(20).max(1);
+    let grid = f64::from_bits(exponent << 52);
+    let near = (time / grid).round() * grid;
+    if near.is_finite() { near } else { time }
 }
 
 /// A bound of |x₀ + ∫rate − x| over a step.

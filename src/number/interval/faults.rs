@@ -8,6 +8,10 @@ thread_local! {
     pub static NO_TAIL: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
     /// Forget the remainder of the series of a function of a model.
     pub static NO_LAGRANGE: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+    /// Take what sums of two numbers are rounded to for exact.
+    pub static EXACT_PAIRS: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+    /// Forget the second numbers of coefficients where there is no room for them.
+    pub static LOST_LOW: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
 #[cfg(test)]
@@ -21,6 +25,14 @@ pub(super) fn no_tail() -> bool {
 #[cfg(test)]
 pub(super) fn no_lagrange() -> bool {
     NO_LAGRANGE.get()
+}
+#[cfg(test)]
+pub(super) fn exact_pairs() -> bool {
+    EXACT_PAIRS.get()
+}
+#[cfg(test)]
+pub(super) fn lost_low() -> bool {
+    LOST_LOW.get()
 }
 
 /// Whether rounding is broken: no.
@@ -37,5 +49,15 @@ pub(super) fn no_tail() -> bool {
 #[cfg(not(test))]
 #[inline(always)]
 pub(super) fn no_lagrange() -> bool {
+    false
+}
+#[cfg(not(test))]
+#[inline(always)]
+pub(super) fn exact_pairs() -> bool {
+    false
+}
+#[cfg(not(test))]
+#[inline(always)]
+pub(super) fn lost_low() -> bool {
     false
 }

@@ -25,11 +25,15 @@ pub(crate) mod faults;
 mod model;
 #[cfg(test)]
 mod model_tests;
-mod round;
+mod precise;
+#[cfg(test)]
+mod precise_tests;
+pub(in crate::number) mod round;
 mod tail;
 
 pub use decorated::Decorated;
 pub use model::{NODES, TaylorModel};
+pub use precise::{Precise, PreciseModel};
 pub use tail::{Limit, Tail};
 
 use super::{NoValue, Number, Rational, Scalar, scalar};

@@ -34,7 +34,7 @@ const TINY: f64 = 1e-290;
 const NEGLIGIBLE: f64 = 1e-19;
 
 /// Most coefficients of a polynomial that becomes a model.
-const MOST_TERMS: usize = 21;
+pub(super) const MOST_TERMS: usize = 27;
 /// 0, 1, 2 …
 const ORDERS: [f64; ROOM] = {
     let mut orders = [0.0; ROOM];
@@ -46,7 +46,7 @@ const ORDERS: [f64; ROOM] = {
     orders
 };
 /// The coefficients of ((1 + s)/2)ᵏ: binomial coefficients over powers of two, which binary64 holds exactly.
-const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
+pub(super) const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
     let mut powers = [[0.0; MOST_TERMS + 1]; MOST_TERMS + 1];
     powers[0][0] = 1.0;
     let mut k = 1;
@@ -132,6 +132,27 @@ impl TaylorModel {
         new.coefficients[1] = half;
         new.length = 2;
         new
+    }
+
+    /// A polynomial, of which coefficients that there is no room for count as unknown, and what else is not known.
+    pub(super) fn from_parts(coefficients: impl Iterator<Item = f64>, rest: f64) -> TaylorModel {
+        let mut new = TaylorModel::ZERO;
+        let mut beyond = rest;
+        for (k, c) in coefficients.enumerate() {
+            if k < ROOM {
+                new.coefficients[k] = c;
+                new.length = if c != 0.0 { k + 1 } else { new.length };
+            } else {
+                beyond += c.abs();
+            }
+        }
+        new.rest = beyond * GROW;
+        new
+    }
+
+    /// The coefficients up to the last that is not zero.
+    pub(super) fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..self.length]
     }
 
     /// Whether it is one number.
@@ -220,7 +241,7 @@ impl TaylorModel {
     }
 
     /// A polynomial without a remainder, close to Σₖ cₖ·σᵏ for σ from 0 to h, where s = −1 is σ = 0. How close is not said.
-    /// At most 22 coefficients are taken.
+    /// At most 28 coefficients are taken.
     ///
     /// # Errors
     /// [`NoValue::Indeterminate`] when a coefficient is not finite, or there are too many.
@@ -301,6 +322,12 @@ impl TaylorModel {
             sum = sum * s + Interval::point(c);
         }
         sum + Interval::ball(0.0, self.rest)
+    }
+
+    /// All values at s = 1.
+    pub fn at_end(&self) -> Interval {
+        let sum: f64 = self.coefficients.iter().sum();
+        Interval::ball(sum, (self.rest + ROOM as f64 * unit() * self.norm(0)) * GROW)
     }
 
     /// Checks, and leaves out what is negligible.
