@@ -251,7 +251,7 @@ mod tests {
         let rows =
             |a: f64, b: f64, unknown: f64| vec![vec![one, zero, zero], vec![one, line(a, b).widened(unknown), zero]];
         assert_eq!(independent(&rows(1e-3, 1e-4, 0.0)), Ok(true));
-        assert_eq!(independent(&rows(1e-3, 9e-4, 0.0)), Ok(true));
+        assert_eq!(independent(&rows(1e-3, 5e-4, 0.0)), Ok(true));
         assert_eq!(independent(&rows(1e-3, 1.1e-3, 0.0)), Ok(false));
         assert_eq!(independent(&rows(1e-3, 1e-4, 1e-2)), Ok(false));
         assert_eq!(independent(&rows(0.0, 0.0, 0.0)), Ok(false));

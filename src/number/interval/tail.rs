@@ -525,7 +525,8 @@ mod tests {
     #[test]
     fn bounds_contain_the_values() {
         let t = time();
-        let mut all: Vec<(Tail, Box<dyn Fn(f64) -> f64>)> = vec![
+        type Function = Box<dyn Fn(f64) -> f64>;
+        let all: Vec<(Tail, Function)> = vec![
             (t, Box::new(|t| t)),
             (exponential(&number(-0.1).product(&t).expect("a value")), Box::new(|t| pxfm::f_exp(-0.1 * t))),
             (sine(&t), Box::new(pxfm::f_sin)),
@@ -540,6 +541,10 @@ mod tests {
                 let values = [START, 3.7, 11.0, 250.0, 1e5, 1e12].map(|t| (all[i].1(t), all[j].1(t)));
                 for (x, y) in values {
                     let inside = |tail: &Tail, v: f64| {
+                        // What is too large, or divided by what is too small, for a number says nothing.
+                        if !v.is_finite() {
+                            return;
+                        }
                         let room = 1e-12 * (1.0 + v.abs());
                         assert!(tail.lo <= v + room && v - room <= tail.hi, "{i} {j}: {v} in {tail:?}");
                     };
@@ -554,6 +559,5 @@ mod tests {
                 }
             }
         }
-        all.clear();
     }
 }
