@@ -133,11 +133,7 @@ fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<Reg
         account.unknowns = unknowns
             .iter()
             .zip(&wanted)
-            .map(|(u, v)| RangeAccount {
-                name: graph.leaf_latex(u.leaf),
-                unit: u.unit.clone(),
-                values: Some(v.shown),
-            })
+            .map(|(u, v)| RangeAccount { name: graph.leaf_latex(u.leaf), unit: u.unit.clone(), values: Some(v.shown) })
             .collect();
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;
@@ -165,7 +161,8 @@ fn witness(graph: &Graph, question: &Question, of: &[Variable], division: &Divis
         let tape = Tape::compile(graph, &leaves, &[left, right]).ok()?;
         let mut slots = tape.slots::<Interval>(&());
         let inputs: Vec<_> = cell.sides.iter().map(|s| Ok(*s)).collect();
-        let values: Vec<Interval> = tape.evaluate(&(), &inputs, &mut slots).into_iter().collect::<Result<_, _>>().ok()?;
+        let values: Vec<Interval> =
+            tape.evaluate(&(), &inputs, &mut slots).into_iter().collect::<Result<_, _>>().ok()?;
         let end = |v: &Interval| (v.lo(), v.hi());
         Some((end(values.first()?), end(values.get(1)?)))
     });
