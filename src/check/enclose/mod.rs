@@ -69,8 +69,12 @@ type Change = (usize, usize, Verdict);
 /// # Errors
 /// A description of an enclosure that contradicts a sampled verdict.
 pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+    // The longest first, so that none is left over at the end.
+    let mut order = request.tried.to_vec();
+    let length = |t: usize| request.derivation.trajectories[t].span.1 - request.derivation.trajectories[t].span.0;
+    order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
     let changes: Vec<Result<Vec<Change>, String>> =
-        request.tried.par_iter().map(|&t| one_motion(request, t, claims)).collect();
+        order.par_iter().with_max_len(1).map(|&t| one_motion(request, t, claims)).collect();
     for change in changes {
         for (k, at, verdict) in change? {
             claims[k].results[at].verdict = verdict;

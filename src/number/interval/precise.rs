@@ -12,7 +12,7 @@
 //! million times. The same holds for decimal constants.
 //!
 //! **Theorems.** Sums, products, quotients and roots as in [`TaylorModel`]. sin(c + u) = sin c · cos u + cos c · sin u and
-//! exp(c + u) = exp c · exp u, with the Taylor series of sin u, cos u, exp u and Lagrange's remainder; c itself is first made
+//! exp(c + u) = exp c · exp u (and sinh and cosh from it), with the Taylor series of sin u, cos u, exp u and Lagrange's remainder; c itself is first made
 //! small by half turns (π is known to 3·10⁻³³) or by halving (and squaring).
 //!
 //! **Rounding.** Every coefficient satisfies |low| ≤ u|high|, u = 2⁻⁵³, since it comes from an error-free sum. A sum of
@@ -541,6 +541,15 @@ impl PreciseModel {
         found().ok()
     }
 
+    /// (exp a ± exp(−a))/2; nothing where the less precise models do as well.
+    fn half_sum_of_powers(&self, sign: f64) -> Option<PreciseModel> {
+        let power = self.power_of_e()?;
+        let (mut inverse, mut sum) = (PreciseModel::ZERO, PreciseModel::ZERO);
+        inverse.quotient(&PreciseModel::point(1.0), &power).ok()?;
+        sum.combine(&power, &inverse, sign).ok()?;
+        Some(sum.scaled(0.5, 1.0))
+    }
+
     /// What is better known: a result, or that of the less precise models.
     fn or_through(&mut self, found: Option<PreciseModel>, op: Op, a: &PreciseModel) -> Result<(), NoValue> {
         self.through(op, a, a)?;
@@ -640,10 +649,10 @@ impl Number for PreciseModel {
         self.through(Op::Arctan, a, a)
     }
     fn sinh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Sinh, a, a)
+        self.or_through(a.half_sum_of_powers(-1.0), Op::Sinh, a)
     }
     fn cosh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Cosh, a, a)
+        self.or_through(a.half_sum_of_powers(1.0), Op::Cosh, a)
     }
     fn tanh(&mut self, _: &(), a: &PreciseModel) -> Result<(), NoValue> {
         self.through(Op::Tanh, a, a)
@@ -671,8 +680,19 @@ impl Number for PreciseModel {
     fn div(&mut self, _: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
         self.quotient(a, b)
     }
-    fn pow(&mut self, _: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
-        self.through(Op::Pow, a, b)
+    fn pow(&mut self, cx: &(), a: &PreciseModel, b: &PreciseModel) -> Result<(), NoValue> {
+        self.through(Op::Pow, a, b)?;
+        // Powers of roots.
+        let halves = 2.0 * b.high[0];
+        let known = b.length == 1 && b.rest == 0.0 && b.low[0] == 0.0;
+        if known && halves.abs() <= 64.0 && halves == halves.round() {
+            let (mut root, mut power) = (PreciseModel::ZERO, PreciseModel::ZERO);
+            let found = root.root(a).and_then(|()| power.powi(cx, &root, halves as i32));
+            if found.is_ok() && power.rest < self.rest {
+                *self = power;
+            }
+        }
+        Ok(())
     }
     fn arctan2(&mut self, _: &(), y: &PreciseModel, x: &PreciseModel) -> Result<(), NoValue> {
         self.through(Op::Arctan2, y, x)
