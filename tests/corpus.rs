@@ -54,6 +54,13 @@ fn differences(file: &str, account: &Account, known: &[(&str, &str, &str, &str, 
     let mut found = Vec::new();
     for claim in &account.claims {
         let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+        for judged in claim.verdicts().filter(|j| j.trajectory.is_none()) {
+            let word = judged.verdict.outcome().word();
+            if judged.expected != Some(word) {
+                let reason = &judged.verdict.evidence().reason;
+                found.push(format!("{file}: {name}: expected {:?}, found {word}\n    {reason:?}", judged.expected));
+            }
+        }
         for pair in &claim.results {
             let word = pair.verdict.outcome().word();
             let at = format!("{file}: {name} on {}", pair.trajectory);
@@ -185,6 +192,7 @@ fn the_corpus_reaches_the_verdicts_that_it_states() {
         FormKind::Solves,
         FormKind::SameMotion,
         FormKind::Independent,
+        FormKind::Exists,
     ];
     assert!(every.iter().all(|f| forms.contains(f)), "{forms:?}");
     assert_eq!(verdicts.len(), 4, "{verdicts:?}");

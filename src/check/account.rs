@@ -1,6 +1,7 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
 use super::picture::PictureAccount;
+use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
@@ -65,6 +66,54 @@ impl PairAccount {
             Some(word) => word != self.verdict.outcome().word(),
             None => matches!(self.verdict.outcome(), Outcome::Fails(_)),
         }
+    }
+}
+
+impl RegionAccount {
+    /// Whether the verdict differs from what the file expects; without an expectation, whether the claim fails.
+    pub fn is_unexpected(&self) -> bool {
+        match self.expected {
+            Some(word) => word != self.verdict.outcome().word(),
+            None => matches!(self.verdict.outcome(), Outcome::Fails(_)),
+        }
+    }
+}
+
+/// One verdict on a claim: on a trajectory, or over its ranges.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged<'a> {
+    /// Id of the trajectory; `None` for ranges.
+    pub trajectory: Option<&'a str>,
+    /// The verdict.
+    pub verdict: &'a Verdict,
+    /// The word that the derivation file expects, if it expects one.
+    pub expected: Option<&'static str>,
+    /// Whether it differs from what is expected.
+    pub unexpected: bool,
+}
+
+impl Judged<'_> {
+    /// What it was tried on, in a word.
+    pub fn on(&self) -> &str {
+        self.trajectory.unwrap_or("its ranges")
+    }
+}
+
+impl ClaimAccount {
+    /// Every verdict on the claim: those on trajectories, or the one over its ranges.
+    pub fn verdicts(&self) -> impl Iterator<Item = Judged<'_>> {
+        let pairs = self.results.iter().map(|p| Judged {
+            trajectory: Some(&p.trajectory),
+            verdict: &p.verdict,
+            expected: p.expected,
+            unexpected: p.is_unexpected(),
+        });
+        pairs.chain(self.region.iter().map(|r| Judged {
+            trajectory: None,
+            verdict: &r.verdict,
+            expected: r.expected,
+            unexpected: r.is_unexpected(),
+        }))
     }
 }
 
@@ -169,12 +218,14 @@ pub struct ClaimAccount {
     pub conditions: ConditionsAccount,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
+    /// For a claim over ranges, which has no trajectories: its verdict.
+    pub region: Option<RegionAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.
     pub variants: Option<VariantAccount>,
 }
 
 /// Everything that was found for one derivation file.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Account {
     /// The trajectories, in the order of the file.
     pub trajectories: Vec<TrajectoryAccount>,
@@ -209,7 +260,7 @@ impl Account {
     /// The counts.
     pub fn summary(&self) -> Summary {
         let mut s = Summary::default();
-        for pair in self.claims.iter().flat_map(|c| &c.results) {
+        for pair in self.claims.iter().flat_map(ClaimAccount::verdicts) {
             match pair.verdict.outcome() {
                 Outcome::Holds(_) => s.holds += 1,
                 Outcome::Fails(_) => s.fails += 1,
@@ -219,7 +270,7 @@ impl Account {
                     s.open += usize::from(pair.expected.is_none());
                 }
             }
-            s.unexpected += usize::from(pair.is_unexpected());
+            s.unexpected += usize::from(pair.unexpected);
         }
         s
     }

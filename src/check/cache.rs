@@ -136,6 +136,9 @@ fn describe(derivation: &Derivation, account: &mut Account) {
             let expected = tried.filter(|(t, _)| derivation.trajectories[**t].id == pair.trajectory);
             pair.expected = expected.map(|(_, e)| *e).next().flatten();
         }
+        if let (Some(found), Some(declared)) = (&mut found.region, &claim.region) {
+            found.expected = declared.expect;
+        }
         account.claims.push(found);
     }
     account.units = units::units(derivation);

@@ -65,6 +65,11 @@ impl Gradients {
         Ok(Gradients { constraints, functions: rows.len() - constraints, variables: variables.to_vec(), entries, text })
     }
 
+    /// The number of constraints, and the gradients: those of the constraints first.
+    pub fn rows(&self) -> (usize, Vec<&[Expr]>) {
+        (self.constraints, self.entries.chunks(self.variables.len().max(1)).collect())
+    }
+
     /// The leaves that must be known.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         graph.leaves(self.entries.iter().copied())

@@ -25,6 +25,7 @@ mod occurrence;
 mod picture;
 mod program;
 mod proposition;
+pub mod region;
 mod same_motion;
 #[cfg(test)]
 pub(crate) mod sample;
@@ -42,7 +43,9 @@ mod variant;
 mod verdict;
 mod weigh;
 
-pub use account::{Account, ClaimAccount, IdentityAccount, Measurement, PairAccount, Summary, TrajectoryAccount};
+pub use account::{
+    Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
+};
 pub use cache::Cache;
 pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
@@ -144,6 +147,11 @@ fn check_and(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
+    // What is about ranges needs no motion.
+    let regions = region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)?;
+    if derivation.scope.time().is_none() && derivation.trajectories.is_empty() && derivation.systems.is_empty() {
+        return Ok(Account { claims: regions.into_iter().map(|(_, c)| c).collect(), ..Account::default() });
+    }
     let fields = Fields::solve(derivation).map_err(CheckError::Problems)?;
 
     // One program per claim and initial time: the value "at the start" is part of what a first integral says.
@@ -161,6 +169,7 @@ fn check_and(
         .collect();
     let claimed: Vec<usize> =
         (0..derivation.claims.len()).filter(|&c| chosen(&options.claims, &derivation.claims[c].id)).collect();
+    let claimed: Vec<usize> = claimed.into_iter().filter(|&c| derivation.claims[c].region.is_none()).collect();
     let mut programs: Vec<Vec<Program>> = Vec::new();
     let mut gradients = Vec::new();
     for &c in &claimed {
@@ -294,6 +303,12 @@ fn check_and(
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
         altered.conclude(derivation, &mut account.claims, &weighed, &places, &courses)?;
+    }
+    // Back to the order of the file.
+    for (at, of) in regions {
+        let before = claimed.iter().filter(|&&c| c < at).count();
+        let earlier = account.claims.iter().filter(|c| c.region.is_some()).count();
+        account.claims.insert(before + earlier, of);
     }
     Ok(account)
 }
@@ -478,6 +493,7 @@ fn assemble(
             identity,
             conditions: Default::default(),
             results: columns.iter().zip(tried).filter_map(pair).collect(),
+            region: None,
             variants: None,
         });
     }

@@ -215,7 +215,11 @@ impl Program {
                         each(graph, w, |_| Use::Always);
                     }
                 }
-                Form::FirstIntegral(_) | Form::Defined(_) | Form::SameMotion { .. } | Form::Independent { .. } => {}
+                Form::FirstIntegral(_)
+                | Form::Defined(_)
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. } => {}
             }
         }
         for form in &claim.forms {

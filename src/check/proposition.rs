@@ -101,6 +101,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         names_trajectories: true,
         trajectories: Vec::new(),
         expect: Vec::new(),
+        region: None,
         scope,
         span: 0..0,
     };

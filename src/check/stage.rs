@@ -53,6 +53,11 @@ pub(super) struct Fields {
 }
 
 impl Fields {
+    /// The field of every system, in the order of the file.
+    pub fn all(&self) -> &[VectorField] {
+        &self.fields
+    }
+
     /// Solves the systems.
     ///
     /// # Errors

@@ -131,6 +131,12 @@ impl Verdict {
         Verdict { outcome: Outcome::Undecided, evidence: Evidence { reason: Some(reason), ..evidence } }
     }
 
+    /// The verdict on a claim over ranges; `samples` is the number of cells that were judged. The witness of a `fails` is in the
+    /// account of the region, since it has no time.
+    pub(super) fn of_region(outcome: Outcome, reason: String, samples: usize) -> Verdict {
+        Verdict { outcome, evidence: Evidence { samples, reason: Some(reason), ..Evidence::default() } }
+    }
+
     /// The same verdict with a proof behind it.
     pub(super) fn proved(&mut self) {
         if let Outcome::Holds(_) = self.outcome {

@@ -180,12 +180,10 @@ fn write_reports(
     account: &Account,
     paper: Option<&Comparison>,
 ) -> Result<(), Stop> {
-    let files = [
-        ("report.json", json(derivation, account, paper)),
-        ("report.md", report::markdown(derivation, account)),
-        ("index.html", report::page(derivation, account)),
-    ];
-    let certificates = report::certificates(derivation, account);
+    let data = || (json(derivation, account, paper), report::certificates(derivation, account));
+    let read = || rayon::join(|| report::page(derivation, account), || report::markdown(derivation, account));
+    let ((data, certificates), (page, markdown)) = rayon::join(data, read);
+    let files = [("report.json", data), ("report.md", markdown), ("index.html", page)];
     let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));
     let files: Vec<(&str, String)> = files.into_iter().chain(certificates).collect();
     report::write_report(folder, &files, &[report::CERTIFICATES]).map_err(|e| Stop::Message(e.to_string()))

@@ -13,7 +13,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let mut shown = 0;
     for derivation in &mut derivations {
         let account = check::account(derivation, &claims, &arguments.on, Rigor::Sampled)?;
-        shown += account.claims.iter().map(|c| c.results.len()).sum::<usize>();
+        shown += account.claims.iter().map(|c| c.verdicts().count()).sum::<usize>();
         print(&report::explain(derivation, &account, true))?;
     }
     if shown == 0 {

@@ -25,6 +25,7 @@ const FORMS: &[FormKind] = &[
     FormKind::Solves,
     FormKind::SameMotion,
     FormKind::Independent,
+    FormKind::Exists,
 ];
 
 fn has_forms(table: &Table<'_, '_>) -> bool {
@@ -85,6 +86,7 @@ impl Loader<'_> {
             names_trajectories: false,
             expect: Vec::new(),
             expect_inconsistent_units: false,
+            region: None,
             scope: self.out.scope.clone(),
             id,
             span,
@@ -116,6 +118,7 @@ impl Loader<'_> {
                 (false, true) => self.forms(&mut claim, table),
                 (false, false) => self.note_empty(&claim.span, &format!("the reading `{}`", claim.name())),
             }
+            self.confine(&mut claim, &[&reading, table]);
             if reading.get("expect").is_some() {
                 self.expect(&mut claim, &reading);
             } else if !has_forms(table) {
@@ -128,6 +131,7 @@ impl Loader<'_> {
                 self.note_empty(&base.span, &format!("the claim `{}`", base.id));
             }
             self.forms(&mut base, table);
+            self.confine(&mut base, &[table]);
             self.expect(&mut base, table);
             self.out.claims.push(base);
         }
@@ -190,6 +194,9 @@ impl Loader<'_> {
             claim.trajectories = self.some_trajectories(table);
             claim.names_trajectories = true;
         }
+        if let Some(value) = table.get("ranges") {
+            self.ranges(claim, value);
+        }
         claim.expect = vec![None; claim.trajectories.len()];
         if let Some(inconsistent) = self.expect_units(table) {
             claim.expect_inconsistent_units = inconsistent;
@@ -242,6 +249,7 @@ impl Loader<'_> {
                 FormKind::Solves => self.solves(claim, table),
                 FormKind::SameMotion => self.same_motion(claim, table),
                 FormKind::Independent => self.independent(claim, table),
+                FormKind::Exists => self.exists(claim, table),
             }
             let said = claim.forms.iter().any(|f| f.kind() == kind);
             if !said && self.problems.found.len() == before {
@@ -330,9 +338,19 @@ impl Loader<'_> {
     /// The expected verdicts.
     fn expect(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
         let Some(value) = table.get("expect") else { return };
+        if let (Some(_), DeValue::Table(_)) = (&claim.region, value.get_ref()) {
+            let message = "a claim over ranges has one verdict, and no trajectories";
+            self.problems
+                .note("derivation::wrong-type", value.span(), message)
+                .hint("write the word alone, for instance expect = \"holds\"");
+            return;
+        }
         if let DeValue::String(word) = value.get_ref() {
             match keys::EXPECT.iter().find(|k| *k == word) {
-                Some(&word) => claim.expect = vec![Some(word); claim.trajectories.len()],
+                Some(&word) => {
+                    claim.expect = vec![Some(word); claim.trajectories.len()];
+                    claim.region.iter_mut().for_each(|r| r.expect = Some(word));
+                }
                 None => {
                     let known = keys::EXPECT.iter().copied();
                     self.problems.unknown("derivation::unknown-key", value.span(), "verdict", word, known);

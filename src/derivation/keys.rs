@@ -32,6 +32,8 @@ pub const READING: &[&str] = &[
     "solves",
     "same-motion",
     "independent",
+    "exists",
+    "ranges",
     "at",
     "expect",
     "expect-units",
@@ -42,6 +44,8 @@ pub const CLAIM: &[&str] = &["place", "label", "reading"];
 pub const SAME_MOTION: &[&str] = &["as", "of"];
 /// Keys of `independent`.
 pub const INDEPENDENT: &[&str] = &["functions", "subject-to"];
+/// Keys of `exists`.
+pub const EXISTS: &[&str] = &["unknowns", "such-that", "unique"];
 /// Keys of `expect`: the verdicts.
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
@@ -62,6 +66,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("[[claim]]", CLAIM),
     ("same-motion", SAME_MOTION),
     ("independent", INDEPENDENT),
+    ("exists", EXISTS),
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
     ("[[condition]]", CONDITION),

@@ -20,6 +20,7 @@ mod motions;
 mod number;
 mod pictures;
 mod premise;
+mod region;
 mod schema;
 mod symbols;
 mod table;
@@ -30,8 +31,8 @@ mod values;
 pub use claims::DEFAULT_PRECISION;
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind,
-    SymbolEntry, System, Trajectory, Written,
+    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Ranged,
+    Region, SymbolEntry, System, Trajectory, Values, Written,
 };
 pub use premise::Premise;
 pub use schema::{schema, undescribed};

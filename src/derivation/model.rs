@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::diag::Source;
-use crate::expr::{Expr, Graph, Symbol, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use crate::latex::{Role, Scope, Statement};
 
 use super::unit::Unit;
@@ -204,6 +204,8 @@ pub enum FormKind {
     SameMotion,
     /// Functions are independent.
     Independent,
+    /// Equations have a solution.
+    Exists,
 }
 
 impl FormKind {
@@ -218,6 +220,7 @@ impl FormKind {
             FormKind::Solves => "solves",
             FormKind::SameMotion => "same-motion",
             FormKind::Independent => "independent",
+            FormKind::Exists => "exists",
         }
     }
 }
@@ -263,6 +266,46 @@ pub enum Form {
         /// Relations between the variables that hold anyway.
         subject_to: Vec<Written<Statement>>,
     },
+    /// Equations have a solution in a box.
+    Exists {
+        /// The unknowns: each a component with the range in which it is looked for.
+        unknowns: Vec<Ranged>,
+        /// As many equations as unknowns, and any number of other relations, which a solution must satisfy, too.
+        such_that: Vec<Written<Statement>>,
+        /// Whether there is one only.
+        unique: bool,
+    },
+}
+
+/// One component of a symbol, and the values that it has in a claim over ranges.
+#[derive(Clone, Debug)]
+pub struct Ranged {
+    /// The component, at the present time.
+    pub leaf: Leaf,
+    /// Its values.
+    pub values: Values,
+    /// The unit of the symbol as written.
+    pub unit: Option<String>,
+    /// Where the values stand in the file.
+    pub span: Range<usize>,
+}
+
+/// The values of a component.
+#[derive(Clone, Debug)]
+pub enum Values {
+    /// All numbers from the first to the last, both included: expressions without leaves.
+    Between(Expr, Expr),
+    /// One value, which may depend on those that are given before it.
+    One(Expr),
+}
+
+/// What a claim over ranges of values is about: no motion.
+#[derive(Clone, Debug, Default)]
+pub struct Region {
+    /// The symbols that have values, in the order of the file; nothing else occurs in the claim but what is defined by them.
+    pub ranges: Vec<Ranged>,
+    /// The expected verdict, as a word of the report.
+    pub expect: Option<&'static str>,
 }
 
 impl Form {
@@ -277,6 +320,7 @@ impl Form {
             Form::Solves { .. } => FormKind::Solves,
             Form::SameMotion { .. } => FormKind::SameMotion,
             Form::Independent { .. } => FormKind::Independent,
+            Form::Exists { .. } => FormKind::Exists,
         }
     }
 }
@@ -324,6 +368,8 @@ pub struct Claim {
     pub expect: Vec<Option<&'static str>>,
     /// Whether the file expects that a formula of it is not consistent in its units.
     pub expect_inconsistent_units: bool,
+    /// For a claim over ranges of values, which is tried on no motion: the ranges.
+    pub region: Option<Region>,
     /// What symbols mean in its formulas.
     pub scope: Scope,
     /// Place of its id in the file.

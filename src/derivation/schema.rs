@@ -97,6 +97,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "solves" => text("The motion solves this system: its id"),
             "same-motion" => part("same-motion", "The motion is that of another trajectory"),
             "independent" => part("independent", "Functions of the states are independent of one another"),
+            "exists" => part("exists", "Equations have a solution in a box"),
+            "ranges" => values(
+                "The claim is about all these values, and no motion: [from, to] for a range, one number or formula for a fixed value",
+            ),
             "at" => formula("An equation between scalars: the claim is tried only when it holds"),
             "expect-units" => json!({
                 "enum": ["inconsistent"], "description": "The units of its formulas are expected not to agree",
@@ -111,6 +115,9 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("same-motion", "of") => ids("The states that are compared"),
         ("independent", "functions") => formulas("The functions"),
         ("independent", "subject-to") => formulas("Equations that hold between the states anyway"),
+        ("exists", "unknowns") => values("The unknowns, each with the range [from, to] in which a solution is looked for"),
+        ("exists", "such-that") => formulas("As many equations as unknowns, and other relations that a solution satisfies"),
+        ("exists", "unique") => flag("There is one solution only"),
         ("expect", "holds" | "fails" | "not-applicable" | "undecided") => json!({
             "anyOf": [{ "enum": ["all", "others"] }, { "type": "array", "items": { "type": "string" } }],
             "description": "Trajectories on which this verdict is expected",
@@ -160,6 +167,7 @@ const TABLES: &[&str] = &[
     "[[claim]]",
     "same-motion",
     "independent",
+    "exists",
     "expect",
     "[[measure]]",
     "[[condition]]",
@@ -204,6 +212,7 @@ pub fn schema() -> Value {
         "reading": object(&[reading], &["id", "says"]),
         "same-motion": object(&["same-motion"], &["as", "of"]),
         "independent": object(&["independent"], &["functions"]),
+        "exists": object(&["exists"], &["unknowns", "such-that"]),
         "expect": { "anyOf": [{ "enum": keys::EXPECT }, expect] },
         "measure": object(&["[[measure]]"], &["id", "says", "formula"]),
         "condition": object(&["[[condition]]"], &["id", "says", "holds"]),

@@ -100,7 +100,7 @@ impl Loader<'_> {
     }
 
     /// A number, or a formula for one.
-    fn scalar_component(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+    pub fn scalar_component(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         if let Some(number) = rational(&mut self.problems, value) {
             return number.ok().map(|r| self.out.graph.constant(r));
         }

@@ -32,8 +32,9 @@ impl Graph {
         mut tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
     ) -> Result<Expr, NoDerivative> {
         let zero = self.integer(0);
-        let mut derivative: FastMap<Expr, Expr> = FastMap::default();
-        for node in self.reachable([e]) {
+        let order = self.reachable([e]);
+        let mut derivative: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
+        for node in order {
             let d = match self.node(node).clone() {
                 Node::Constant(_) | Node::Pi => zero,
                 Node::Leaf(leaf) => tangent(self, leaf).unwrap_or(zero),
@@ -74,8 +75,9 @@ impl Graph {
 
     /// `e` with every leaf replaced for which `with` yields an expression.
     pub fn substitute(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
-        let mut image: FastMap<Expr, Expr> = FastMap::default();
-        for node in self.reachable([e]) {
+        let order = self.reachable([e]);
+        let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
+        for node in order {
             let new = match self.node(node).clone() {
                 Node::Constant(_) | Node::Pi => node,
                 Node::Leaf(leaf) => with(self, leaf).unwrap_or(node),

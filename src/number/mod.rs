@@ -33,7 +33,7 @@ pub use double_double::DoubleDouble;
 pub use finite::{Finite, FiniteField, is_prime};
 #[cfg(test)]
 pub(crate) use interval::faults as interval_faults;
-pub use interval::{Continuity, Interval, Precise, PreciseModel, TaylorModel};
+pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};
 pub use operation::{Number, Op};

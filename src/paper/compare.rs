@@ -266,6 +266,7 @@ fn written(claim: &Claim) -> Vec<(&str, Range<usize>)> {
             Form::Independent { functions, .. } => {
                 out.extend(functions.iter().map(|w| (w.text.as_str(), w.span.clone())));
             }
+            Form::Exists { such_that, .. } => out.extend(such_that.iter().map(|w| (w.text.as_str(), w.span.clone()))),
             Form::Solves { .. } | Form::SameMotion { .. } => {}
         }
     }

@@ -158,6 +158,15 @@ fn standings(reports: &[Value]) -> Result<(BTreeMap<Key, Standing>, Vec<Key>), S
                 };
                 add(Some(text(result, "trajectory")?), standing);
             }
+            let region = &claim["region"];
+            if region.is_object() {
+                let standing = Standing {
+                    verdict: text(region, "verdict")?,
+                    strength: region["strength"].as_str().map(str::to_owned),
+                    unexpected: region["unexpected"].as_bool().unwrap_or(false),
+                };
+                add(Some("its ranges".to_owned()), standing);
+            }
         }
     }
     Ok((out, order))

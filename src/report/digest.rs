@@ -197,6 +197,15 @@ pub(super) fn explanation(e: &Explanation) -> String {
 
 /// Where a reading holds, in a few words; the beginning of a sentence.
 pub(super) fn verdict(reading: &Reading<'_>) -> String {
+    if let Some(region) = &reading.claim.region {
+        let (word, rest) = match region.verdict.outcome().word() {
+            "holds" => ("Holds", " over the ranges"),
+            "fails" => ("Fails", " over the ranges"),
+            "undecided" => ("Undecided", " over the ranges"),
+            _ => ("Applies", " nowhere in the ranges"),
+        };
+        return format!("{word}{rest}");
+    }
     let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
     match reading.standing {
         Standing::Holds if reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved") => {

@@ -16,6 +16,7 @@ pub fn explain(derivation: &Derivation, account: &Account, colour: bool) -> Stri
         for pair in &claim.results {
             out.push_str(&about_pair(account, pair, paint));
         }
+        out.push_str(&super::region::explain(derivation, claim, paint));
     }
     out
 }

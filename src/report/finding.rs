@@ -119,6 +119,7 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
     for claim in &account.claims {
         let of_claim = groups(claim);
         out.extend(of_claim.iter().filter_map(|group| verdict(derivation, claim, group)));
+        out.extend(region(derivation, claim));
     }
     let summary = account.summary();
     if summary.holds + summary.fails == 0 {
@@ -178,6 +179,44 @@ fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> 
     })
 }
 
+/// The finding of a claim over ranges, if there is one.
+fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
+    let judged = claim.verdicts().find(|j| j.trajectory.is_none())?;
+    let word = judged.verdict.outcome().word();
+    let open = word == "undecided" && judged.expected.is_none();
+    if !judged.unexpected && !open {
+        return None;
+    }
+    let expected = judged.expected.map(|word| format!(", expected is `{word}`")).unwrap_or_default();
+    let mut message = format!(
+        "`{}` {} over its ranges{expected}. It says: {}",
+        name(claim),
+        phrase(word),
+        sentence(&says(derivation, claim)),
+    );
+    if let Some(told) = over_ranges(claim) {
+        message.push_str(&format!(" {told}"));
+    }
+    let place = declared(derivation, claim).map_or(0..0, |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
+        [(_, ref span)] => span.clone(),
+        _ => d.span.clone(),
+    });
+    Some(Finding {
+        rule: rule(word),
+        level: if judged.unexpected { Level::Error } else { Level::Warning },
+        message,
+        place: Place::new(&derivation.file, place),
+        related: Vec::new(),
+        identity: format!("{}\n{}\n{}", derivation.id, name(claim), judged.expected.unwrap_or("nothing")),
+    })
+}
+
+/// How the verdict over ranges came about, in a sentence.
+pub(super) fn over_ranges(claim: &ClaimAccount) -> Option<String> {
+    let reason = claim.region.as_ref()?.verdict.evidence().reason.as_ref()?;
+    Some(format!("Over its ranges: {}", sentence(&reason.replace('$', ""))))
+}
+
 /// `fails`, `does not apply`.
 pub(super) fn phrase(word: &str) -> &str {
     match word {
@@ -229,6 +268,7 @@ fn written_in(form: &Form) -> Vec<(&str, Range<usize>)> {
         Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![(w.text.as_str(), w.span.clone())],
         Form::FirstIntegral(w) | Form::Defined(w) => vec![(w.text.as_str(), w.span.clone())],
         Form::Independent { functions, .. } => functions.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
+        Form::Exists { such_that, .. } => such_that.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
         Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
     }
 }

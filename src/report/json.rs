@@ -120,6 +120,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         })),
         "variants": discrimination::claim_json(claim),
         "conditions": super::conditions::json(&claim.conditions),
+        "region": claim.region.as_ref().map(super::region::json),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     })
 }

@@ -11,9 +11,9 @@
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use super::finding::{Finding, Level, phrase, told};
+use super::finding::{Finding, Level, over_ranges, phrase, told};
 use super::tally::{name, says};
-use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::check::{Account, ClaimAccount, Judged, PairAccount};
 use crate::derivation::Derivation;
 
 /// One derivation file and what was found, for [`junit`].
@@ -35,6 +35,9 @@ pub fn junit(checked: &[Checked<'_>], others: &[Finding]) -> String {
         for claim in &one.account.claims {
             for pair in &claim.results {
                 suite.add_test_case(case(one.derivation, claim, pair));
+            }
+            for judged in claim.verdicts().filter(|j| j.trajectory.is_none()) {
+                suite.add_test_case(case_of(one.derivation, claim, &judged, over_ranges(claim)));
             }
         }
         report.add_test_suite(suite);
@@ -61,21 +64,31 @@ fn without_skipped_in_all(text: &str) -> String {
 }
 
 fn case(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> TestCase {
-    let word = pair.verdict.outcome().word();
-    let strength = pair.verdict.outcome().strength();
-    let expected = pair.expected.map_or_else(|| "nothing is".to_owned(), |e| format!("`{e}` is"));
+    let judged = Judged {
+        trajectory: Some(&pair.trajectory),
+        verdict: &pair.verdict,
+        expected: pair.expected,
+        unexpected: pair.is_unexpected(),
+    };
+    case_of(derivation, claim, &judged, told(pair))
+}
+
+fn case_of(derivation: &Derivation, claim: &ClaimAccount, judged: &Judged<'_>, told: Option<String>) -> TestCase {
+    let word = judged.verdict.outcome().word();
+    let strength = judged.verdict.outcome().strength();
+    let expected = judged.expected.map_or_else(|| "nothing is".to_owned(), |e| format!("`{e}` is"));
     let mut status = match word {
-        _ if pair.is_unexpected() => TestCaseStatus::non_success(NonSuccessKind::Failure),
-        "undecided" if pair.expected.is_none() => TestCaseStatus::non_success(NonSuccessKind::Error),
+        _ if judged.unexpected => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        "undecided" if judged.expected.is_none() => TestCaseStatus::non_success(NonSuccessKind::Error),
         "undecided" | "not-applicable" => TestCaseStatus::skipped(),
         _ => TestCaseStatus::success(),
     };
     status.set_message(format!("{} ({expected} expected)", phrase(word)));
     status.set_type(word);
-    if let Some(told) = told(pair) {
+    if let Some(told) = told {
         status.set_description(told);
     }
-    let mut case = TestCase::new(pair.trajectory.as_str(), status);
+    let mut case = TestCase::new(judged.on(), status);
     case.set_classname(format!("{}.{}", derivation.id, name(claim)));
     let strength = strength.map(|s| format!(" ({s})")).unwrap_or_default();
     case.set_system_out(format!("{}\n{}{strength}", says(derivation, claim), phrase(word)));

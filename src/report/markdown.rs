@@ -127,7 +127,12 @@ fn matrix(account: &Account) -> String {
         let pair = |id: &str| claim.results.iter().find(|r| r.trajectory == id);
         std::iter::once(link).chain(account.trajectories.iter().map(|t| cell(pair(&t.id)))).collect()
     };
-    out.push_str(&table(&head, account.claims.iter().map(row)));
+    // What is about ranges has no cells.
+    let rows: Vec<Vec<String>> = account.claims.iter().filter(|c| c.region.is_none()).map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    out.push_str(&table(&head, rows));
     out
 }
 
@@ -237,6 +242,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         if let Some(identity) = &claim.identity {
             out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
         }
+        out.push_str(&super::region::section(claim));
         out.push_str(&super::conditions::separation(&claim.conditions));
         let mut groups = groups(claim);
         groups.sort_by_key(|g| ["fails", "holds", "undecided"].iter().position(|w| *w == g.word).unwrap_or(3));
@@ -279,7 +285,10 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
     let mut last = "";
     for (i, formula) in claim.formulas.iter().enumerate() {
         let kind = kinds.get(i).copied().unwrap_or("always");
+        let over = declared(derivation, claim).and_then(|d| Some((d.formulas.get(i)?.kind, claim.region.as_ref()?)));
+        let over = over.map(|(kind, region)| prose(&format!("{}:", super::region::heading(kind, region))));
         let words = match kind {
+            _ if over.is_some() => over.as_deref().unwrap_or_default(),
             "always" => "At every time:",
             "never" => "At no time:",
             "eventually" => "At some time:",

@@ -29,6 +29,7 @@ mod page;
 mod paper;
 mod plot;
 mod proposition;
+mod region;
 mod sarif;
 mod schema;
 mod summary;

@@ -159,6 +159,7 @@ pub fn schema() -> Value {
         ("conditions", conditions()),
         ("results", list(result)),
     ]);
+    let claim = with_optional(claim, &[("region", or_null(region(&verdicts, &expected)))]);
     let measured = object(&[("t", number("Time")), ("value", number("Value")), ("bound", number("Error bound"))]);
     let measurement = object(&[
         ("measure", text("Id of the measure")),
@@ -192,6 +193,54 @@ pub fn schema() -> Value {
         out.append(&mut fields);
     }
     Value::Object(out)
+}
+
+/// A claim over ranges of values.
+fn region(verdicts: &[&str], expected: &[Value]) -> Value {
+    let range = object(&[
+        ("name", text("In LaTeX")),
+        ("unit", text_or_null("Its unit")),
+        ("from", number("First value")),
+        ("to", number("Last value, the same for a single value")),
+    ]);
+    let shares = object(&[
+        ("proved", number("Part of the volume on which the claim holds wherever it applies")),
+        ("refuted", number("Part on which it fails at every point")),
+        ("not_applicable", number("Part on which it applies nowhere")),
+        ("undecided", number("Part that is not known")),
+    ]);
+    let ends = json!({ "type": ["array", "null"], "items": { "type": ["number", "null"] } });
+    let witness = object(&[
+        ("values", json!({ "type": "object", "additionalProperties": number("Value of a range") })),
+        ("formula", text_or_null("What fails, as written")),
+        ("left", ends.clone()),
+        ("right", ends.clone()),
+        ("says", text("What is wrong there")),
+    ]);
+    let map = object(&[
+        ("across", whole("Position among `ranges` of what goes to the right")),
+        ("up", whole("Position among `ranges` of what goes up")),
+        ("squares", whole("Squares along each side of the board")),
+        ("patches", texts("p proved, b proved where it applies, r refuted, n not applicable, u undecided; column, row, width, height")),
+    ]);
+    object(&[
+        ("verdict", json!({ "enum": verdicts })),
+        ("strength", json!({ "enum": ["enclosed", "certified", "proved", null] })),
+        ("expected", json!({ "enum": expected })),
+        ("unexpected", flag("Whether the verdict is not as expected")),
+        ("reason", text_or_null("How it came about")),
+        ("ranges", list(range.clone())),
+        ("varying", whole("How many of the ranges vary; they come first")),
+        ("unknowns", list(range)),
+        ("unique", flag("Whether one solution only was asked for")),
+        ("shares", shares),
+        ("cells", whole("Cells that were judged")),
+        ("depth", whole("Most bisections of a cell that is undecided")),
+        ("witness", or_null(witness)),
+        ("solutions", list(json!({ "type": "object", "additionalProperties": ends }))),
+        ("remarks", texts("What else is to be known")),
+        ("map", or_null(map)),
+    ])
 }
 
 /// What one motion alone could have decided.

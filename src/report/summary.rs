@@ -1,6 +1,6 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
-use super::discrimination;
+use super::{discrimination, region};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
@@ -26,6 +26,7 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     out.push_str(&paragraph(&derivation.concerns, 2));
     out.push('\n');
     out.push_str(&matrix(account, paint));
+    out.push_str(&region::terminal(derivation, account, paint, true));
     out.push_str(&blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected));
     let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
     out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
@@ -44,6 +45,7 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let paint = Paint(colour);
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected);
     out.push_str(&blocks(derivation, account, paint, "Undecided", |g| g.word == "undecided" && !g.unexpected));
+    out.push_str(&region::terminal(derivation, account, paint, false));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out
@@ -51,7 +53,12 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
 
 /// The matrix of verdicts, in as many parts as its columns need, with its legend.
 fn matrix(account: &Account, paint: Paint) -> String {
-    let names: Vec<String> = account.claims.iter().map(name).collect();
+    // What is about ranges has no cells.
+    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| c.region.is_none()).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    let names: Vec<String> = rows.iter().map(|c| name(c)).collect();
     let wide = names.iter().map(|n| n.chars().count()).max().unwrap_or(0).clamp(8, NAME_WIDTH);
     let columns = (WIDTH - 4 - wide) / 2;
     let numbered: Vec<(String, &str)> =
@@ -65,7 +72,7 @@ fn matrix(account: &Account, paint: Paint) -> String {
             out.push_str(&paint.faint(format!("  {}  {row}", " ".repeat(wide)).trim_end()));
             out.push('\n');
         }
-        for (claim, name) in account.claims.iter().zip(&names) {
+        for (claim, name) in rows.iter().zip(&names) {
             let cells: String = part.iter().map(|(_, id)| cell(claim, id, paint)).collect();
             out.push_str(format!("  {}  {cells}", fitted(name, wide)).trim_end());
             out.push('\n');

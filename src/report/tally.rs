@@ -24,7 +24,7 @@ impl Standing {
 
     /// The standing of a claim.
     pub fn of(claim: &ClaimAccount) -> Standing {
-        let any = |word: &str| claim.results.iter().any(|r| r.verdict.outcome().word() == word);
+        let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word);
         match (any("holds"), any("fails"), any("undecided")) {
             (true, true, _) => Standing::Mixed,
             (false, true, _) => Standing::Fails,

@@ -107,13 +107,16 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
         let kinds: Vec<FormKind> = declared.map(|d| d.formulas.iter().map(|f| f.kind).collect()).unwrap_or_default();
         for (i, text) in claim.formulas.iter().enumerate() {
             let kind = kinds.get(i).copied().unwrap_or(FormKind::Always);
+            let over = claim.region.as_ref().map(|region| super::region::heading(kind, region));
             let words = match kind {
+                _ if over.is_some() => over.as_deref().unwrap_or_default(),
                 FormKind::Always => "At every time",
                 FormKind::Never => "At no time",
                 FormKind::Eventually => "At some time",
                 FormKind::FirstIntegral => "Constant along the motion",
                 FormKind::Defined => "Has a real value at every time",
                 FormKind::Independent => "Independent functions",
+                FormKind::Exists => "A solution exists of",
                 FormKind::Solves => {
                     out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
                     continue;
@@ -123,7 +126,7 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                     continue;
                 }
             };
-            out.push_str(&format!("{words}:\n{}\n", display(text, scope)));
+            out.push_str(&format!("{}:\n{}\n", prose(words, scope), display(text, scope)));
         }
         if !claim.assumptions.is_empty() {
             let all: Vec<String> = claim.assumptions.iter().map(|a| inline(a, scope)).collect();
@@ -134,6 +137,12 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
         }
         for group in groups(claim) {
             verdicts(&group, scope, out);
+        }
+        if let Some(region) = &claim.region {
+            let mut said: Vec<String> = super::region::ranges(region).into_iter().collect();
+            said.push(format!("{}{}.", super::region::verdict(region), super::region::expected(region)));
+            said.extend(super::region::notes(region).into_iter().map(|n| format!("{n}.")));
+            out.push_str(&format!("{}\n\n", prose(&said.join(" "), scope)));
         }
         if let Some(remark) = &claim.remark {
             out.push_str(&format!("\\emph{{Remark:}} {}\n\n", prose(remark, scope)));

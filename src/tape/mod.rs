@@ -67,7 +67,7 @@ impl Tape {
     pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
         let place: FastMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
         let order = graph.reachable(roots.iter().copied());
-        let mut slot: FastMap<Expr, u32> = FastMap::default();
+        let mut slot: FastMap<Expr, u32> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
         let mut presets = Vec::new();
         for &e in &order {
             match graph.node(e) {

@@ -1,13 +1,18 @@
 //! One claim along one enclosed motion.
 
 use super::cover::Along;
+use super::rank::Rank;
 use super::ready::{Ready, Shown};
 use super::refute::certify;
-use super::span;
-use crate::check::comparison::Comparison;
+use super::same::Same;
+use super::{event, limit, span};
+use crate::check::comparison::{Comparison, Group};
+use crate::check::independence::Gradients;
 use crate::check::program::{Program, Use};
 use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
 use crate::derivation::{Claim, Form};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::flow::Enclosure;
 use crate::number::Bounded;
 
 /// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
@@ -27,22 +32,47 @@ pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
     }
 }
 
-/// The parts of a claim, each ready to be looked at along a motion; or why there is nothing to look at.
-pub(super) type Parts<'a> = Result<Vec<Result<Ready<'a>, String>>, String>;
+/// A part of a claim, ready to be looked at along a motion; or why it is not.
+pub(super) enum Part<'a> {
+    Comparisons(&'a Use, &'a Group, Result<Ready<'a>, String>),
+    Rank(Result<Rank<'a>, String>),
+    Same(Result<Same<'a>, String>),
+}
+
+/// The parts of a claim, or why there is nothing to look at.
+pub(super) type Parts<'a> = Result<Vec<Part<'a>>, String>;
+
+/// What a claim is prepared from.
+pub(super) struct Asked<'a, 'r> {
+    pub claim: &'a Claim,
+    pub program: &'a Program,
+    pub gradients: Option<&'a Result<Gradients, String>>,
+    /// Parameters and initial states, as they are given.
+    pub start: &'r [(Leaf, Expr)],
+    /// Another motion, enclosed.
+    pub other: &'r dyn Fn(usize, &mut Graph) -> Result<Enclosure, String>,
+}
 
 /// Tells a motion what a claim will ask for.
-pub(super) fn prepare<'a>(claim: &Claim, program: &'a Program, along: &mut Along, outcome: Outcome) -> Parts<'a> {
-    if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Independent { .. })) {
-        return Err("claims of this form are not enclosed".to_owned());
-    }
-    if program.at.is_some() {
-        return Err("claims at events are not enclosed".to_owned());
-    }
+pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along, outcome: Outcome) -> Parts<'a> {
+    let Asked { claim, program, gradients, .. } = *asked;
     let fails = matches!(outcome, Outcome::Fails(_));
     if let (false, Some(reason)) = (fails, along.incomplete()) {
         return Err(reason);
     }
-    Ok(program.groups.iter().map(|(how, group)| Ready::new(program, (how, group), along, claim)).collect())
+    let ready = |(how, group): &'a (Use, Group), along: &mut Along| {
+        Part::Comparisons(how, group, Ready::new(program, (how, group), along, claim))
+    };
+    let mut parts: Vec<Part> = program.groups.iter().map(|part| ready(part, along)).collect();
+    for form in &claim.forms {
+        match (form, gradients) {
+            (Form::SameMotion { other, of }, _) => parts.push(Part::Same(Same::new(asked, *other, of, along))),
+            (Form::Independent { .. }, Some(Ok(gradients))) => parts.push(Part::Rank(Rank::new(asked, gradients, along))),
+            (Form::Independent { .. }, Some(Err(reason))) => parts.push(Part::Rank(Err(reason.clone()))),
+            _ => {}
+        }
+    }
+    Ok(parts)
 }
 
 /// Strengthens one verdict.
@@ -51,7 +81,6 @@ pub(super) fn prepare<'a>(claim: &Claim, program: &'a Program, along: &mut Along
 /// A contradiction between an enclosure and samples.
 pub(super) fn strengthen(
     claim: &Claim,
-    program: &Program,
     parts: Parts,
     along: &mut Along,
     sampled: Sampled,
@@ -69,24 +98,33 @@ pub(super) fn strengthen(
         }
     };
     if let Outcome::Fails(_) = outcome {
-        certify(program, parts, along, verdict);
+        certify(parts, along, verdict);
         return Ok(());
     }
     along.refill();
     let mut reasons = Vec::new();
-    for ((how, group), ready) in program.groups.iter().zip(parts) {
-        let shown = match ready {
-            Ok(mut ready) => {
+    for part in parts {
+        let compared = match part {
+            Part::Comparisons(_, group, _) => Some(group),
+            Part::Rank(_) | Part::Same(_) => None,
+        };
+        let shown = match part {
+            Part::Comparisons(how, _, Ok(mut ready)) => {
                 ready.weigh(along);
-                part(claim, how, &ready, along)?
+                shown(claim, how, &ready, along)?
             }
-            Err(reason) => Shown::Nothing(reason),
+            Part::Rank(Ok(rank)) => rank.always(along),
+            Part::Same(Ok(same)) => same.always(along),
+            Part::Comparisons(.., Err(reason)) | Part::Rank(Err(reason)) | Part::Same(Err(reason)) => {
+                Shown::Nothing(reason)
+            }
         };
         match shown {
             Shown::Holds(reason) => reasons.push(reason),
             Shown::Fails(witness, reason) => {
                 let Witness { t, left, right, bound, .. } = witness;
-                let same = group.comparisons.iter().find(|c| c.label == witness.formula).filter(|_| !group.branching);
+                let same = compared.filter(|group| !group.branching);
+                let same = same.and_then(|group| group.comparisons.iter().find(|c| c.label == witness.formula));
                 if let Some(seen) = same.and_then(|c| sampled(c, t)) {
                     // Between samples anything may happen; at one time both routes must find the same.
                     let (gap, size) = ((seen.value - (left - right)).abs(), left.abs() + right.abs());
@@ -124,16 +162,19 @@ pub(super) fn strengthen(
     Ok(())
 }
 
-/// One part of a claim, over the whole span.
-fn part(claim: &Claim, how: &Use, ready: &Ready, along: &mut Along) -> Result<Shown, String> {
+/// What is shown of comparisons, over the whole span.
+fn shown(claim: &Claim, how: &Use, ready: &Ready, along: &mut Along) -> Result<Shown, String> {
     if let Err(reason) = ready.presupposed(along) {
         return Ok(Shown::Nothing(reason));
+    }
+    if let Some(event) = ready.event {
+        return Ok(event::always(claim, how, ready, event, along));
     }
     match how {
         Use::Always => span::always(claim, ready, along),
         Use::Defined => Ok(span::defined(ready, along)),
         Use::Never(_) => Ok(span::never(ready, along)),
         Use::Eventually(_) => Ok(span::eventually(ready, along)),
-        Use::Limit(point) => Ok(span::limit(ready, point, along)),
+        Use::Limit(point) => Ok(limit::limit(ready, point, along)),
     }
 }

@@ -1,15 +1,17 @@
 //! A span of time, covered by stretches that are halved until something is known of each.
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::expr::{Expr, Graph};
-use crate::flow::{Compiled, Enclosure, Reach, Stretch};
+use crate::flow::{Compiled, Enclosure, Reach, Sharp, Stretch};
 use crate::number::{Interval, NoValue};
 
 /// Stretches are halved down to this part of the span.
 const SHORTEST: f64 = 1e-6;
+/// After first integrals were of no use so often for a claim, they are not asked again.
+const PATIENCE: usize = 4;
 /// Most operations on models that are spent on one claim along one motion, and on a set of its presuppositions.
 const MOST: usize = 400_000;
 /// Most operations that are spent on all claims along one motion, beyond what they all share.
@@ -37,11 +39,24 @@ pub(super) struct Selection {
     roots: Vec<usize>,
     /// What they need of the tape, and nothing else.
     part: OnceCell<Compiled>,
+    /// The same with the first integrals of the motion, where these may help.
+    sharp: OnceCell<Option<Sharp>>,
+    /// How often they did not.
+    idle: Cell<usize>,
 }
 
 impl Selection {
     pub fn new(roots: Vec<usize>) -> Selection {
-        Selection { roots, part: OnceCell::new() }
+        Selection { roots, part: OnceCell::new(), sharp: OnceCell::new(), idle: Cell::new(0) }
+    }
+
+    /// The same, for which first integrals are of no use.
+    pub fn blunt(roots: Vec<usize>) -> Selection {
+        Selection { sharp: OnceCell::from(None), ..Selection::new(roots) }
+    }
+
+    pub fn roots(&self) -> &[usize] {
+        &self.roots
     }
 }
 
@@ -127,6 +142,16 @@ impl Along {
         Ok(self.sides.add(resolved))
     }
 
+    /// What stands at a place of what is looked at over stretches, in basic leaves.
+    pub fn difference_at(&self, place: usize) -> Expr {
+        self.differences.roots[place]
+    }
+
+    /// What stands at a place of what is looked at at times, in basic leaves.
+    pub fn side_at(&self, place: usize) -> Expr {
+        self.sides.roots[place]
+    }
+
     /// Compiles what was asked for so far.
     ///
     /// # Errors
@@ -201,6 +226,28 @@ impl Along {
         selection.roots.iter().map(|&root| ranges[root]).collect()
     }
 
+    /// Bounds made sharper by first integrals; `None` where there is no use in trying.
+    ///
+    /// The theorem is about quantities that are continuous, so that only what has a range already is looked at.
+    fn sharper(&mut self, selection: &Selection, time: Interval, ranges: &Ranges) -> Option<Vec<Result<Reach, NoValue>>> {
+        if !self.enclosure.conserves() || selection.idle.get() >= PATIENCE {
+            return None;
+        }
+        let (enclosure, graph, differences) = (&self.enclosure, &mut self.graph, &self.differences);
+        let quantities = || selection.roots.iter().map(|&root| differences.roots[root]).collect::<Vec<_>>();
+        let sharp = selection.sharp.get_or_init(|| enclosure.sharp(graph, &quantities()).ok()).as_ref()?;
+        let stretch = self.stretch(time);
+        let (found, work) = self.enclosure.sharpened(sharp, &stretch);
+        let work = work + sharp.operations();
+        self.left = self.left.saturating_sub(work);
+        self.left_of_all = self.left_of_all.saturating_sub(work);
+        let both = ranges.iter().zip(found).map(|(&known, new)| match (known, new) {
+            (Ok(known), Ok(new)) => Ok(new.and(&known)),
+            (known, _) => known,
+        });
+        Some(both.collect())
+    }
+
     /// The values of all sides at the middle of a stretch.
     pub fn at_middle(&mut self, time: Interval) -> Rc<Vec<Result<Interval, NoValue>>> {
         let key = key(time);
@@ -256,14 +303,29 @@ impl Along {
             }
             looked += 1;
             let ranges = self.over(selection, time);
-            let why = match judge(time, &ranges) {
+            let mut why = match judge(time, &ranges) {
                 Judgement::Settled => continue,
                 Judgement::Stop(reason) => return Err(reason),
                 Judgement::Open(why) => why,
             };
+            if let Some(ranges) = self.sharper(selection, time, &ranges) {
+                why = match judge(time, &ranges) {
+                    Judgement::Settled => {
+                        selection.idle.set(0);
+                        continue;
+                    }
+                    Judgement::Stop(reason) => return Err(reason),
+                    Judgement::Open(why) => why,
+                };
+                selection.idle.set(selection.idle.get() + 1);
+            }
             let middle = time.mid();
-            if self.first.contains(&key(time)) && hopeless(&self.over(selection, Interval::point(middle))) {
-                return Err(format!("{why}, at t = {middle:.6}, where the enclosure is too wide"));
+            if self.first.contains(&key(time)) {
+                let now = Interval::point(middle);
+                let ranges = self.over(selection, now);
+                if hopeless(&ranges) && self.sharper(selection, now, &ranges).is_none_or(|ranges| hopeless(&ranges)) {
+                    return Err(format!("{why}, at t = {middle:.6}, where the enclosure is too wide"));
+                }
             }
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.hi() - time.lo() < shortest || middle <= time.lo() || middle >= time.hi();

@@ -24,8 +24,13 @@
 
 mod claim;
 mod cover;
+mod event;
+mod integral;
+mod limit;
+mod rank;
 mod ready;
 mod refute;
+mod same;
 mod span;
 #[cfg(test)]
 mod tests;
@@ -36,8 +41,8 @@ use super::comparison::Comparison;
 use super::stage::{Fields, Stage, setup};
 use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::{Derivation, Motion as Given};
-use crate::expr::Graph;
-use crate::flow::Enclosure;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::flow::{Enclosure, Source};
 use cover::Along;
 use rayon::prelude::*;
 
@@ -69,12 +74,15 @@ type Change = (usize, usize, Verdict);
 /// # Errors
 /// A description of an enclosure that contradicts a sampled verdict.
 pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+    let mut graph = request.derivation.graph.clone();
+    let integrals = integral::of_systems(request, &mut graph);
+    let known = (&graph, integrals.as_slice());
     // The longest first, so that none is left over at the end.
     let mut order = request.tried.to_vec();
     let length = |t: usize| request.derivation.trajectories[t].span.1 - request.derivation.trajectories[t].span.0;
     order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
     let changes: Vec<Result<Vec<Change>, String>> =
-        order.par_iter().with_max_len(1).map(|&t| one_motion(request, t, claims)).collect();
+        order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
     for change in changes {
         for (k, at, verdict) in change? {
             claims[k].results[at].verdict = verdict;
@@ -83,18 +91,34 @@ pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Resu
     Ok(())
 }
 
-/// The enclosure of a motion, and of those that it comes from.
-fn enclosure(request: &Request, graph: &mut Graph, t: usize) -> Result<Enclosure, String> {
+/// The enclosure of a motion, and of those that it comes from; beside it the parameters and initial states as they are given.
+fn enclosure(
+    request: &Request,
+    integrals: &[Vec<Expr>],
+    graph: &mut Graph,
+    t: usize,
+) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
     let trajectory = &request.derivation.trajectories[t];
     let (from, source) = match trajectory.motion {
-        Given::Derived { from, .. } => (Some(enclosure(request, graph, from)?), request.stage.source(from)),
+        Given::Derived { from, .. } => (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from)),
         _ => (None, None),
     };
     let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);
-    Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())
+    let mut start = setup.parameters.clone();
+    if let Source::Integrated { initial, .. } = &setup.source {
+        start.extend(initial);
+    }
+    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())?;
+    if let Given::Integrated { system, .. } = trajectory.motion {
+        enclosed.conserve(graph, &integrals[system]);
+    }
+    Ok((enclosed, start))
 }
 
-fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
+/// What the systems conserve, in a graph that knows it.
+type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
+
+fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
     let trajectory = &request.derivation.trajectories[t];
     let open = |v: &Verdict| match v.outcome() {
         Outcome::Holds(strength) | Outcome::Fails(strength) => strength == Strength::Sampled,
@@ -109,19 +133,21 @@ fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Ve
     if changes.is_empty() {
         return Ok(changes);
     }
-    let mut graph = request.derivation.graph.clone();
-    let mut along = match enclosure(request, &mut graph, t) {
-        Ok(enclosure) => Along::new(enclosure, graph, trajectory.span),
+    let (mut graph, integrals) = (known.0.clone(), known.1);
+    let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
+        Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
             changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
             return Ok(changes);
         }
     };
     let program = |k: usize| &request.prepared[k][request.start_of[t]];
+    let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
     for (k, _, verdict) in &changes {
-        let prepared = program(*k);
-        parts.push(claim::prepare(prepared.claim, &prepared.program, &mut along, verdict.outcome()));
+        let Prepared { claim, program, gradients } = program(*k);
+        let asked = claim::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
+        parts.push(claim::prepare(&asked, &mut along, verdict.outcome()));
     }
     if let Err(reason) = along.compile() {
         changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
@@ -135,7 +161,7 @@ fn one_motion(request: &Request, t: usize, claims: &[ClaimAccount]) -> Result<Ve
             let values = request.stage.values(t, time);
             program.measure(&[values].into_iter().collect(), 1.0).get(at)?.first()?.as_ref().ok().map(|m| m.difference)
         };
-        claim::strengthen(prepared.claim, program, parts, &mut along, &sampled, verdict)
+        claim::strengthen(prepared.claim, parts, &mut along, &sampled, verdict)
             .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;
     }
     Ok(changes)

@@ -37,6 +37,8 @@ pub(super) struct Ready<'a> {
     pub signs: usize,
     /// Where the rate of the only difference stands.
     pub slope: Option<usize>,
+    /// Where what vanishes at the events of the claim stands, and its rate.
+    pub event: Option<(usize, usize)>,
     pub scale: f64,
     /// The median size that the sides have for certain; 0 where they may vanish.
     pub known: f64,
@@ -129,8 +131,25 @@ impl<'a> Ready<'a> {
             slope = Some(roots.len());
             roots.push(place);
         }
+        let event = match program.at {
+            Some(e) => {
+                let rate = along.enclosure.rate(&mut along.graph, e).map_err(|e| e.to_string())?;
+                roots.extend([along.difference(e)?, along.difference(rate)?]);
+                Some((roots.len() - 2, roots.len() - 1))
+            }
+            None => None,
+        };
         let roots = Selection::new(roots);
-        Ok(Ready { group, roots, sides, given, assumptions, signs, slope, scale: 1.0, known: 0.0, precision })
+        Ok(Ready { group, roots, sides, given, assumptions, signs, slope, event, scale: 1.0, known: 0.0, precision })
+    }
+
+    /// Looks at more than the comparisons: where the first of the further expressions stands.
+    pub fn beside(&mut self, further: impl IntoIterator<Item = usize>) -> usize {
+        let mut roots = self.roots.roots().to_vec();
+        let first = roots.len();
+        roots.extend(further);
+        self.roots = Selection::blunt(roots);
+        first
     }
 
     /// The median size of the terms, at the middle of steps.
@@ -151,6 +170,11 @@ impl<'a> Ready<'a> {
     /// Where the difference of a comparison stands.
     pub fn place(&self, sign: usize, comparison: usize) -> usize {
         self.assumptions.len() + sign * self.group.comparisons.len() + comparison
+    }
+
+    /// The assumptions that select times: where their differences stand among all, and their kinds.
+    pub fn assumed(&self) -> impl Iterator<Item = (usize, RelationKind)> {
+        self.roots.roots().iter().copied().zip(self.assumptions.iter().copied())
     }
 
     /// Whether the assumptions that select times hold on a stretch: for certain, for certain not, or unknown.

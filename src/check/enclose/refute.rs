@@ -1,50 +1,31 @@
 //! What refutes a claim for certain.
 
-use super::claim::remark;
+use super::claim::{Part, remark};
 use super::cover::Along;
+use super::event;
 use super::ready::{POINTS, Ready, Shown};
-use super::span::{changes_sign, eventually, limit};
-use crate::check::program::{Program, Use};
+use super::limit::limit;
+use super::span::{changes_sign, eventually};
+use crate::check::program::Use;
 use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
 use crate::latex::RelationKind;
 use crate::number::Interval;
 
 /// Looks for a time at which a claim that fails on samples fails for certain.
-pub(super) fn certify(program: &Program, parts: Vec<Result<Ready, String>>, along: &mut Along, verdict: &mut Verdict) {
+pub(super) fn certify(parts: Vec<Part>, along: &mut Along, verdict: &mut Verdict) {
     let Some(sampled) = verdict.evidence().witness.clone() else { return };
     along.refill();
     let mut why = "no part of it is refuted at the witness".to_owned();
-    for ((how, _), ready) in program.groups.iter().zip(parts) {
-        let found = ready.and_then(|mut ready| {
-            ready.presupposed(along)?;
-            match how {
-                Use::Always => refuted(&ready, along, &sampled),
-                Use::Defined => undefined(&ready, along, &sampled),
-                Use::Never(_) => occurs(&ready, along, &sampled),
-                Use::Eventually(_) | Use::Limit(_) => {
-                    if let (Use::Eventually(_), Some(reason)) = (how, along.incomplete()) {
-                        return Err(reason);
-                    }
-                    ready.weigh(along);
-                    let shown = match how {
-                        Use::Limit(point) => limit(&ready, point, along),
-                        _ => eventually(&ready, along),
-                    };
-                    match shown {
-                        Shown::Fails(witness, _) => Ok(witness),
-                        Shown::Holds(_) => Err("the enclosure does not exclude it".to_owned()),
-                        Shown::Nothing(reason) => Err(reason),
-                    }
-                }
+    for part in parts {
+        let found = match part {
+            Part::Comparisons(how, _, ready) => {
+                ready.and_then(|mut ready| refuted(how, &mut ready, along, &sampled))
             }
-        });
+            Part::Rank(rank) => rank.and_then(|rank| rank.refuted(along, &sampled)),
+            Part::Same(same) => same.and_then(|same| same.refuted(along, &sampled)),
+        };
         match found {
-            Ok(witness) => {
-                let reason = match how {
-                    Use::Eventually(_) => "excluded at every time of the span".to_owned(),
-                    Use::Defined => format!("certified at t = {}: no value exists there", witness.t),
-                    _ => format!("certified, the enclosures of the two sides lie apart: at t = {}", witness.t),
-                };
+            Ok((witness, reason)) => {
                 let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
                 *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);
                 return;
@@ -55,8 +36,43 @@ pub(super) fn certify(program: &Program, parts: Vec<Result<Ready, String>>, alon
     remark(verdict, &why);
 }
 
+/// The refutation of a part of a claim, and how it comes about.
+fn refuted(how: &Use, ready: &mut Ready, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
+    ready.presupposed(along)?;
+    let apart = |w: Witness| {
+        let reason = format!("certified, the enclosures of the two sides lie apart: at t = {}", w.t);
+        (w, reason)
+    };
+    if let Some(event) = ready.event {
+        return event::refuted(how, ready, event, along, sampled).map(apart);
+    }
+    match how {
+        Use::Always => differing(ready, along, sampled).map(apart),
+        Use::Defined => undefined(ready, along, sampled).map(|w| {
+            let reason = format!("certified at t = {}: no value exists there", w.t);
+            (w, reason)
+        }),
+        Use::Never(_) => occurs(ready, along, sampled).map(apart),
+        Use::Eventually(_) | Use::Limit(_) => {
+            if let (Use::Eventually(_), Some(reason)) = (how, along.incomplete()) {
+                return Err(reason);
+            }
+            ready.weigh(along);
+            let shown = match how {
+                Use::Limit(point) => limit(ready, point, along),
+                _ => eventually(ready, along),
+            };
+            match shown {
+                Shown::Fails(witness, reason) => Ok((witness, reason)),
+                Shown::Holds(_) => Err("the enclosure does not exclude it".to_owned()),
+                Shown::Nothing(reason) => Err(reason),
+            }
+        }
+    }
+}
+
 /// A time at which the sides are apart for certain: that of the witness, or another.
-fn refuted(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
+fn differing(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
     if let Some(found) = ready.witness(along, sampled.t, sampled.values.clone()) {
         return Ok(found);
     }

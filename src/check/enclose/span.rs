@@ -6,8 +6,8 @@ use crate::check::comparison::Comparison;
 use crate::check::verdict::Witness;
 use crate::derivation::Claim;
 use crate::flow::Reach;
-use crate::latex::{LimitPoint, RelationKind};
-use crate::number::{Interval, Number, Scalar};
+use crate::latex::RelationKind;
+use crate::number::Interval;
 
 /// Sides that differ for certain refute a claim that holds on samples only if they differ by this many times what the
 /// precision allows.
@@ -191,48 +191,4 @@ pub(super) fn eventually(ready: &Ready, along: &mut Along) -> Shown {
         (Ok(_), true) => excluded(ready, along),
         (Err(reason), true) => Shown::Nothing(reason.clone()),
     }
-}
-
-/// A limit at a time of the span: the value there, if the quantity is continuous around it.
-pub(super) fn limit(ready: &Ready, point: &LimitPoint, along: &mut Along) -> Shown {
-    let LimitPoint::Finite(at) = point else {
-        return Shown::Nothing("limits at infinity are not enclosed".to_owned());
-    };
-    let mut time = Interval::ZERO;
-    let known = along.graph.as_constant(*at).is_some_and(|r| time.rational(&(), r).is_ok());
-    let (from, to) = along.span;
-    let around = time.widened(0.0, 1e-9 * (to - from));
-    let span = Interval::new(from, to).ok().filter(|s| known && s.contains_interval(time));
-    let (Some(around), [comparison], 1) =
-        (span.and_then(|s| around.intersection(s)), ready.group.comparisons.as_slice(), ready.signs)
-    else {
-        return Shown::Nothing("a limit of this kind is not enclosed".to_owned());
-    };
-    let ranges = along.over(&ready.roots, around);
-    let t = time.mid();
-    let place = ready.place(0, 0);
-    let there = match &ranges[place] {
-        Ok(_) if ready.selected(&ranges) != Some(true) => {
-            return Shown::Nothing(format!("that the assumptions hold near t = {t} is not certain"));
-        }
-        Ok(near) if time.is_point() => {
-            let there = along.over(&ready.roots, time);
-            there[place].as_ref().map_or(near.range(), |reach| reach.range())
-        }
-        Ok(near) => near.range(),
-        Err(reason) => return Shown::Nothing(format!("near t = {t} the quantity is {reason}")),
-    };
-    if certain(comparison.kind, there) == Some(false)
-        && let Some((left, right)) = ready.sides_at(along, t, place)
-    {
-        let formula = comparison.label.clone();
-        let (left, right, bound) = (left.mid(), right.mid(), there.width());
-        let witness = Witness { t, formula, left, right, bound, values: Vec::new() };
-        return Shown::Fails(witness, format!("continuous at t = {t}, with another value"));
-    }
-    if comparison.kind == RelationKind::Equal && there.magnitude() <= ready.precision * ready.scale {
-        let apart = there.magnitude();
-        return Shown::Holds(format!("continuous at t = {t}, where the sides are at most {apart:.1e} apart"));
-    }
-    Shown::Nothing(format!("at t = {t} the sides differ by something in [{:.2e}, {:.2e}]", there.lo(), there.hi()))
 }

@@ -6,8 +6,9 @@ use crate::expr::{Expr, FastMap, Graph, Leaf, Node};
 /// looked at once, and those without the leaf stay what they are.
 pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut Expr>, leaf: Leaf, value: Expr) {
     let into: Vec<&mut Expr> = into.collect();
-    let mut image: FastMap<Expr, Expr> = FastMap::default();
-    for node in graph.reachable(into.iter().map(|e| **e)) {
+    let order = graph.reachable(into.iter().map(|e| **e));
+    let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
+    for node in order {
         let new = match *graph.node(node) {
             Node::Leaf(l) if l == leaf => value,
             Node::Unary(op, a) => match image.get(&a) {

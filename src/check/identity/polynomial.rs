@@ -6,8 +6,9 @@ use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 /// (N, D) with e = N/D and no division in either, except below a root or |·|.
 pub(super) fn fraction(graph: &mut Graph, e: Expr) -> (Expr, Expr) {
     let one = graph.integer(1);
-    let mut known: FastMap<Expr, (Expr, Expr)> = FastMap::default();
-    for node in graph.reachable([e]) {
+    let order = graph.reachable([e]);
+    let mut known: FastMap<Expr, (Expr, Expr)> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
+    for node in order {
         let value = match graph.node(node).clone() {
             Node::Constant(r) => {
                 let (top, under) = Rational::clone(&r).into_parts();
@@ -77,15 +78,15 @@ pub(super) fn factors(graph: &Graph, e: Expr) -> (Rational, Vec<(Expr, i32)>) {
 pub(super) fn coefficients(graph: &mut Graph, e: Expr, x: Leaf, highest: usize) -> Option<Vec<Expr>> {
     let zero = graph.integer(0);
     let one = graph.integer(1);
+    // Of the nodes that depend on x; the others are their own coefficients.
     let mut known: FastMap<Expr, Vec<Expr>> = FastMap::default();
     for node in graph.reachable([e]) {
         let value = match *graph.node(node) {
             Node::Leaf(leaf) if leaf == x => vec![zero, one],
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) => vec![node],
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => continue,
             Node::Unary(op, a) => {
-                let a = known.get(&a)?.clone();
+                let Some(a) = known.get(&a).cloned() else { continue };
                 match op {
-                    _ if a.len() == 1 => vec![node],
                     Op::Neg => a.into_iter().map(|c| graph.neg(c)).collect(),
                     Op::Powi(n) if n > 0 && n as usize * (a.len() - 1) <= highest => {
                         let mut out = a.clone();
@@ -98,9 +99,12 @@ pub(super) fn coefficients(graph: &mut Graph, e: Expr, x: Leaf, highest: usize) 
                 }
             }
             Node::Binary(op, a, b) => {
-                let (a, b) = (known.get(&a)?.clone(), known.get(&b)?.clone());
+                if !known.contains_key(&a) && !known.contains_key(&b) {
+                    continue;
+                }
+                let of = |e: Expr| known.get(&e).cloned().unwrap_or_else(|| vec![e]);
+                let (a, b) = (of(a), of(b));
                 match op {
-                    _ if a.len() == 1 && b.len() == 1 => vec![node],
                     Op::Add | Op::Sub => (0..a.len().max(b.len()))
                         .map(|i| {
                             let (p, q) = (a.get(i).copied().unwrap_or(zero), b.get(i).copied().unwrap_or(zero));
@@ -115,7 +119,7 @@ pub(super) fn coefficients(graph: &mut Graph, e: Expr, x: Leaf, highest: usize) 
         };
         known.insert(node, value);
     }
-    known.remove(&e)
+    Some(known.remove(&e).unwrap_or_else(|| vec![e]))
 }
 
 fn convolve(graph: &mut Graph, a: &[Expr], b: &[Expr]) -> Vec<Expr> {

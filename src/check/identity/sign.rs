@@ -51,8 +51,9 @@ impl Facts {
 
     /// Signs of a node and everything below it, wherever it has a value.
     pub(super) fn sign(&self, graph: &Graph, generators: &Generators, e: Expr) -> Known {
-        let mut known = crate::expr::FastMap::default();
-        for node in graph.reachable([e]) {
+        let order = graph.reachable([e]);
+        let mut known = crate::expr::FastMap::with_capacity_and_hasher(order.len(), Default::default());
+        for node in order {
             let mut k = self.step(graph, generators, node, &known);
             k.not_negative |= self.positive.contains(&node) || self.not_negative.contains(&node);
             k.not_positive |= self.not_positive.contains(&node);

@@ -125,6 +125,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         names_trajectories: false,
         expect: vec![None; derivation.trajectories.len()],
         expect_inconsistent_units: false,
+        region: None,
         printed: false,
         scope: derivation.scope.clone(),
         span: 0..0,

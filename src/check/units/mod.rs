@@ -363,6 +363,9 @@ impl<'d> Checker<'d> {
                         functions.iter().for_each(|w| self.expression("claim", &name, w, expected));
                         subject_to.iter().for_each(|w| self.statement("claim", &name, w, expected));
                     }
+                    Form::Exists { such_that, .. } => {
+                        such_that.iter().for_each(|w| self.statement("claim", &name, w, expected));
+                    }
                     // The system is looked at where it stands; two motions of one state have one unit.
                     Form::Solves { .. } | Form::SameMotion { .. } => {}
                 }

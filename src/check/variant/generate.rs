@@ -254,6 +254,10 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
                 let reason = "independence is not a relation at a time";
                 skipped.extend(functions.iter().map(|w| (w.text.clone(), reason.to_owned())));
             }
+            Form::Exists { such_that, .. } => {
+                let reason = "that there is a solution is not a relation at a time";
+                skipped.extend(such_that.iter().map(|w| (w.text.clone(), reason.to_owned())));
+            }
         }
     }
     for (manner, text, place, parts, branching) in written {

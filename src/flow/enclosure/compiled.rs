@@ -3,6 +3,7 @@
 use std::cell::{OnceCell, RefCell};
 
 use super::Enclosure;
+use super::sharpen::Known;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
 use crate::number::{Interval, NoValue, Number, TaylorModel};
@@ -35,6 +36,11 @@ impl Compiled {
         self.tape.instructions().len()
     }
 
+    /// Number of roots.
+    pub fn outputs(&self) -> usize {
+        self.tape.output_count()
+    }
+
     /// The same for some of the roots, in the order of `roots`.
     pub fn part(&self, roots: &[usize]) -> Compiled {
         let (models, values) = Default::default();
@@ -60,6 +66,7 @@ pub struct Stretch {
     half: f64,
     models: Result<Vec<TaylorModel>, NoValue>,
     plain: OnceCell<Result<Vec<Interval>, NoValue>>,
+    known: OnceCell<Option<Known>>,
     at_middle: OnceCell<Result<Vec<Interval>, NoValue>>,
 }
 
@@ -68,9 +75,33 @@ impl Stretch {
     pub fn time(&self) -> Interval {
         self.time
     }
+
+    pub(super) fn models(&self) -> &Result<Vec<TaylorModel>, NoValue> {
+        &self.models
+    }
+
+    /// What is known of first integrals, found once.
+    pub(super) fn known(&self, find: impl FnOnce() -> Option<Known>) -> Option<&Known> {
+        self.known.get_or_init(find).as_ref()
+    }
 }
 
 impl Reach {
+    pub(super) fn new(stretch: &Stretch, model: TaylorModel) -> Reach {
+        let Stretch { time, middle, half, .. } = *stretch;
+        Reach { stretch: time, middle, half, model, range: model.range() }
+    }
+
+    /// Both bounds of the same quantity hold: the polynomial is that of `self`.
+    pub fn and(&self, other: &Reach) -> Reach {
+        Reach { range: self.range.intersection(other.range).unwrap_or(self.range), ..*self }
+    }
+
+    /// The quantity as a polynomial with a remainder.
+    pub fn model(&self) -> &TaylorModel {
+        &self.model
+    }
+
     /// The times.
     pub fn stretch(&self) -> Interval {
         self.stretch
@@ -89,6 +120,20 @@ impl Reach {
     /// All values over the stretch.
     pub fn range(&self) -> Interval {
         self.range
+    }
+
+    /// All values of the difference to what another quantity does over the same stretch.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] for another stretch, or a bound that is not finite.
+    pub fn minus(&self, other: &Reach) -> Result<Interval, NoValue> {
+        if (self.stretch, self.middle, self.half) != (other.stretch, other.middle, other.half) {
+            return Err(NoValue::Indeterminate);
+        }
+        let mut difference = TaylorModel::ZERO;
+        difference.sub(&(), &self.model, &other.model)?;
+        let plain = self.range - other.range;
+        Ok(difference.range().intersection(plain).unwrap_or(plain))
     }
 
     /// How much of the range is not known to be a polynomial in time.
@@ -200,7 +245,19 @@ impl Enclosure {
                 None => self.states(time).map(|all| all.into_iter().map(TaylorModel::constant).collect()),
             },
         };
-        Stretch { time, middle, half, models, plain: OnceCell::new(), at_middle: OnceCell::new() }
+        let (plain, at_middle, known) = Default::default();
+        Stretch { time, middle, half, models, plain, at_middle, known }
+    }
+
+    /// The roots over a stretch of time, for given models of the states.
+    pub(super) fn models(
+        &self,
+        compiled: &Compiled,
+        stretch: &Stretch,
+        states: &Result<Vec<TaylorModel>, NoValue>,
+    ) -> Vec<Result<TaylorModel, NoValue>> {
+        let now = TaylorModel::variable(Interval::point(stretch.middle), stretch.half);
+        self.evaluate(compiled, &compiled.models, stretch.time, (now, states), TaylorModel::constant)
     }
 
     /// What the roots do over a stretch of time.

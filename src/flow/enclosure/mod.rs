@@ -15,9 +15,12 @@ mod angle;
 mod compiled;
 mod matrix;
 mod set;
+mod sharpen;
 mod step;
+mod tail;
 
 pub use compiled::{Compiled, Reach, Stretch};
+pub use sharpen::Sharp;
 pub use step::Stop;
 
 use std::collections::BTreeMap;
@@ -31,6 +34,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Interval, NoValue, Precise, PreciseModel};
 use crate::tape::Tape;
 use angle::Angle;
+use sharpen::Integrals;
 use step::{Field, Piece};
 
 /// An integrated motion.
@@ -72,6 +76,8 @@ pub struct Enclosure {
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
     given: Vec<Leaf>,
+    /// What is constant along the motion.
+    integrals: Option<Integrals>,
 }
 
 impl Enclosure {
@@ -90,6 +96,7 @@ impl Enclosure {
             angles: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
+            integrals: None,
         };
         let mut states: Vec<(Leaf, Expr)> = Vec::new();
         if let Source::Derived { states: map, .. } = &setup.source {
@@ -113,7 +120,7 @@ impl Enclosure {
             let value = match graph.as_constant(resolved) {
                 Some(_) => resolved,
                 None => {
-                    let value = new.known(graph, resolved);
+                    let value = new.precise_value(graph, resolved);
                     new.constant(graph, value)
                 }
             };
@@ -166,7 +173,7 @@ impl Enclosure {
             },
         );
         for (leaf, e) in found {
-            let value = self.known(graph, e);
+            let value = self.precise_value(graph, e);
             self.add_constant(leaf, value);
         }
         let mut constants = Vec::new();
@@ -186,7 +193,7 @@ impl Enclosure {
             let given = initial.iter().find(|(l, _)| *l == leaf);
             let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
             let resolved = self.resolve(graph, e)?;
-            let value = self.known(graph, resolved);
+            let value = self.precise_value(graph, resolved);
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));
             state.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
         }
@@ -212,9 +219,20 @@ impl Enclosure {
     /// [`Enclosure::restart`] over another span, which must contain the initial time.
     pub fn restart_over(&self, initial: &[Interval], span: (f64, f64)) -> Option<Enclosure> {
         let tube = self.tube.as_deref().filter(|t| t.states.len() == initial.len())?;
-        let mut new = Enclosure { span, ..self.clone() };
-        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial.iter().copied().map(Precise::enclosing).collect());
+        let mut new = Enclosure { span, integrals: None, ..self.clone() };
+        let initial = initial.iter().copied().map(Precise::enclosing).collect();
+        new.run(tube.states.clone(), tube.rates.clone(), tube.field.clone(), initial);
         Some(new)
+    }
+
+    /// The time at which the initial state is given.
+    pub fn initial_time(&self) -> f64 {
+        self.initial_time
+    }
+
+    /// The time, as a leaf.
+    pub fn time(&self) -> Leaf {
+        self.time
     }
 
     /// The times between which everything is enclosed.
@@ -340,6 +358,11 @@ impl Enclosure {
         self.resolve(graph, e)
     }
 
+    /// A quantity of which only bounds are known, and that does not depend on anything.
+    pub fn between(&mut self, graph: &mut Graph, value: Interval) -> Expr {
+        self.constant(graph, Ok(Precise::enclosing(value)))
+    }
+
     /// The derivative along the motion of an expression in its leaves.
     ///
     /// # Errors
@@ -381,7 +404,7 @@ impl Enclosure {
     }
 
     /// The value of an expression in constants, as precisely as it can be had.
-    fn known(&self, graph: &Graph, e: Expr) -> Result<Precise, NoValue> {
+    fn precise_value(&self, graph: &Graph, e: Expr) -> Result<Precise, NoValue> {
         let plain = self.constant_value(graph, e)?;
         let precise = || -> Option<Precise> {
             let leaves = graph.leaves([e]);

@@ -65,8 +65,13 @@ impl Set {
     pub(super) fn hull_of_image(&self, shift: &[Interval], jacobian: &[Interval]) -> Vec<Interval> {
         let n = self.centre.len();
         let errors = apply(&times_point(jacobian, &self.directions, n), &self.errors);
-        let mut out: Vec<Interval> =
-            self.centre.iter().zip(shift).zip(errors).map(|((&c, &s), e)| Precise::new(c, 0.0).interval() + (s + e)).collect();
+        let mut out: Vec<Interval> = self
+            .centre
+            .iter()
+            .zip(shift)
+            .zip(errors)
+            .map(|((&c, &s), e)| Precise::new(c, 0.0).interval() + (s + e))
+            .collect();
         if !self.from_start.is_empty() {
             let moved = apply(&times_point(jacobian, &self.from_start, n), &self.start);
             out.iter_mut().zip(moved).for_each(|(x, m)| *x = *x + m);

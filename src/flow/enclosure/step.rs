@@ -431,7 +431,14 @@ impl Field {
     }
 
     /// Finds bounds W and E that hold for all motions until `to`, as the module says; `starts` is |e₀|.
-    fn hold(&self, bench: &mut Bench, centre: &[DoubleDouble], starts: &[f64], time: f64, to: f64) -> Result<Tube, String> {
+    fn hold(
+        &self,
+        bench: &mut Bench,
+        centre: &[DoubleDouble],
+        starts: &[f64],
+        time: f64,
+        to: f64,
+    ) -> Result<Tube, String> {
         let n = self.dimension();
         let row = ORDER + 1;
         let shape = |reason: NoValue| format!("no box was found that holds the motion: a bound is {reason}");
@@ -446,7 +453,8 @@ impl Field {
         let no_rate = |(i, reason)| self.no_rate(i, reason);
         // p without x̂.
         let terms = if faults::short_series() { 8 } else { POINT_ORDER };
-        let from_zero = |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..=terms]].concat(), h);
+        let from_zero =
+            |c: &[DoubleDouble]| PreciseModel::close_to(&[&[DoubleDouble::ZERO], &c[1..=terms]].concat(), h);
         let point = bench.point_coefficients.chunks_exact(POINT_ORDER + 1);
         let moved: Vec<PreciseModel> = point.map(from_zero).collect::<Result<_, _>>().map_err(shape)?;
         let from = |(m, &c): (&PreciseModel, &DoubleDouble)| {

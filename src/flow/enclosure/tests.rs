@@ -3,7 +3,7 @@
 #[path = "../../../tests/enclosure_support/mod.rs"]
 mod enclosure_support;
 
-use super::set::faults::{SHORT_SERIES, LOST_DIRECTIONS, LOST_LOW, NO_REMAINDER, NO_ROTATION};
+use super::set::faults::{LOST_DIRECTIONS, LOST_LOW, NO_REMAINDER, NO_ROTATION, SHORT_SERIES};
 use crate::number::interval_faults::NEAREST;
 use enclosure_support::CASES;
 use std::cell::Cell;

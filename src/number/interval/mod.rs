@@ -19,6 +19,7 @@
 //!
 //! [Higham 2002, §3.1]: https://doi.org/10.1137/1.9780898718027
 
+mod decorated;
 mod elementary;
 pub(crate) mod faults;
 mod model;
@@ -28,9 +29,12 @@ mod precise;
 #[cfg(test)]
 mod precise_tests;
 pub(in crate::number) mod round;
+mod tail;
 
-pub use model::TaylorModel;
+pub use decorated::Decorated;
+pub use model::{NODES, TaylorModel};
 pub use precise::{Precise, PreciseModel};
+pub use tail::{Limit, Tail};
 
 use super::{NoValue, Number, Rational, Scalar, scalar};
 use round::{add_down, add_up, div_down, div_up, mul_down, mul_up};

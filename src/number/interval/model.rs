@@ -62,6 +62,39 @@ pub(super) const POWERS: [[f64; MOST_TERMS + 1]; MOST_TERMS + 1] = {
     powers
 };
 
+/// Number of places that [`TaylorModel::through`] takes values at.
+pub const NODES: usize = 8;
+
+/// Those places: near the zeros of a Chebyshev polynomial.
+const PLACES: [f64; NODES] = [-0.98, -0.83, -0.555, -0.195, 0.195, 0.555, 0.83, 0.98];
+
+/// Coefficients of the polynomials that are 1 at one place and 0 at the others.
+const LAGRANGE: [[f64; NODES]; NODES] = {
+    let mut all = [[0.0; NODES]; NODES];
+    let mut j = 0;
+    while j < NODES {
+        let mut product = [0.0; NODES];
+        product[0] = 1.0;
+        let (mut m, mut degree) = (0, 0);
+        while m < NODES {
+            if m != j {
+                let scale = PLACES[j] - PLACES[m];
+                let mut k = degree + 1;
+                while k > 0 {
+                    product[k] = (product[k - 1] - PLACES[m] * product[k]) / scale;
+                    k -= 1;
+                }
+                product[0] = -PLACES[m] * product[0] / scale;
+                degree += 1;
+            }
+            m += 1;
+        }
+        all[j] = product;
+        j += 1;
+    }
+    all
+};
+
 /// See the module.
 #[derive(Clone, Copy, Debug)]
 pub struct TaylorModel {
@@ -131,6 +164,30 @@ impl TaylorModel {
     #[inline(always)]
     fn is_zero(&self) -> bool {
         self.is_point() && self.coefficients[0] == 0.0
+    }
+
+    /// The polynomial, without what is not known of the quantity.
+    pub fn polynomial(&self) -> TaylorModel {
+        TaylorModel { rest: 0.0, ..*self }
+    }
+
+    /// A polynomial without a remainder, close to given values at the [`NODES`] places of [`TaylorModel::at_node`]. How close
+    /// is not said.
+    ///
+    /// # Errors
+    /// [`NoValue::Indeterminate`] when a coefficient is not finite.
+    pub fn through(values: &[f64; NODES]) -> Result<TaylorModel, NoValue> {
+        let mut new = TaylorModel::ZERO;
+        for (basis, &value) in LAGRANGE.iter().zip(values) {
+            new.coefficients.iter_mut().zip(basis).for_each(|(c, b)| *c += b * value);
+        }
+        new.length = NODES;
+        if new.norm(0) < f64::MAX { Ok(new) } else { Err(NoValue::Indeterminate) }
+    }
+
+    /// The polynomial at one of the places of [`TaylorModel::through`], to nearest.
+    pub fn at_node(&self, node: usize) -> f64 {
+        self.coefficients[..self.length].iter().rev().fold(0.0, |sum, c| sum * PLACES[node] + c)
     }
 
     /// What it is known of the quantity beside the polynomial.

@@ -304,7 +304,8 @@ impl PreciseModel {
 
     /// The model times a number, over an integer.
     fn scaled(&self, by: f64, over: f64) -> PreciseModel {
-        let mut new = PreciseModel { rest: self.rest * by.abs() / over.abs(), length: self.length, ..PreciseModel::ZERO };
+        let mut new =
+            PreciseModel { rest: self.rest * by.abs() / over.abs(), length: self.length, ..PreciseModel::ZERO };
         for k in 0..self.length {
             (new.high[k], new.low[k]) = times_over(self.high[k], self.low[k], by, over);
         }
@@ -528,8 +529,7 @@ impl PreciseModel {
             halvings += 1;
         }
         let found = || -> Result<PreciseModel, NoValue> {
-            let mut power =
-                PreciseModel::exponential_series(&PreciseModel::number(first).scaled(factor, 1.0), 0, 1)?;
+            let mut power = PreciseModel::exponential_series(&PreciseModel::number(first).scaled(factor, 1.0), 0, 1)?;
             for _ in 0..halvings {
                 let half = power;
                 power.product(&half, &half)?;

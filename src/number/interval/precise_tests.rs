@@ -218,9 +218,7 @@ fn integrals_are_contained() {
             let integral = a.model().integral(half);
             let antiderivative = |s: f64, of: f64| {
                 let terms = a.coefficients.iter().enumerate().rev();
-                let sum = terms.fold(exact(0.0), |sum, (k, &c)| {
-                    (sum + pair(c) / exact((k + 1) as f64)) * exact(s)
-                });
+                let sum = terms.fold(exact(0.0), |sum, (k, &c)| (sum + pair(c) / exact((k + 1) as f64)) * exact(s));
                 exact(half) * (sum + exact(a.rest) * exact(of) * exact(s))
             };
             let (s, of) = (signed(&mut draws), signed(&mut draws));
@@ -260,9 +258,10 @@ fn constants_are_contained() {
     let mut pi = PreciseModel::ZERO;
     pi.pi(&()).expect("known");
     // The first 50 digits.
-    let digits: Rational = "31415926535897932384626433832795028841971693993751/10000000000000000000000000000000000000000000000000"
-        .parse()
-        .expect("a number");
+    let digits: Rational =
+        "31415926535897932384626433832795028841971693993751/10000000000000000000000000000000000000000000000000"
+            .parse()
+            .expect("a number");
     let number = |x: f64| Rational::try_from(x).expect("finite");
     let off = digits - number(pi.value().centre().high()) - number(pi.value().centre().low());
     assert!(off.to_f64().value().abs() < 0.9 * pi.value().error());

@@ -7,7 +7,7 @@ use super::super::graph::DerivationGraph;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::support;
+use super::{region, support};
 use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
@@ -41,7 +41,7 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
     let n =
-        |claim: &ClaimAccount, word: &str| claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
+        |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
     let own = family.iter().any(|c| c.reading.is_none());
     html! {
         div.family {
@@ -123,6 +123,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             (support::conditions(claim, scope))
             (support::discrimination(claim, scope))
             @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
+            (region::block(claim, scope))
         }
     }
 }
@@ -167,6 +168,10 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
     let scope = scope_of(derivation, claim);
     let kinds: Vec<&str> =
         declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
+    let over = |i: usize| {
+        let kind = declared(derivation, claim)?.formulas.get(i)?.kind;
+        claim.region.as_ref().map(|of| super::super::region::heading(kind, of))
+    };
     let mut last = "";
     html! {
         @for (i, text) in claim.formulas.iter().enumerate() {
@@ -178,6 +183,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
                 "first-integral" => "Constant along the motion",
                 "defined" => "Has a real value at every time",
                 "independent" => "Independent functions",
+                "exists" => "There is a solution of",
                 _ => "",
             };
             @if kind == "solves" {
@@ -185,7 +191,9 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
             } @else if words.is_empty() {
                 p { "The motion is that of the trajectory " a href={ "#/trajectory/" (text) } { (text) } "." }
             } @else {
-                @if std::mem::replace(&mut last, kind) != kind { p.kind { (words) } }
+                @if std::mem::replace(&mut last, kind) != kind {
+                    p.kind { @match over(i) { Some(text) => (prose(&text, scope)), None => (words) } }
+                }
                 @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
             }
         }

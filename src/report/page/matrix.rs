@@ -74,7 +74,8 @@ pub(super) fn section(account: &Account) -> Markup {
                         }
                     }
                     tbody {
-                        @for claim in &account.claims { (row(account, claim)) }
+                        // What is about ranges has no cells.
+                        @for claim in account.claims.iter().filter(|c| c.region.is_none()) { (row(account, claim)) }
                     }
                 }
             }

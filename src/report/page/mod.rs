@@ -16,6 +16,7 @@ mod data;
 mod findings;
 mod matrix;
 mod motions;
+mod region;
 mod support;
 mod text;
 

@@ -1,0 +1,227 @@
+//! Independence of functions of the state, at every time.
+//!
+//! Let G have the gradients of the constraints as rows, F those of the functions. They are independent where the rows of both
+//! together are linearly independent. **Theorem.** If ‖1 − AQ‖ < 1 in the maximum norm for a matrix Q and every matrix A of an
+//! interval matrix, then the rows of each A are independent: AQ is invertible (Neumann's series). Over a stretch of time A is a
+//! matrix of Taylor models, and Q one of polynomials, close to a right inverse; nothing is assumed of it. Rows that are the same expressions are taken once, so
+//! that the rank of G is the number of its rows whenever the rows of both are independent, and rank (G, F) − rank G is the
+//! number of functions.
+//!
+//! That functions are **dependent** is an equality, and no interval shows one. It is shown by exact arithmetic, at the start
+//! of a motion whose parameters and initial states are rational numbers.
+
+use super::claim::Asked;
+use super::cover::{Along, Judgement, Ranges};
+use super::ready::{Ready, Shown};
+use crate::check::comparison::Group;
+use crate::check::independence::Gradients;
+use crate::check::program::Use;
+use crate::check::verdict::Witness;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::{Interval, NODES, NoValue, Number, Rational, TaylorModel};
+use nalgebra::DMatrix;
+
+static NOTHING: Group = Group { comparisons: Vec::new(), branching: false };
+
+/// The gradients along a motion.
+pub(super) struct Rank<'a> {
+    /// The assumptions of the claim.
+    ready: Ready<'a>,
+    /// Rows of places, `None` for an entry that is 0.
+    rows: Vec<Vec<Option<usize>>>,
+    /// Which functions are dependent at the start, if that is exact: rank beside the constraints, and how many there are.
+    dependent: Result<(usize, usize), String>,
+}
+
+impl<'a> Rank<'a> {
+    /// # Errors
+    /// What the motion does not know.
+    pub fn new(asked: &Asked<'a, '_>, gradients: &'a Gradients, along: &mut Along) -> Result<Rank<'a>, String> {
+        let mut ready = Ready::new(asked.program, (&Use::Always, &NOTHING), along, asked.claim)?;
+        let (constraints, all) = gradients.rows();
+        let mut distinct: Vec<&[Expr]> = Vec::new();
+        for (at, row) in all.iter().enumerate() {
+            let zero = row.iter().all(|&e| along.graph.is_zero(e));
+            let known = distinct.contains(row);
+            if at >= constraints || !(zero || known) {
+                distinct.push(row);
+            }
+        }
+        let mut places = Vec::new();
+        for &e in distinct.iter().copied().flatten() {
+            let zero = along.graph.is_zero(e);
+            places.push(if zero { None } else { Some(along.difference(e)?) });
+        }
+        let first = ready.beside(places.iter().flatten().copied());
+        let mut next = first..;
+        let of: Vec<Option<usize>> = places.iter().map(|p| p.and_then(|_| next.next())).collect();
+        let columns = all.first().map_or(1, |row| row.len().max(1));
+        let rows = of.chunks(columns).map(<[Option<usize>]>::to_vec).collect();
+        let dependent = exactly(asked, along, constraints, &all);
+        Ok(Rank { ready, rows, dependent })
+    }
+
+    /// At every time.
+    pub fn always(&self, along: &mut Along) -> Shown {
+        if let Err(reason) = self.ready.presupposed(along) {
+            return Shown::Nothing(reason);
+        }
+        if self.ready.event.is_some() {
+            return Shown::Nothing("independence at events is not enclosed".to_owned());
+        }
+        let mut counted = 0;
+        let judge = |_: Interval, ranges: &Ranges| {
+            if self.ready.selected(ranges) == Some(false) {
+                return Judgement::Settled;
+            }
+            counted += 1;
+            match self.independent(ranges) {
+                true => Judgement::Settled,
+                false => Judgement::Open("the gradients may be dependent".to_owned()),
+            }
+        };
+        match along.cover(&self.ready.roots, judge, |_| false) {
+            Ok(_) if counted == 0 => Shown::Nothing("no stretch of time is left by the assumptions".to_owned()),
+            Ok(looked) => Shown::Holds(format!("for every t of the span: in {looked} stretches")),
+            Err(reason) => Shown::Nothing(reason),
+        }
+    }
+
+    /// Whether the rows are independent at all times of a stretch.
+    fn independent(&self, ranges: &Ranges) -> bool {
+        let entry = |place: &Option<usize>| match place {
+            None => Some(TaylorModel::ZERO),
+            Some(at) => ranges[*at].as_ref().ok().map(|reach| *reach.model()),
+        };
+        let rows: Option<Vec<Vec<TaylorModel>>> = self.rows.iter().map(|row| row.iter().map(entry).collect()).collect();
+        rows.is_some_and(|rows| independent(&rows).unwrap_or(false))
+    }
+
+    /// That the functions are dependent at the start.
+    ///
+    /// # Errors
+    /// Why that is not certain.
+    pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
+        let (found, of) = self.dependent.clone()?;
+        self.ready.presupposed(along)?;
+        let t = along.enclosure.initial_time();
+        let ranges = along.over(&self.ready.roots, Interval::point(t));
+        if self.ready.selected(&ranges) != Some(true) {
+            return Err(format!("whether the assumptions hold at t = {t} is not certain"));
+        }
+        let witness = Witness { t, left: found as f64, right: of as f64, ..sampled.clone() };
+        Ok((witness, format!("certified in exact arithmetic: at t = {t} only {found} of the {of} functions are independent")))
+    }
+}
+
+/// Whether the rows are independent at every time: see the module.
+///
+/// # Errors
+/// A bound that is not finite.
+fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
+    let (m, n) = (rows.len(), rows.first().map_or(0, Vec::len));
+    if m == 0 || m > n {
+        return Ok(m == 0);
+    }
+    // Q at a few times, and polynomials through that; rows of the same length, for Q alone.
+    let size = |row: &[TaylorModel]| row.iter().map(TaylorModel::bound).fold(f64::MIN_POSITIVE, f64::max);
+    let sizes: Vec<f64> = rows.iter().map(|row| size(row)).collect();
+    let mut values = vec![[0.0; NODES]; n * m];
+    for node in 0..NODES {
+        let there = DMatrix::from_fn(m, n, |i, j| rows[i][j].at_node(node) / sizes[i]);
+        let Some(inverse) = (&there * there.transpose()).try_inverse() else { return Ok(false) };
+        let right = there.transpose() * inverse;
+        for (k, j) in (0..n).flat_map(|k| (0..m).map(move |j| (k, j))) {
+            values[k * m + j][node] = right[(k, j)] / sizes[j];
+        }
+    }
+    let q: Vec<TaylorModel> = values.iter().map(TaylorModel::through).collect::<Result<_, _>>()?;
+    for (i, row) in rows.iter().enumerate() {
+        let mut total = Interval::point(0.0);
+        for j in 0..m {
+            let mut sum = TaylorModel::constant(Interval::point(if i == j { -1.0 } else { 0.0 }));
+            for (k, entry) in row.iter().enumerate().filter(|(_, entry)| entry.bound() > 0.0) {
+                let (mut product, before) = (TaylorModel::ZERO, sum);
+                product.mul(&(), entry, &q[k * m + j])?;
+                sum.add(&(), &before, &product)?;
+            }
+            total = total + Interval::point(sum.bound());
+        }
+        // Written so that what is no number refutes.
+        if !(total.hi() < 1.0) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// The rank of the functions beside the constraints at the start of a motion, in exact arithmetic, if it is too small.
+///
+/// # Errors
+/// Why that is not known.
+fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]) -> Result<(usize, usize), String> {
+    let t = Rational::try_from(along.enclosure.initial_time()).map_err(|_| "the start is not a number".to_owned())?;
+    let (graph, time) = (&mut along.graph, along.enclosure.time());
+    if let Some(at) = asked.program.at {
+        let there = at_start(graph, at, asked.start, time, &t);
+        if !graph.is_zero(there) {
+            return Err("that the start is an event is not exact".to_owned());
+        }
+    }
+    let mut value = |&e: &Expr| {
+        let there = at_start(graph, e, asked.start, time, &t);
+        graph.as_constant(there).cloned()
+    };
+    let rows: Option<Vec<Vec<Rational>>> = all.iter().map(|row| row.iter().map(&mut value).collect()).collect();
+    let rows = rows.ok_or("dependence is shown only where parameters and initial states are rational numbers")?;
+    let functions = rows.len() - constraints;
+    let found = exact_rank(rows.clone()) - exact_rank(rows[..constraints].to_vec());
+    if found < functions { Ok((found, functions)) } else { Err("the functions are independent at the start".to_owned()) }
+}
+
+/// An expression at the start, with everything put in that is given.
+fn at_start(graph: &mut Graph, e: Expr, start: &[(Leaf, Expr)], time: Leaf, t: &Rational) -> Expr {
+    let mut e = e;
+    // Parameters may be given by others, states by parameters.
+    for _ in 0..=start.len() {
+        let next = graph.substitute(e, |graph, leaf| {
+            if leaf == time {
+                return Some(graph.constant(t.clone()));
+            }
+            let now = match leaf.instant {
+                // A value at the start is that at the start.
+                Some(instant) if graph.as_constant(instant) == Some(t) => Leaf { instant: None, ..leaf },
+                _ => leaf,
+            };
+            start.iter().find(|(known, _)| *known == now).map(|(_, value)| *value)
+        });
+        if next == e {
+            break;
+        }
+        e = next;
+    }
+    e
+}
+
+/// The rank of a matrix of rational numbers, by elimination.
+fn exact_rank(mut rows: Vec<Vec<Rational>>) -> usize {
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut rank = 0;
+    for column in 0..columns {
+        let Some(pivot) = (rank..rows.len()).find(|&i| !rows[i][column].is_zero()) else { continue };
+        rows.swap(rank, pivot);
+        let (above, below) = rows.split_at_mut(rank + 1);
+        let pivot = &above[rank];
+        for row in below {
+            let factor = &row[column] / &pivot[column];
+            if factor.is_zero() {
+                continue;
+            }
+            for (x, p) in row.iter_mut().zip(pivot).skip(column) {
+                *x = &*x - &factor * p;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}

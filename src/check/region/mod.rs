@@ -1,0 +1,173 @@
+//! Claims over ranges of values: decided for all points of a box, without a motion.
+//!
+//! **In:** a claim with `ranges`. **Out:** [`RegionAccount`]: a verdict, the parts of the box that are proved, refuted, outside
+//! the claim's assumptions and undecided, a point at which it fails, and a picture of two ranges.
+//!
+//! **Guaranteed.** `holds` (*enclosed*) means: at every point of the closed box at which the claim applies, it holds, with
+//! every rounding accounted for, and there is a point at which it applies. `fails` (*certified*) means: at the point that is
+//! named, which lies in the box, the assumptions hold, the formulas have values, and the claim is false. Nothing holds by a
+//! tolerance: a range of values that contains 0 and other numbers says nothing of an equation. An equation holds where its two
+//! sides are the same number for interval arithmetic, or are an identity for the [random test](super::identity); if all that
+//! is said is of that kind, the verdict is *proved*, with the test's probability of error.
+//!
+//! **How.** The box is bisected, breadth first, until every cell is decided or the work is done that was allowed
+//! (`subdivide`); a cell is decided by intervals (`signs`), the claim on it by what it says (`question`), that solutions exist
+//! by Krawczyk's operator (`solutions`). The numbers of the file are enclosed, not rounded: a range that ends at 0.1 is taken
+//! to the next binary64 number outwards, and witnesses are looked for inwards.
+
+mod account;
+mod faults;
+mod map;
+mod question;
+mod signs;
+mod solutions;
+mod subdivide;
+#[cfg(test)]
+mod tests;
+
+pub use account::{RangeAccount, RegionAccount, RegionWitness, Shares, SolutionAccount};
+pub use map::{Patch, RegionMap};
+pub use question::Part;
+
+use super::account::ClaimAccount;
+use super::verdict::Strength;
+use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
+use crate::diag::Diagnostic;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::number::Interval;
+use crate::tape::Tape;
+use question::{Insertion, Question};
+use rayon::prelude::*;
+use signs::{Cell, Scratch, Variable};
+use solutions::Solver;
+use subdivide::{Division, Judge, MOST_CELLS, subdivide};
+
+impl Judge for Question {
+    type Scratch = Scratch;
+
+    fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
+        Question::judge(self, cell, scratch)
+    }
+}
+
+/// The accounts of the claims over ranges among those that are asked for, by their positions in the file.
+///
+/// # Errors
+/// A diagnostic for every range whose ends are in the wrong order, or not numbers.
+pub(super) fn decide_all(
+    derivation: &Derivation,
+    asked: impl Fn(&Claim) -> bool,
+) -> Result<Vec<(usize, ClaimAccount)>, Vec<Diagnostic>> {
+    let asked: Vec<(usize, &Claim, &Region)> = derivation
+        .claims
+        .iter()
+        .enumerate()
+        .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
+        .filter(|(_, claim, _)| asked(claim))
+        .collect();
+    let decided: Vec<Result<(usize, ClaimAccount), Diagnostic>> = asked
+        .par_iter()
+        .with_max_len(1)
+        .map(|&(at, claim, region)| Ok((at, ClaimAccount::of_region(claim, decide(derivation, claim, region)?))))
+        .collect();
+    let (mut out, mut problems) = (Vec::new(), Vec::new());
+    for one in decided {
+        match one {
+            Ok(account) => out.push(account),
+            Err(problem) => problems.push(problem),
+        }
+    }
+    if problems.is_empty() { Ok(out) } else { Err(problems) }
+}
+
+/// The value of an expression without leaves.
+fn enclosed(graph: &Graph, e: Expr) -> Option<Interval> {
+    let tape = Tape::compile(graph, &[], &[e]).ok()?;
+    let mut slots = tape.slots::<Interval>(&());
+    tape.evaluate(&(), &[], &mut slots).pop()?.ok()
+}
+
+/// The binary64 number by which a reader knows a number of the file.
+fn nearest(graph: &Graph, e: Expr, enclosure: Interval) -> f64 {
+    graph.as_constant(e).map_or(enclosure.mid(), |r| r.to_f64().value())
+}
+
+/// The ranges that are no single values, enclosed from outside and inside.
+fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Result<Vec<Variable>, Diagnostic> {
+    let mut out = Vec::new();
+    for ranged in ranges {
+        let Values::Between(from, to) = ranged.values else { continue };
+        let problem = |message: &str| {
+            Diagnostic::at(&derivation.file, "check::bad-range", ranged.span.clone(), message.to_owned())
+        };
+        let (Some(low), Some(high)) = (enclosed(graph, from), enclosed(graph, to)) else {
+            return Err(problem("an end of this range has no value"));
+        };
+        let Some(inner) = Interval::new(low.hi(), high.lo()).ok().filter(|inner| !inner.is_point()) else {
+            let message = "the ends of this range are in the wrong order, or too close to tell";
+            return Err(problem(message).hint("the smaller one comes first: [from, to]"));
+        };
+        let shown = (nearest(graph, from, low), nearest(graph, to, high));
+        out.push(Variable { leaf: ranged.leaf, outer: low.hull(high), inner, ends: (from, to), shown });
+    }
+    Ok(out)
+}
+
+fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<RegionAccount, Diagnostic> {
+    let mut graph = derivation.graph.clone();
+    let variables = variables(derivation, &graph, &region.ranges)?;
+    let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
+    let mut account = RegionAccount::blank(region, &graph, &put, &variables);
+    let problem = |graph: &Graph, leaf: Leaf| {
+        let message = format!("`{}` has no value in the claim `{}`", graph.leaf_latex(leaf), claim.name());
+        Diagnostic::at(&derivation.file, "check::no-range", claim.span.clone(), message)
+    };
+    let question = Question::new(&mut graph, claim, &put, variables.clone()).map_err(|l| problem(&graph, l))?;
+    let exists = claim.forms.iter().find_map(|form| match form {
+        Form::Exists { unknowns, such_that, unique } => Some((unknowns, such_that, *unique)),
+        _ => None,
+    });
+    if let Some((unknowns, such_that, unique)) = exists {
+        let wanted = self::variables(derivation, &graph, unknowns)?;
+        account.unique = unique;
+        account.unknowns = unknowns
+            .iter()
+            .zip(&wanted)
+            .map(|(u, v)| RangeAccount {
+                name: graph.leaf_latex(u.leaf),
+                unit: u.unit.clone(),
+                values: Some(v.shown),
+            })
+            .collect();
+        let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
+        let solver = solver.map_err(|l| problem(&graph, l))?;
+        let division = subdivide(&solver, &variables, solver.most_cells());
+        account.measure(&division);
+        solver.describe(&division, &mut account);
+        account.conclude(&division, Strength::Enclosed);
+        return Ok(account);
+    }
+    let division = subdivide(&question, &variables, MOST_CELLS);
+    account.measure(&division);
+    witness(&graph, &question, &variables, &division, &mut account);
+    account.identities(&question);
+    account.conclude(&division, if question.identical { Strength::Proved } else { Strength::Enclosed });
+    Ok(account)
+}
+
+/// The point at which the claim fails, with the sides of the formula that does.
+fn witness(graph: &Graph, question: &Question, of: &[Variable], division: &Division, account: &mut RegionAccount) {
+    let Some(cell) = &division.refuted_at else { return };
+    let mut scratch = Scratch::default();
+    let Some(failing) = question.failing(cell, &mut scratch) else { return };
+    let leaves: Vec<Leaf> = of.iter().map(|v| v.leaf).collect();
+    let sides = failing.sides.and_then(|(left, right)| {
+        let tape = Tape::compile(graph, &leaves, &[left, right]).ok()?;
+        let mut slots = tape.slots::<Interval>(&());
+        let inputs: Vec<_> = cell.sides.iter().map(|s| Ok(*s)).collect();
+        let values: Vec<Interval> = tape.evaluate(&(), &inputs, &mut slots).into_iter().collect::<Result<_, _>>().ok()?;
+        let end = |v: &Interval| (v.lo(), v.hi());
+        Some((end(values.first()?), end(values.get(1)?)))
+    });
+    account.witness = Some(RegionWitness::of_formula(account.point(cell), failing.formula, sides));
+}

@@ -1,0 +1,330 @@
+//! `ranges` and `exists`: claims over ranges of values, without a motion.
+
+use std::ops::Range;
+
+use toml::de::DeValue;
+
+use super::keys;
+use super::load::Loader;
+use super::model::{Claim, Form, FormKind, Formula, Ranged, Region, SymbolEntry, Values, Written};
+use super::table::{Table, Value};
+use super::values::Known;
+use crate::expr::{Expr, Leaf, Rational, Symbol};
+use crate::latex::{RelationKind, Role, Scope, Statement};
+
+/// The forms that a claim over ranges may have.
+const POSSIBLE: &[FormKind] = &[FormKind::Always, FormKind::Defined, FormKind::Exists];
+/// Keys that say something of motions.
+const OF_MOTIONS: &[&str] = &["trajectories", "at", "follows-from"];
+
+/// What a range looks like.
+const HINT: &str = "a range is [from, to], for instance 'c' = [0, 2]; a single value is a number or a formula";
+
+/// A component at the present time.
+fn now(symbol: Symbol, component: usize) -> Leaf {
+    Leaf { symbol, component: component as u16, rate: 0, instant: None }
+}
+
+impl Loader<'_> {
+    /// `ranges`: the values of every symbol of a claim.
+    pub fn ranges(&mut self, claim: &mut Claim, value: &Value<'_>) {
+        let DeValue::Table(entries) = value.get_ref() else {
+            self.problems.wrong_type(value, "ranges", "a table of symbols and their ranges");
+            return;
+        };
+        if entries.is_empty() {
+            self.problems.note("derivation::empty-claim", value.span(), "`ranges` gives no symbol").hint(HINT);
+        }
+        let scope = claim.scope.clone();
+        let mut region = Region::default();
+        for (name, value) in entries {
+            let given = self.ranged((name.get_ref(), name.span()), value, &scope, &claim.symbols, &region.ranges);
+            region.ranges.extend(given);
+        }
+        claim.region = Some(region);
+    }
+
+    /// The components of one symbol, with their values.
+    fn ranged(
+        &mut self,
+        (name, place): (&str, Range<usize>),
+        value: &Value<'_>,
+        scope: &Scope,
+        own: &[SymbolEntry],
+        before: &[Ranged],
+    ) -> Vec<Ranged> {
+        let Some(symbol) = self.symbol(name.trim(), place.clone(), scope) else { return Vec::new() };
+        if matches!(scope.role(symbol), Some(Role::Abbreviation | Role::Argument)) {
+            let message = format!("`{name}` stands for a formula, it has no range of its own");
+            self.problems
+                .note("derivation::bad-role", place, message)
+                .hint("give the symbols of its formula a range, or declare it in the claim's `symbols` as a parameter");
+            return Vec::new();
+        }
+        if before.iter().any(|r| r.leaf.symbol == symbol) {
+            let message = format!("`{name}` has two ranges");
+            self.problems.note("derivation::duplicate-id", place, message);
+            return Vec::new();
+        }
+        let entry = self.out.symbols.iter().chain(own).find(|s| s.symbol == symbol);
+        let (unit, positive) = entry.map_or((None, false), |s| (s.unit.clone(), s.positive));
+        let graph = &self.out.graph;
+        let extents = match (graph.is_diagonal(symbol), graph.shape(symbol).extents()) {
+            (true, [n, ..]) => vec![usize::from(*n)],
+            (_, extents) => extents.iter().map(|n| usize::from(*n)).collect(),
+        };
+        let mut items = Vec::new();
+        if !components_of(value, &extents, &mut items) {
+            let count = graph.component_count(symbol);
+            let message = format!("`{name}` has {count} components, each with a range or a value");
+            let hint = "for instance 'I' = [[2.9, 3.1], 2, 1] for three: a range, and two values";
+            self.problems.note("derivation::wrong-components", value.span(), message).hint(hint);
+            return Vec::new();
+        }
+        let mut out = Vec::new();
+        for (component, item) in items.into_iter().enumerate() {
+            let Some(values) = self.values_of_one(item, scope, before) else { continue };
+            self.check_range(name, &values, positive, item.span());
+            out.push(Ranged { leaf: now(symbol, component), values, unit: unit.clone(), span: item.span() });
+        }
+        out
+    }
+
+    /// A range or a value.
+    fn values_of_one(&mut self, value: &Value<'_>, scope: &Scope, before: &[Ranged]) -> Option<Values> {
+        match value.get_ref() {
+            DeValue::Array(items) => match &items[..] {
+                [from, to] => {
+                    let from = self.closed(from, scope)?;
+                    Some(Values::Between(from, self.closed(to, scope)?))
+                }
+                _ => {
+                    let message = "a range has two ends";
+                    self.problems.note("derivation::bad-range", value.span(), message).hint(HINT);
+                    None
+                }
+            },
+            _ => {
+                let one = self.number_or_formula(value, scope)?;
+                let free = |_: &Scope, leaf: Leaf| before.iter().any(|r| r.leaf == leaf);
+                match self.resolve(one, &Known::new(), scope, &free) {
+                    Ok(e) => Some(Values::One(e)),
+                    Err(leaf) => {
+                        let message = format!("`{}` has no value here", self.leaf_name(leaf));
+                        let hint = "a value may use the symbols that are given before it";
+                        self.problems.note("derivation::no-value", value.span(), message).hint(hint);
+                        None
+                    }
+                }
+            }
+        }
+    }
+
+    /// An end of a range: an expression without leaves.
+    fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+        let e = self.number_or_formula(value, scope)?;
+        match self.resolve(e, &Known::new(), scope, &|_, _| false) {
+            Ok(e) => Some(e),
+            Err(leaf) => {
+                let message = format!("the end of a range is a number, `{}` is none", self.leaf_name(leaf));
+                self.problems.note("derivation::bad-range", value.span(), message).hint(HINT);
+                None
+            }
+        }
+    }
+
+    /// Notes what is wrong with a range as far as its ends are rational numbers; the others are compared when it is used.
+    fn check_range(&mut self, name: &str, values: &Values, positive: bool, span: Range<usize>) {
+        let number = |e: &Expr| self.out.graph.as_constant(*e).cloned();
+        let (from, to) = match values {
+            Values::Between(from, to) => (number(from), number(to)),
+            Values::One(e) => (number(e), None),
+        };
+        if let (Some(from), Some(to)) = (&from, &to)
+            && from >= to
+        {
+            let (message, hint) = if from == to {
+                ("both ends of this range are the same number", "write the number alone")
+            } else {
+                ("the ends of this range are in the wrong order", "the smaller one comes first")
+            };
+            self.problems.note("derivation::bad-range", span, message).hint(hint);
+        } else if positive && from.is_some_and(|r| r <= Rational::ZERO) {
+            let message = format!("`{name}` is declared positive");
+            self.problems
+                .note("derivation::not-positive", span, message)
+                .hint("both ends belong to the range: begin it above 0");
+        }
+    }
+
+    /// `exists`: equations have a solution.
+    pub fn exists(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let Some(value) = table.get("exists") else { return };
+        let Some(table) = Table::open(&mut self.problems, value, "exists", keys::EXISTS) else { return };
+        for key in ["unknowns", "such-that"].iter().filter(|k| table.get(k).is_none()) {
+            table.missing(&mut self.problems, key);
+        }
+        let scope = claim.scope.clone();
+        let given = claim.region.as_ref().map_or(&[][..], |r| &r.ranges);
+        let mut unknowns: Vec<Ranged> = Vec::new();
+        if let Some(value) = table.get("unknowns") {
+            let DeValue::Table(entries) = value.get_ref() else {
+                self.problems.wrong_type(value, "unknowns", "a table of symbols and their ranges");
+                return;
+            };
+            for (name, value) in entries {
+                let found = self.ranged((name.get_ref(), name.span()), value, &scope, &claim.symbols, &unknowns);
+                for unknown in found {
+                    if matches!(unknown.values, Values::One(_)) {
+                        let message = "an unknown is looked for in a range";
+                        self.problems.note("derivation::bad-range", value.span(), message).hint(HINT);
+                    } else if given.iter().any(|g| g.leaf == unknown.leaf) {
+                        let message = format!("`{}` is in `ranges`, it is not unknown", self.leaf_name(unknown.leaf));
+                        self.problems.note("derivation::duplicate-id", name.span(), message);
+                    } else {
+                        unknowns.push(unknown);
+                    }
+                }
+            }
+        }
+        let mut such_that: Vec<Written<Statement>> = Vec::new();
+        for formula in table.formulas(&mut self.problems, "such-that") {
+            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Exists });
+            such_that.extend(self.statements(&formula, &scope));
+        }
+        let unique = table.boolean(&mut self.problems, "unique").unwrap_or(false);
+        if unknowns.is_empty() || such_that.is_empty() {
+            return;
+        }
+        let relations = || such_that.iter().flat_map(|w| &w.value.relations);
+        let equations: usize =
+            relations().filter(|r| r.kind == RelationKind::Equal).map(|r| r.left.components.len()).sum();
+        if equations != unknowns.len() {
+            let message = format!("{equations} equations for {} unknowns", unknowns.len());
+            self.problems
+                .note("derivation::not-square", value.span(), message)
+                .hint("there must be as many equations as unknowns, counted by components; other relations are free");
+        }
+        if let Some(w) = such_that.iter().find(|w| w.value.relations.iter().any(|r| r.has_branches)) {
+            self.problems.note("derivation::bad-region", w.span.clone(), "± cannot stand in `such-that`");
+        }
+        claim.region.get_or_insert_default();
+        claim.forms.push(Form::Exists { unknowns, such_that, unique });
+    }
+
+    /// Sees to it that a claim over ranges speaks of nothing else; it is tried on no motion.
+    pub fn confine(&mut self, claim: &mut Claim, tables: &[&Table<'_, '_>]) {
+        let Some(region) = claim.region.clone() else { return };
+        claim.trajectories.clear();
+        claim.expect.clear();
+        for key in OF_MOTIONS {
+            if let Some(value) = tables.iter().find_map(|t| t.get(key)) {
+                let message = format!("a claim over ranges has no `{key}`: there is no motion");
+                self.problems
+                    .note("derivation::bad-region", value.span(), message)
+                    .hint("give ranges to everything that the claim depends on, or take `ranges` out");
+            }
+        }
+        if claim.branches_throughout {
+            let message = "a claim over ranges allows either sign of ± at each point";
+            self.problems.note("derivation::bad-region", claim.span.clone(), message).hint("take `branches` out");
+        }
+        if let Some(form) = claim.forms.iter().find(|f| !POSSIBLE.contains(&f.kind())) {
+            let message = format!("`{}` is said of a motion, not of ranges of values", form.kind().key());
+            self.problems
+                .note("derivation::bad-region", claim.span.clone(), message)
+                .hint("a claim over ranges says `always`, `defined` or `exists`");
+            return;
+        }
+        let exists = claim.forms.iter().filter(|f| f.kind() == FormKind::Exists).count();
+        if exists > 0 && claim.forms.len() > exists {
+            let message = "`exists` stands alone: what is said beside it is another claim";
+            self.problems.note("derivation::bad-region", claim.span.clone(), message);
+        }
+        let known: Vec<Leaf> = region.ranges.iter().map(|r| r.leaf).collect();
+        for written in &claim.assuming.clone() {
+            self.only_of(&claim.scope, &written.value, &written.span, &known);
+        }
+        for form in claim.forms.clone() {
+            match &form {
+                Form::Always(w) => self.only_of(&claim.scope, &w.value, &w.span, &known),
+                Form::Defined(w) => {
+                    self.only(&claim.scope, &w.value.components, &w.span, &known);
+                }
+                Form::Exists { unknowns, such_that, .. } => {
+                    let all: Vec<Leaf> = known.iter().copied().chain(unknowns.iter().map(|u| u.leaf)).collect();
+                    such_that.iter().for_each(|w| self.only_of(&claim.scope, &w.value, &w.span, &all));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The relations of a statement have values where the known components have.
+    fn only_of(&mut self, scope: &Scope, statement: &Statement, span: &Range<usize>, known: &[Leaf]) {
+        for relation in &statement.relations {
+            if relation.limit.is_some() {
+                let message = "a limit is taken along a motion, not over ranges of values";
+                self.problems.note("derivation::bad-region", span.clone(), message);
+                return;
+            }
+            if relation.kind != RelationKind::Equal && relation.left.shape.rank() > 0 {
+                let message = "only numbers are compared over ranges, and equations may have components";
+                self.problems.note("derivation::bad-region", span.clone(), message);
+                return;
+            }
+            let sides: Vec<Expr> = relation.left.components.iter().chain(&relation.right.components).copied().collect();
+            if !self.only(scope, &sides, span, known) {
+                return;
+            }
+        }
+    }
+
+    /// The same for expressions; whether it is so.
+    fn only(&mut self, scope: &Scope, roots: &[Expr], span: &Range<usize>, known: &[Leaf]) -> bool {
+        let sign = scope.branch_sign();
+        let free = |_: &Scope, leaf: Leaf| leaf == sign || known.contains(&leaf);
+        for &root in roots {
+            let Err(leaf) = self.resolve(root, &Known::new(), scope, &free) else { continue };
+            let name = self.leaf_name(Leaf { rate: 0, instant: None, ..leaf });
+            let base = self.out.graph.name(leaf.symbol).to_owned();
+            let (message, hint) = if leaf.rate > 0 {
+                let message = format!("`{}` is a rate: a claim over ranges has no motion", self.leaf_name(leaf));
+                (message, "take `ranges` out to try it on trajectories, or write a symbol for the rate".to_owned())
+            } else if leaf.instant.is_some() {
+                let message = format!("`{name}` at a fixed time is a value along a motion, of which there is none");
+                (message, "take `ranges` out to try it on trajectories, or write a parameter for it".to_owned())
+            } else if matches!(scope.role(leaf.symbol), Some(Role::Parameter)) {
+                let message = format!("`{name}` has no range");
+                (message, format!("add '{base}' to `ranges`, as [from, to] or as one value"))
+            } else {
+                let message = format!("`{name}` changes along a motion, and a claim over ranges has none");
+                (message, format!("add '{base}' to `ranges`: it is then a number among others; or take `ranges` out"))
+            };
+            self.problems.note("derivation::no-range", span.clone(), message).hint(hint);
+            return false;
+        }
+        true
+    }
+
+    /// A number, or a formula for one.
+    fn number_or_formula(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+        if value.get_ref().is_array() {
+            self.problems.note("derivation::bad-range", value.span(), "a number is needed here").hint(HINT);
+            return None;
+        }
+        self.scalar_component(value, scope)
+    }
+}
+
+/// The values of all components, one item for each, as an array of arrays has them; whether there are as many as needed.
+fn components_of<'v, 's>(value: &'v Value<'s>, extents: &[usize], out: &mut Vec<&'v Value<'s>>) -> bool {
+    let Some((&n, inner)) = extents.split_first() else {
+        out.push(value);
+        return true;
+    };
+    match value.get_ref() {
+        DeValue::Array(items) if items.len() == n => items.iter().all(|item| components_of(item, inner, out)),
+        _ => false,
+    }
+}

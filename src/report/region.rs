@@ -1,0 +1,238 @@
+//! Claims over ranges of values, in the words of every kind of report.
+
+use serde_json::{Value, json};
+
+use super::json::number;
+use super::markdown::{prose, table};
+use super::numbers::value;
+use super::tally::{glyph, name, says};
+use super::text::{Paint, paragraph};
+use crate::check::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
+use crate::check::{Account, ClaimAccount};
+use crate::derivation::{Derivation, FormKind};
+
+/// What is said of the formulas of a claim over ranges, for the heading of a list of them.
+pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
+    match kind {
+        FormKind::Defined => "Has a real value at every point of the ranges".to_owned(),
+        FormKind::Exists => {
+            let number = if region.unique { "exactly one solution" } else { "a solution" };
+            let unknowns: Vec<String> = region.unknowns.iter().map(range).collect();
+            format!("There is {number} for {} of", unknowns.join(", "))
+        }
+        _ => "At every point of the ranges".to_owned(),
+    }
+}
+
+/// A symbol with its range; its name is a formula between dollars.
+fn range(of: &RangeAccount) -> String {
+    let unit = of.unit.as_ref().filter(|u| *u != "1").map(|u| format!(" {u}")).unwrap_or_default();
+    match of.values {
+        Some((from, to)) if from == to => format!("${}={}${unit}", of.name, value(from)),
+        Some((from, to)) => format!("${}$ from {} to {}{unit}", of.name, value(from), value(to)),
+        None => format!("${}$ as the others give it", of.name),
+    }
+}
+
+/// All ranges, in a sentence; `None` where there are none.
+pub(super) fn ranges(region: &RegionAccount) -> Option<String> {
+    let all: Vec<String> = region.ranges.iter().map(range).collect();
+    (!all.is_empty()).then(|| format!("Over {}.", all.join(", ")))
+}
+
+/// The verdict and how it came about, in a sentence without its end.
+pub(super) fn verdict(region: &RegionAccount) -> String {
+    let outcome = region.verdict.outcome();
+    let word = match outcome.word() {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
+    };
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let reason = region.verdict.evidence().reason.as_deref().unwrap_or_default();
+    format!("{word}{strength}: {reason}")
+}
+
+/// `, expected: …`, where the verdict is not as expected.
+pub(super) fn expected(region: &RegionAccount) -> String {
+    match (region.is_unexpected(), region.expected) {
+        (true, Some(word)) => format!(", expected: {word}"),
+        (true, None) => ", not expected".to_owned(),
+        (false, _) => String::new(),
+    }
+}
+
+/// A solution: each unknown in its enclosure.
+fn solution(of: &SolutionAccount) -> String {
+    let one = |(name, lo, hi): &(String, f64, f64)| format!("${name}$ in [{lo:.17}, {hi:.17}]");
+    of.values.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// What else is known, one sentence each, without its end.
+pub(super) fn notes(region: &RegionAccount) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    for (i, of) in region.solutions.iter().enumerate() {
+        let number = if region.solutions.len() > 1 { format!(" {}", i + 1) } else { String::new() };
+        out.push(format!("solution{number}: {}", solution(of)));
+    }
+    out.extend(region.remarks.iter().cloned());
+    out
+}
+
+/// A text for a terminal: formulas without their dollars.
+fn bare(text: &str) -> String {
+    text.replace('$', "")
+}
+
+/// One claim in the terminal.
+fn terminal_one(derivation: &Derivation, claim: &ClaimAccount, region: &RegionAccount, paint: Paint) -> String {
+    let outcome = region.verdict.outcome();
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let head = format!("{}  {}{strength}{}", glyph(outcome), outcome.word(), expected(region));
+    let head = if region.is_unexpected() { paint.alarm(&head) } else { paint.verdict(outcome, &head) };
+    let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
+    out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
+    if let Some(ranges) = ranges(region) {
+        out.push_str(&paragraph(&bare(&ranges), 4));
+    }
+    if let Some(reason) = &region.verdict.evidence().reason {
+        out.push_str(&paragraph(&bare(reason), 4));
+    }
+    for note in notes(region) {
+        out.push_str(&paragraph(&bare(&note), 4));
+    }
+    out.push('\n');
+    out
+}
+
+/// The claims over ranges in the terminal: all of them, or those that differ or are open without being expected to.
+pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint, all: bool) -> String {
+    let told = |r: &&RegionAccount| all || r.is_unexpected() || r.verdict.outcome().word() == "undecided";
+    let mut body = String::new();
+    let mut number = 0;
+    for claim in &account.claims {
+        if let Some(region) = claim.region.as_ref().filter(told) {
+            number += 1;
+            body.push_str(&terminal_one(derivation, claim, region, paint));
+        }
+    }
+    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold("Over ranges of values")) }
+}
+
+/// How the verdict over ranges came about, for `rederive explain`.
+pub(super) fn explain(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
+    let Some(region) = &claim.region else { return String::new() };
+    let mut out = terminal_one(derivation, claim, region, paint);
+    if let Some(witness) = &region.witness {
+        for (name, x) in &witness.values {
+            out.push_str(&format!("      {name} = {x}\n"));
+        }
+        if let Some(((a, b), (c, d))) = witness.sides {
+            out.push_str(&format!("      left in [{a}, {b}]\n      right in [{c}, {d}]\n"));
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The section of `report.md`.
+pub(super) fn section(claim: &ClaimAccount) -> String {
+    let Some(region) = &claim.region else { return String::new() };
+    let mut out = String::new();
+    if let Some(ranges) = ranges(region) {
+        out.push_str(&format!("{}\n\n", prose(&ranges)));
+    }
+    let (word, rest) = match verdict(region) {
+        text => text.split_once([':', ' ']).map_or((text.clone(), String::new()), |(w, _)| {
+            (w.to_owned(), text[w.len()..].to_owned())
+        }),
+    };
+    let expected = match expected(region) {
+        text if text.is_empty() => text,
+        text => format!(" — **{}**", text.trim_start_matches(", ")),
+    };
+    out.push_str(&format!("**{word}**{}{expected}.\n\n", prose(&rest)));
+    if !region.solutions.is_empty() {
+        let rows = region.solutions.iter().flat_map(|s| &s.values).map(|(name, lo, hi)| {
+            vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]
+        });
+        out.push_str(&table(&["solution", "not below", "not above"], rows));
+    }
+    for remark in &region.remarks {
+        out.push_str(&format!("{}.\n\n", prose(remark)));
+    }
+    if region.map.is_some() {
+        out.push_str("`index.html` has a picture of the first two ranges.\n\n");
+    }
+    out
+}
+
+fn range_json(of: &RangeAccount) -> Value {
+    json!({
+        "name": of.name,
+        "unit": of.unit,
+        "from": of.values.map(|v| number(v.0)),
+        "to": of.values.map(|v| number(v.1)),
+    })
+}
+
+/// One letter for a part, in the picture.
+fn letter(part: Part) -> &'static str {
+    match part {
+        Part::Proved => "p",
+        Part::Border => "b",
+        Part::Refuted => "r",
+        Part::NotApplicable => "n",
+        Part::Undecided => "u",
+    }
+}
+
+fn map_json(map: &RegionMap) -> Value {
+    let patch = |p: &crate::check::region::Patch| {
+        format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height)
+    };
+    json!({
+        "across": map.axes.0,
+        "up": map.axes.1,
+        "squares": map.squares,
+        "patches": map.patches.iter().map(patch).collect::<Vec<_>>(),
+    })
+}
+
+/// The field of `report.json`.
+pub(super) fn json(region: &RegionAccount) -> Value {
+    let outcome = region.verdict.outcome();
+    let shares = &region.shares;
+    json!({
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "expected": region.expected,
+        "unexpected": region.is_unexpected(),
+        "reason": region.verdict.evidence().reason,
+        "ranges": region.ranges.iter().map(range_json).collect::<Vec<_>>(),
+        "varying": region.varying,
+        "unknowns": region.unknowns.iter().map(range_json).collect::<Vec<_>>(),
+        "unique": region.unique,
+        "shares": {
+            "proved": number(shares.proved),
+            "refuted": number(shares.refuted),
+            "not_applicable": number(shares.not_applicable),
+            "undecided": number(shares.undecided),
+        },
+        "cells": region.cells,
+        "depth": region.depth,
+        "witness": region.witness.as_ref().map(|w| json!({
+            "values": w.values.iter().map(|(n, x)| (n.clone(), number(*x))).collect::<serde_json::Map<_, _>>(),
+            "formula": w.formula,
+            "left": w.sides.map(|(l, _)| json!([number(l.0), number(l.1)])),
+            "right": w.sides.map(|(_, r)| json!([number(r.0), number(r.1)])),
+            "says": w.says,
+        })),
+        "solutions": region.solutions.iter().map(|s| {
+            s.values.iter().map(|(n, lo, hi)| (n.clone(), json!([number(*lo), number(*hi)]))).collect::<serde_json::Map<_, _>>()
+        }).collect::<Vec<_>>(),
+        "remarks": region.remarks,
+        "map": region.map.as_ref().map(map_json),
+    })
+}
