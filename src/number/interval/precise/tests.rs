@@ -2,8 +2,7 @@
 //! notices every mistake they could rest on.
 
 use super::faults::{EXACT_PAIRS, LOST_LOW, NO_LAGRANGE, NO_TAIL};
-use super::precise::{Precise, PreciseModel};
-use super::{Interval, TaylorModel};
+use super::{Interval, Precise, PreciseModel, TaylorModel};
 use crate::number::{DoubleDouble, Draws, NoValue, Number, Op, Rational, Scalar};
 use dashu_float::{FBig, round::mode::HalfEven};
 use std::cell::Cell;
