@@ -5,28 +5,30 @@
 //! hold and it does not refutes the step. Nothing else of the file is looked at for it. So after a change
 //!
 //! - of words, places, labels and expectations, nothing is checked again: they are only written beside the verdicts;
-//! - in some claims, these and all that follow from them are checked again, beside what is known of their premises;
-//! - outside of all claims, in the symbols of a claim, or in the order of the claims, everything is checked again.
+//! - in some claims, or where claims come or go, these and all that follow from them are checked again, beside what is known of
+//!   their premises; what does not depend on the change is not computed again, see [`super::memory`]: the verdicts on motions of
+//!   the claims that follow, conditions, proofs without the changed premise;
+//! - in some motions, everything is checked again, but what others gave is known;
+//! - in symbols (those of a claim, too), systems, conditions and measures, everything is computed again.
 //!
 //! What is compared is content: comments, spaces and the order of keys change nothing.
 
 use std::collections::BTreeSet;
 
-use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, units};
+use super::memory::{Contents, Memory, Recall};
+use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
 use crate::derivation::Derivation;
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
 pub struct Cache {
     known: Option<Known>,
+    memory: Memory,
 }
 
 #[derive(Debug)]
 struct Known {
-    /// Everything but claims and words.
-    base: String,
-    /// Id and content of every claim, without words.
-    claims: Vec<(String, String)>,
+    contents: Contents,
     account: Account,
 }
 
@@ -37,57 +39,68 @@ impl Cache {
     /// Those of [`check`]; what was known is forgotten then.
     pub fn check(&mut self, derivation: &mut Derivation) -> Result<(Account, Vec<String>), CheckError> {
         let known = self.known.take();
-        let Some((base, claims)) = contents(derivation) else {
+        let Some(contents) = contents(derivation) else {
             let account = check(derivation, &Options::default(), &|_, _| {})?;
             let all = ids(derivation);
             return Ok((account, all));
         };
+        self.memory.grow_older();
+        let recall = Recall::new(&self.memory, &contents);
         let mut checked = ids(derivation);
-        let order = |claims: &[(String, String)]| claims.iter().map(|(id, _)| id.clone()).collect::<Vec<_>>();
         let mut account = match known {
-            // Where claims come or go, those that stay may be premises of others, or may be taken apart from them.
-            Some(known) if known.base == base && order(&known.claims) == order(&claims) => {
-                let changed = claims.iter().zip(&known.claims).filter(|(here, then)| here != then);
-                checked = affected(derivation, changed.map(|((id, _), _)| id.clone()).collect());
+            Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
+                checked = affected(derivation, changed(&known.contents.claims, &contents.claims));
                 let mut account = known.account;
                 if !checked.is_empty() {
                     let options = Options { claims: checked.clone(), ..Options::default() };
                     account.claims.retain(|c| !checked.contains(&c.id));
-                    let fresh = check_beside(derivation, &options, &account.claims)?;
+                    let fresh = check_beside(derivation, &options, &account.claims, recall)?;
                     account.claims.extend(fresh);
                 }
                 account
             }
-            _ => check(derivation, &Options::default(), &|_, _| {})?,
+            _ => check_recalling(derivation, &Options::default(), recall, &|_, _| {})?,
         };
         describe(derivation, &mut account);
-        self.known = Some(Known { base, claims, account: account.clone() });
+        self.known = Some(Known { contents, account: account.clone() });
         Ok((account, checked))
     }
+}
+
+/// The ids of the claims that are new or other than before, and of those that are gone: a name that others follow from may mean
+/// something else without them.
+fn changed(then: &[(String, String)], now: &[(String, String)]) -> BTreeSet<String> {
+    let missing = |of: &[(String, String)], among: &[(String, String)]| -> Vec<String> {
+        of.iter().filter(|claim| !among.contains(claim)).map(|(id, _)| id.clone()).collect()
+    };
+    missing(now, then).into_iter().chain(missing(then, now)).collect()
 }
 
 /// The words of a claim and of its readings: they are shown, and no verdict depends on them.
 const WORDS: [&str; 7] = ["says", "place", "label", "printed", "remark", "expect", "expect-units"];
 
-/// The content of everything but claims, and that of each claim, both without words.
-fn contents(derivation: &Derivation) -> Option<(String, Vec<(String, String)>)> {
+/// The content of everything but claims, that of each motion, and that of each claim, all without words.
+fn contents(derivation: &Derivation) -> Option<Contents> {
     let mut root: toml::Table = toml::from_str(&derivation.file.text).ok()?;
-    let claims = match root.remove("claim") {
-        Some(toml::Value::Array(claims)) => claims,
+    let mut list = |key: &str| match root.remove(key) {
+        Some(toml::Value::Array(list)) => list,
         _ => Vec::new(),
     };
+    let (claims, motions) = (list("claim"), list("trajectory"));
     root.remove("derivation");
     root.remove("conventions");
+    let id = |table: &toml::Value| Some(table.get("id")?.as_str()?.to_owned());
     let mut symbols = String::new();
     let mut one = |mut claim: toml::Value| {
         symbols.push_str(&taken_apart(claim.as_table_mut()?));
         for reading in claim.get_mut("reading").and_then(toml::Value::as_array_mut).into_iter().flatten() {
             symbols.push_str(&taken_apart(reading.as_table_mut()?));
         }
-        Some((claim.get("id")?.as_str()?.to_owned(), claim.to_string()))
+        Some((id(&claim)?, claim.to_string()))
     };
     let claims = claims.into_iter().map(&mut one).collect::<Option<_>>()?;
-    Some((root.to_string() + &symbols, claims))
+    let motions = motions.iter().map(|m| Some((id(m)?, m.to_string()))).collect::<Option<_>>()?;
+    Some(Contents { base: root.to_string() + &symbols, motions, claims })
 }
 
 /// Takes the words and the symbols out of a claim; the symbols are returned, since motions know the observables of all claims.

@@ -20,6 +20,7 @@ pub mod identity;
 mod independence;
 mod limit;
 mod measure;
+mod memory;
 mod met;
 mod occurrence;
 mod picture;
@@ -64,6 +65,7 @@ use crate::diag::Diagnostic;
 use crate::expr::Rational;
 use crate::latex::RelationKind;
 use independence::Gradients;
+use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
@@ -113,7 +115,17 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, &[], true, progress)?;
+    check_recalling(derivation, options, Recall::default(), progress)
+}
+
+/// [`check`], with what is known from before.
+fn check_recalling(
+    derivation: &mut Derivation,
+    options: &Options,
+    recall: Recall,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let mut account = check_and(derivation, options, &[], true, recall, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
@@ -125,8 +137,9 @@ fn check_beside(
     derivation: &mut Derivation,
     options: &Options,
     known: &[ClaimAccount],
+    recall: Recall,
 ) -> Result<Vec<ClaimAccount>, CheckError> {
-    Ok(check_and(derivation, options, known, true, &|_, _| {})?.claims)
+    Ok(check_and(derivation, options, known, true, recall, &|_, _| {})?.claims)
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -135,7 +148,7 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, &[], false, progress)
+    check_and(derivation, options, &[], false, Recall::default(), progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
@@ -144,6 +157,7 @@ fn check_and(
     options: &Options,
     known: &[ClaimAccount],
     separating: bool,
+    recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
@@ -253,7 +267,7 @@ fn check_and(
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
                     let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
-                    one_pair(derivation, &trial, gradients.as_ref())
+                    recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
@@ -271,28 +285,27 @@ fn check_and(
             // What is asked later needs few of the leaves; those of all motions at once take much memory.
             course.keep(&kept);
             let course = (!probes.is_empty() || altered.is_some()).then_some(course);
-            Ok(((verdicts, measured, drawn), (weighed, course)))
+            Ok(((verdicts, (measured, drawn)), (weighed, course)))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (columns, (weighed, courses)): (Vec<Column>, (Vec<Option<Weighed>>, Vec<_>)) = columns.into_iter().unzip();
-    let identities: Vec<Option<Result<IdentityAccount, String>>> = (0..claimed.len())
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|k| {
-            let claim = &derivation.claims[claimed[k]];
-            let step = Step::of(derivation, claim)?;
-            match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
-                Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
-                None => step.decide(),
-            }
-        })
-        .collect();
-    let identities = identities.into_iter().map(Option::transpose).collect::<Result<Vec<_>, String>>();
-    let identities = identities.map_err(CheckError::Defect)?;
-    let mut account = assemble(derivation, &stage, &claimed, &tried, columns, identities);
+    let ((columns, shown), (weighed, courses)): ((Vec<Column>, Vec<_>), (Vec<Option<Weighed>>, Vec<_>)) =
+        columns.into_iter().unzip();
+    let mut account = assemble(derivation, &stage, &claimed, &tried, &columns, shown);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
-    probes.separate(derivation, &gradients, &start_of, &courses, &mut account);
+    let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
+        let claim = &derivation.claims[claimed[k]];
+        let step = Step::of(derivation, claim)?;
+        match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
+            Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+            None => recall.identity(derivation, claim, || step.decide()),
+        }
+    };
+    let identities: Vec<_> = (0..claimed.len()).into_par_iter().with_max_len(1).map(identity).collect();
+    for (claim, identity) in account.claims.iter_mut().zip(identities) {
+        claim.identity = identity.transpose().map_err(CheckError::Defect)?;
+    }
+    probes.separate(derivation, &gradients, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
@@ -324,7 +337,7 @@ fn counterexample<'a>(
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
     let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|((verdicts, ..), &t)| {
+    columns.iter().zip(tried).find_map(|(verdicts, &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
@@ -358,11 +371,14 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
     matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
-/// What was found on one motion: a verdict for every claim that is tried on it, measurements, and pictures.
-type Column = (Vec<Option<Verdict>>, Vec<Measurement>, Vec<PictureAccount>);
+/// What was found on one motion: a verdict for every claim that is tried on it.
+type Column = Vec<Option<Verdict>>;
+
+/// What was measured and drawn on one motion.
+type Shown = (Vec<Measurement>, Vec<PictureAccount>);
 
 /// A column, what it says of the variants, and the motion where it is needed again.
-type Tried<'a> = (Column, (Option<Weighed>, Option<Course<'a>>));
+type Tried<'a> = ((Column, Shown), (Option<Weighed>, Option<Course<'a>>));
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
@@ -466,14 +482,14 @@ fn assemble(
     stage: &Stage,
     claimed: &[usize],
     tried: &[usize],
-    columns: Vec<Column>,
-    identities: Vec<Option<IdentityAccount>>,
+    columns: &[Column],
+    shown: Vec<Shown>,
 ) -> Account {
     let mut claims = Vec::new();
-    for ((k, &c), identity) in claimed.iter().enumerate().zip(identities) {
+    for (k, &c) in claimed.iter().enumerate() {
         let claim = &derivation.claims[c];
         let pair = |(column, &t): (&Column, &usize)| {
-            let verdict = column.0[k].clone()?;
+            let verdict = column[k].clone()?;
             let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
             Some(PairAccount {
                 trajectory: derivation.trajectories[t].id.clone(),
@@ -490,7 +506,7 @@ fn assemble(
             formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
             assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
             remark: claim.remark.clone(),
-            identity,
+            identity: None,
             conditions: Default::default(),
             results: columns.iter().zip(tried).filter_map(pair).collect(),
             region: None,
@@ -499,7 +515,7 @@ fn assemble(
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
     let (mut measurements, mut pictures) = (Vec::new(), Vec::new());
-    for (_, measured, drawn) in columns {
+    for (measured, drawn) in shown {
         measurements.extend(measured);
         pictures.extend(drawn);
     }

@@ -20,6 +20,10 @@ const APPLY: &str = "<mo>\u{2061}</mo>";
 /// A formula inside a line; several relations are separated by commas.
 pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
     let chains = latex::parse(text, scope).ok()?;
+    // A `math` element is a row itself.
+    if let [one] = chains.as_slice() {
+        return Some(format!("<math>{}</math>", chain(one)));
+    }
     let all: Vec<String> = chains.iter().map(|c| format!("<mrow>{}</mrow>", chain(c))).collect();
     Some(format!("<math>{}</math>", all.join("<mo separator=\"true\">,</mo><mspace width=\"0.5em\"/>")))
 }

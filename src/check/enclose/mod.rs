@@ -42,7 +42,7 @@ use super::stage::{Fields, Stage, setup};
 use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Enclosure, Source};
+use crate::flow::{Enclosure, Motion, Source};
 use cover::Along;
 use rayon::prelude::*;
 
@@ -77,10 +77,9 @@ pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Resu
     let mut graph = request.derivation.graph.clone();
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
-    // The longest first, so that none is left over at the end.
+    // Long motions first: what is left at the end is short.
     let mut order = request.tried.to_vec();
-    let length = |t: usize| request.derivation.trajectories[t].span.1 - request.derivation.trajectories[t].span.0;
-    order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
+    order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let changes: Vec<Result<Vec<Change>, String>> =
         order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
     for change in changes {
@@ -100,7 +99,9 @@ fn enclosure(
 ) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
     let trajectory = &request.derivation.trajectories[t];
     let (from, source) = match trajectory.motion {
-        Given::Derived { from, .. } => (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from)),
+        Given::Derived { from, .. } => {
+            (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from))
+        }
         _ => (None, None),
     };
     let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);

@@ -14,11 +14,12 @@ use rayon::prelude::*;
 
 use super::candidates::Candidate;
 use crate::check::comparison::{Standing, judge};
+use crate::check::memory::Recall;
 use crate::check::one_pair;
 use crate::check::program::{Program, Use};
 use crate::check::trial::{Course, Trial};
 use crate::check::verdict::Outcome;
-use crate::derivation::Derivation;
+use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
 
 /// Points of a motion at which a condition is tried first.
@@ -40,6 +41,7 @@ pub(super) struct Ask<'a> {
     /// One for each of the candidates and initial time.
     pub programs: &'a [Vec<Program>],
     pub start_of: &'a [usize],
+    pub recall: Recall<'a>,
 }
 
 /// How every condition stands on every motion.
@@ -86,7 +88,13 @@ impl Ask<'_> {
     }
 
     fn standing(&self, k: usize, course: &Course) -> Option<bool> {
-        let claim = &self.candidates.get(k)?.claim;
+        let candidate = self.candidates.get(k)?;
+        let name = &candidate.name;
+        let says = [name.id.as_deref(), Some(&name.formula), name.says.as_deref()].map(Option::unwrap_or_default);
+        self.recall.standing(self.derivation, &says, course.trajectory, || self.tried(k, &candidate.claim, course))
+    }
+
+    fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
         let program = self.program(k, course)?;
         let trial = Trial { graph: &self.derivation.graph, claim, program, course };
         let verdict = one_pair(self.derivation, &trial, None);

@@ -13,6 +13,10 @@ pub(super) struct Dropped {
     pub claim: Claim,
     /// The position of the whole claim in the account.
     pub of: usize,
+    /// The name of the whole claim.
+    pub whole: String,
+    /// Which of its assumptions is left out.
+    pub place: usize,
     /// The assumption.
     pub text: String,
     /// Whether it selects times.
@@ -48,7 +52,7 @@ pub(super) fn without_one(derivation: &Derivation, claimed: &[usize]) -> Vec<Dro
             claim.id = format!("{PROBE}{of}/{k}");
             claim.reading = None;
             claim.follows_from.clear();
-            out.push(Dropped { claim, of, text: assumption.text, selects });
+            out.push(Dropped { claim, of, whole: declared.name(), place: k, text: assumption.text, selects });
         }
     }
     out

@@ -21,6 +21,7 @@ use std::collections::BTreeSet;
 
 use super::account::{Account, PairAccount};
 use super::independence::Gradients;
+use super::memory::Recall;
 use super::one_pair;
 use super::program::Program;
 use super::trial::{Course, Trial};
@@ -92,12 +93,13 @@ impl Probes {
     /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs.
     ///
     /// `gradients` belong to the claims of the account, `start_of` names the initial time of every trajectory; the courses are
-    /// those of the trajectories of the account.
+    /// those of the trajectories of the account. What is known from before is not tried again.
     pub fn separate(
         &self,
         derivation: &Derivation,
         gradients: &[Option<Result<Gradients, String>>],
         start_of: &[usize],
+        recall: Recall,
         courses: &[Course],
         account: &mut Account,
     ) {
@@ -114,13 +116,14 @@ impl Probes {
                 let program = self.programs.get(count + d)?.get(start_of[t]).filter(|_| wanted)?;
                 let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
                 let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course };
-                Some(one_pair(derivation, &trial, gradients))
+                let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
+                Some(recall.without(derivation, asked, t, || one_pair(derivation, &trial, gradients)))
             };
             (derivation.trajectories[t].id.clone(), self.dropped.iter().enumerate().map(verdict).collect())
         };
         let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter().with_max_len(1).map(on_one).collect();
         if split {
-            self.explain(derivation, start_of, courses, account);
+            self.explain(derivation, start_of, recall, courses, account);
         }
         for (d, drop) in self.dropped.iter().enumerate() {
             let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
@@ -135,9 +138,16 @@ impl Probes {
     }
 
     /// Adds to every claim that holds on some trajectories and fails on others what separates them.
-    fn explain(&self, derivation: &Derivation, start_of: &[usize], courses: &[Course], account: &mut Account) {
+    fn explain(
+        &self,
+        derivation: &Derivation,
+        start_of: &[usize],
+        recall: Recall,
+        courses: &[Course],
+        account: &mut Account,
+    ) {
         let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
-        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of };
+        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of, recall };
         let ids: Vec<String> = courses.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
         let split: Vec<usize> = (0..account.claims.len()).filter(|&k| explain::is_split(&account.claims[k])).collect();
         let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();

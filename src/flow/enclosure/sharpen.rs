@@ -17,8 +17,8 @@
 //!
 //! [Neumaier 1990, §2.3]: https://doi.org/10.1017/CBO9780511526473
 
-use super::compiled::{Compiled, Reach, Stretch};
 use super::Enclosure;
+use super::compiled::{Compiled, Reach, Stretch};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::error::{FlowError, leaf_name};
 use crate::number::{Interval, NODES, NoValue, Number, TaylorModel};
@@ -71,7 +71,11 @@ impl Sharp {
 }
 
 /// Derivatives of expressions by states, with row and state.
-fn gradients(graph: &mut Graph, states: &[Leaf], roots: &[Expr]) -> Result<(Vec<Expr>, Vec<(usize, usize)>), FlowError> {
+fn gradients(
+    graph: &mut Graph,
+    states: &[Leaf],
+    roots: &[Expr],
+) -> Result<(Vec<Expr>, Vec<(usize, usize)>), FlowError> {
     let (mut entries, mut slopes) = (Vec::new(), Vec::new());
     for (row, &e) in roots.iter().enumerate() {
         let present = graph.leaves([e]);
@@ -133,7 +137,7 @@ impl Enclosure {
     }
 
     /// What the integrals do over a stretch.
-    fn known(&self, stretch: &Stretch) -> Option<Known> {
+    fn known_over(&self, stretch: &Stretch) -> Option<Known> {
         let integrals = self.integrals.as_ref()?;
         let states = stretch.models().as_ref().ok()?;
         let spread: Vec<f64> = states.iter().map(TaylorModel::remainder).collect();
@@ -164,7 +168,7 @@ impl Enclosure {
     /// For each quantity, why the theorem does not apply: it or a derivative has no value, or may have none.
     pub fn sharpened(&self, sharp: &Sharp, stretch: &Stretch) -> (Vec<Result<Reach, NoValue>>, usize) {
         let count = sharp.values.outputs();
-        let Some(known) = stretch.known(|| self.known(stretch)) else {
+        let Some(known) = stretch.known(|| self.known_over(stretch)) else {
             return (vec![Err(NoValue::Indeterminate); count], 0);
         };
         let values = self.models(&sharp.values, stretch, &known.centre);

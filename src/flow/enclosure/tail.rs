@@ -76,7 +76,9 @@ impl Enclosure {
                 Node::Binary(op, a, b) => {
                     let both = known[&a].and_then(|x| Ok((x, known[&b]?)));
                     let plain = both.and_then(|(x, y)| op.apply(&(), &mut out, &x, &y));
-                    if let (Op::Div, Ok(()), Ok((x, y)), Limit::Unknown, true) = (op, plain, both, out.limit(), depth > 0) {
+                    if let (Op::Div, Ok(()), Ok((x, y)), Limit::Unknown, true) =
+                        (op, plain, both, out.limit(), depth > 0)
+                    {
                         let limit = self.quotient(graph, (a, b), (x, y), from, onwards, depth - 1);
                         limit.map_or(Ok(()), |limit| out.with_limit(limit).map(|tail| out = tail))
                     } else {

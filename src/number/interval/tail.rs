@@ -96,7 +96,12 @@ impl Tail {
         if onwards {
             Tail { lo: from, hi: f64::INFINITY, limit: Limit::PlusInfinity, positive: (from > 0.0).then_some(true) }
         } else {
-            Tail { lo: f64::NEG_INFINITY, hi: from, limit: Limit::MinusInfinity, positive: (from < 0.0).then_some(false) }
+            Tail {
+                lo: f64::NEG_INFINITY,
+                hi: from,
+                limit: Limit::MinusInfinity,
+                positive: (from < 0.0).then_some(false),
+            }
         }
     }
 
@@ -217,9 +222,8 @@ impl Tail {
             Limit::Unknown if t.hi < 0.0 => Some(false),
             _ => None,
         };
-        let vanishes = |x: &Tail, y: &Tail| {
-            x.limit.is_zero() && (y.finite().is_some() || matches!(y.limit, Limit::Finite(_)))
-        };
+        let vanishes =
+            |x: &Tail, y: &Tail| x.limit.is_zero() && (y.finite().is_some() || matches!(y.limit, Limit::Finite(_)));
         let limit = match (self.limit, b.limit) {
             _ if vanishes(self, b) || vanishes(b, self) => ZERO,
             (Limit::Finite(x), Limit::Finite(y)) => Limit::of(x * y),

@@ -7,8 +7,9 @@ use super::super::graph::DerivationGraph;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
-use super::{region, support};
+use super::reasons::{Told, told};
 use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
+use super::{region, support};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -40,8 +41,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
-    let n =
-        |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+    let n = |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
     let own = family.iter().any(|c| c.reading.is_none());
     html! {
         div.family {
@@ -232,41 +232,24 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
     }
 }
 
-/// What the reasons of several pairs have in common: everything up to the numbers.
-fn common(pair: &PairAccount) -> (&str, &str) {
-    let text = pair.verdict.evidence().reason.as_deref().unwrap_or_default();
-    let marks = [": at t = ", ": in ", ": within ", ": their difference ", ", on ["];
-    let heads = marks.iter().filter_map(|mark| text.split_once(mark)).map(|(head, _)| head);
-    heads.min_by_key(|head| head.len()).map_or((text, ""), |head| (head, &text[head.len() + 2..]))
-}
-
-/// The numbers of a reason, where what they are is said above them.
-fn brief(numbers: &str) -> String {
-    let short = [
-        (" its sides are ", ": "),
-        ("(error bound ", "(± "),
-        (" stretches, within ", " stretches: "),
-        (" where terms are ", " of "),
-        ("; and ", "; "),
-        (" more likewise", " more"),
-    ];
-    short.iter().fold(numbers.to_owned(), |text, (long, brief)| text.replace(long, brief))
-}
-
 fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let compared = group.pairs.iter().any(|p| p.verdict.evidence().residual.is_some());
     // A reason that many pairs share is given once, above them.
-    let mut parts: Vec<(&str, Vec<&PairAccount>)> = Vec::new();
+    let mut parts: Vec<(String, Vec<(&PairAccount, Told<'_>)>)> = Vec::new();
     for &pair in &group.pairs {
-        let head = common(pair).0;
-        match parts.iter_mut().find(|(h, _)| *h == head) {
-            Some((_, pairs)) => pairs.push(pair),
-            None => parts.push((head, vec![pair])),
+        let told = told(pair.verdict.evidence().reason.as_deref().unwrap_or_default());
+        let sentence = told.sentence();
+        match parts.iter_mut().find(|(s, _)| *s == sentence) {
+            Some((_, pairs)) => pairs.push((pair, told)),
+            None => parts.push((sentence, vec![(pair, told)])),
         }
     }
+    let any = |some: &dyn Fn(&Told<'_>) -> bool| parts.iter().any(|(_, pairs)| pairs.iter().any(|(_, t)| some(t)));
     let tried = group.pairs.iter().any(|p| rejects(p).is_some());
-    let columns = 2 + 5 * usize::from(compared) + usize::from(tried);
+    let (cut, apart) = (any(&|t| t.stretches.is_some()), any(&|t| t.apart.is_some()));
+    // Where most reasons are of one motion each, they stand beside it.
     let single = parts.iter().filter(|(_, pairs)| pairs.len() == 1).count() > 4;
+    let columns = 2 + 5 * usize::from(compared) + usize::from(tried) + usize::from(cut) + 2 * usize::from(apart);
     html! {
         table {
             thead {
@@ -278,16 +261,18 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                         }
                     }
                     @if tried { th { "altered rejected" } }
+                    @if cut { th { "stretches" } }
+                    @if apart { th { "differ at most" } th { "terms" } }
                     th { "notes" }
                 }
             }
-            @for (head, pairs) in &parts {
-                @let shared = !(head.is_empty() || single && pairs.len() == 1);
+            @for (sentence, pairs) in &parts {
+                @let shared = !(sentence.is_empty() || single && pairs.len() == 1);
                 tbody {
                     @if shared {
-                        tr { th.shared colspan=(columns) scope="rowgroup" { (reason(head, scope)) } }
+                        tr { th.shared colspan=(columns) scope="rowgroup" { (reason(sentence, scope)) "." } }
                     }
-                    @for pair in pairs {
+                    @for (pair, told) in pairs {
                         @let evidence = pair.verdict.evidence();
                         tr id=(anchor(account, claim, pair)) {
                             th { (pair.trajectory) }
@@ -303,7 +288,14 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                                 @let weak = is_weak(pair);
                                 td { @if let Some(text) = rejects(pair) { (text) @if weak { ", weak" } } }
                             }
-                            td { (notes(pair, shared, scope)) }
+                            @if cut { td { (told.stretches.unwrap_or_default()) } }
+                            @if apart {
+                                @match told.apart {
+                                    Some((width, terms)) => { td { (number(width)) } td { (number(terms)) } },
+                                    None => { td {} td {} },
+                                }
+                            }
+                            td { (notes(pair, shared.then_some(told.own.as_str()), scope)) }
                         }
                     }
                 }
@@ -312,17 +304,23 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
     }
 }
 
+/// A number of a reason, as the other sizes are written.
+fn number(text: &str) -> String {
+    text.parse().map_or_else(|_| text.to_owned(), size)
+}
+
 /// How many altered formulas a pair rejects.
 fn rejects(pair: &PairAccount) -> Option<String> {
     let d = pair.discrimination.as_ref().filter(|d| d.of > 0)?;
     Some(format!("{} of {}", d.rejected, d.of))
 }
 
-/// Reason, sign, and times left out.
-fn notes(pair: &PairAccount, shared: bool, scope: &Scope) -> Markup {
+/// Reason, sign, and times left out. Of a reason that others share, `own` is what it says of this motion alone.
+fn notes(pair: &PairAccount, own: Option<&str>, scope: &Scope) -> Markup {
     let evidence = pair.verdict.evidence();
+    let words = own.or(evidence.reason.as_deref()).unwrap_or_default();
     html! {
-        @if shared { (reason(&brief(common(pair).1), scope)) } @else if let Some(r) = &evidence.reason { (reason(r, scope)) ". " }
+        @if !words.is_empty() { (reason(words, scope)) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }
@@ -359,19 +357,19 @@ fn assignments(point: &str) -> String {
 }
 
 /// The values of a witness as assignments, which most languages read.
-pub(super) fn pasted(w: &Witness) -> String {
-    let mut out = format!("t = {:?}\n", w.t);
-    let mut seen: Vec<String> = vec!["t".to_owned()];
-    for (name, v) in &w.values {
+fn pasted(w: &Witness) -> String {
+    assigned(w).into_iter().map(|(name, v)| format!("{name} = {v:?}\n")).collect()
+}
+
+/// The values of a witness, each with a name that no other has; the time is the first.
+pub(super) fn assigned(w: &Witness) -> Vec<(String, f64)> {
+    let mut out: Vec<(String, f64)> = vec![("t".to_owned(), w.t)];
+    for (name, v) in w.values.iter().filter(|(name, _)| name != "t") {
         let mut word = identifier(name);
-        if word == "t" && name == "t" {
-            continue;
-        }
-        while seen.contains(&word) {
+        while out.iter().any(|(known, _)| *known == word) {
             word.push('_');
         }
-        out.push_str(&format!("{word} = {v:?}\n"));
-        seen.push(word);
+        out.push((word, *v));
     }
     out
 }

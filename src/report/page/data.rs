@@ -2,16 +2,17 @@
 //!
 //! A page may have thousands of pairs. Each of its curves is some twenty samples; a value takes two characters: its place
 //! between the least and the largest value, in 1/7225 of the way (85 characters that need no escape, squared), and the
-//! logarithm of a residual or bound one. That is finer than a line is thick. Equal strings are stored once. Numbers that a reader may want exactly (worst residual,
-//! witness) are stored as numbers.
+//! logarithm of a residual or bound one. That is finer than a line is thick. Equal texts are stored once. Numbers that a
+//! reader may want exactly (worst residual, witness) are stored as numbers.
 
 use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
 use super::super::tally::{declared, name};
-use super::claims::pasted;
-use super::text::{formula, label};
+use super::claims::assigned;
+use super::text::{formula, label_parts};
+use super::tight::tight;
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 use crate::derivation::Derivation;
 
@@ -20,77 +21,104 @@ const DIGITS: &[u8; 85] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 /// Steps between the least and the largest value.
 const STEPS: f64 = 7224.0;
 
-/// Strings that are stored once.
-#[derive(Default)]
-struct Strings {
-    all: Vec<String>,
-    index: HashMap<String, usize>,
-}
-
-impl Strings {
-    fn put(&mut self, text: String) -> usize {
-        if let Some(&at) = self.index.get(&text) {
-            return at;
-        }
-        self.all.push(text.clone());
-        self.index.insert(text, self.all.len() - 1);
-        self.all.len() - 1
-    }
-}
+/// Shortest text that is worth a place of its own among the strings.
+const WORTH: usize = 5;
 
 /// The data as JSON that may stand inside a script element.
 ///
 /// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
 /// where there is none; curves are `[formula, samples, [least, largest], [first, last], [lowest, highest decade], t, left,
-/// right, residual, bound, limit]`, of which texts and packed columns are positions in `strings`. The limit is 0 where the
-/// relation is looked for at some time, and null where it is no equation. `events` gives the equation at which a claim is
-/// tried, a position in `strings`: its samples are events.
+/// right, residual, bound, limit]`. The limit is 0 where the relation is looked for at some time, and null where it is no
+/// equation. A witness is `[formula, t, left, right, bound, names, values…]`, with one name in each line. `events` gives the
+/// equation at which a claim is tried: its samples are events.
+///
+/// Texts and packed columns are themselves, or positions in `strings`, where they occur several times; a list is its texts
+/// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
-    let mut strings = Strings::default();
     let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
     for claim in &account.claims {
         let mut pairs = serde_json::Map::new();
         for pair in &claim.results {
             let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, account, claim, pair, &mut strings)) {
+            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, account, claim, pair)) {
                 pairs.insert(t.to_string(), packed);
             }
         }
         if let Some((d, at)) = declared(derivation, claim).and_then(|d| Some((d, d.at.as_ref()?))) {
-            events.insert(name(claim), strings.put(formula(&at.text, &d.scope).into_string()).into());
+            events.insert(name(claim), tight(&formula(&at.text, &d.scope).into_string()).into());
         }
         if !pairs.is_empty() {
             claims.insert(name(claim), Value::Object(pairs));
         }
     }
+    let strings = share([&mut events, &mut claims]);
     let time = derivation.scope.time().map(|l| l.symbol);
     let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    let document = json!({ "unit": unit, "strings": strings.all, "events": events, "pairs": claims });
-    // `<` could end the element that the text stands in.
-    document.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+    inert(&json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims }).to_string())
 }
 
-fn packed(
-    derivation: &Derivation,
-    account: &Account,
-    claim: &ClaimAccount,
-    pair: &PairAccount,
-    strings: &mut Strings,
-) -> Option<Value> {
+/// JSON that cannot end the element that it stands in: that takes `</script` or `<!--`, which only texts can contain.
+fn inert(json: &str) -> String {
+    let safe = json.replace("</s", "<\\/s").replace("</S", "<\\/S").replace("<!", "\\u003c!");
+    safe.replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+}
+
+/// Takes the texts that occur several times out of the maps; what is left in their place is their position in what is returned,
+/// the most frequent first: they have the shortest numbers.
+fn share(maps: [&mut serde_json::Map<String, Value>; 2]) -> Vec<String> {
+    let [events, pairs] = maps;
+    let mut found: HashMap<String, (usize, usize)> = HashMap::new();
+    let mut count = |text: &mut Value| {
+        if let Value::String(text) = text {
+            let order = found.len();
+            found.entry(text.clone()).or_insert((0, order)).0 += 1;
+        }
+    };
+    events.values_mut().chain(pairs.values_mut()).for_each(|v| each_text(v, &mut count));
+    let mut several: Vec<(String, (usize, usize))> =
+        found.into_iter().filter(|(text, (times, _))| *times > 1 && text.len() >= WORTH).collect();
+    several.sort_by_key(|(_, (times, order))| (std::cmp::Reverse(*times), *order));
+    let strings: Vec<String> = several.into_iter().map(|(text, _)| text).collect();
+    let places: HashMap<&str, usize> = strings.iter().enumerate().map(|(at, text)| (text.as_str(), at)).collect();
+    let mut place = |value: &mut Value| {
+        if let Some(&at) = value.as_str().and_then(|text| places.get(text)) {
+            *value = at.into();
+        }
+    };
+    events.values_mut().chain(pairs.values_mut()).for_each(|v| each_text(v, &mut place));
+    strings
+}
+
+/// Every text of a value.
+fn each_text(value: &mut Value, work: &mut impl FnMut(&mut Value)) {
+    match value {
+        Value::String(_) => work(value),
+        Value::Array(list) => list.iter_mut().for_each(|v| each_text(v, work)),
+        Value::Object(map) => map.values_mut().for_each(|v| each_text(v, work)),
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
+    }
+}
+
+fn packed(derivation: &Derivation, account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> Option<Value> {
     let evidence = pair.verdict.evidence();
     let declared = declared(derivation, claim);
     let scope = declared.map_or(&derivation.scope, |d| &d.scope);
     // Events are few: they are shown on the whole span of the motion, and one is enough.
     let at_events = declared.is_some_and(|d| d.at.is_some());
     let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
-    let text = |formula: &str, strings: &mut Strings| strings.put(label(formula, scope).into_string());
+    let text = |label: &str| -> Value { label_parts(label, scope).iter().map(|part| tight(&part.0)).collect() };
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
-    let curves = drawn.map(|s| curves(s, span, text(&s.formula, strings), strings));
+    let curves = drawn.map(|s| curves(s, span, text(&s.formula)));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
-    let witness = evidence
-        .witness
-        .as_ref()
-        .map(|w| json!([text(&w.formula, strings), w.t, w.left, w.right, short(w.bound), pasted(w)]));
+    let witness = evidence.witness.as_ref().map(|w| {
+        let (names, values): (Vec<String>, Vec<f64>) = assigned(w).into_iter().unzip();
+        let mut out = vec![text(&w.formula), json!(w.t), json!(w.left), json!(w.right), short(w.bound)];
+        out.push(names.join("\n").into());
+        // What JSON has no number for is a text.
+        let number = |v: f64| if v.is_finite() { json!(v) } else { format!("{v:?}").into() };
+        out.extend(values.into_iter().map(number));
+        Value::Array(out)
+    });
     if curves.is_none() && witness.is_none() {
         return None;
     }
@@ -119,7 +147,7 @@ fn short(x: f64) -> Value {
     }
 }
 
-fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: usize, strings: &mut Strings) -> Value {
+fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value) -> Value {
     let points = &series.points;
     let column = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
     let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
@@ -136,11 +164,11 @@ fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: usize, strings:
         [short(range.0), short(range.1)],
         [exact(span.0), exact(span.1)],
         [short(decades.0), short(decades.1)],
-        strings.put(wide(&t, span)),
-        strings.put(l),
-        strings.put(r),
-        strings.put(narrow(&residual, decades)),
-        strings.put(narrow(&bound, decades)),
+        wide(&t, span),
+        l,
+        r,
+        narrow(&residual, decades),
+        narrow(&bound, decades),
         match (series.sought, series.equation) {
             (true, _) => 0.into(),
             (false, true) => short(limit),
@@ -185,6 +213,31 @@ fn wide(values: &[f64], (low, high): (f64, f64)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn texts_that_occur_several_times_are_stored_once() {
+        let map = |value: Value| value.as_object().cloned().unwrap_or_default();
+        let mut events = map(json!({ "c": "seldom seen" }));
+        let mut pairs =
+            map(json!({ "c": { "0": [["often", "seldom seen", 1.5, ["often", "once only"]], null, ["ab", "ab"]] },
+            "d": ["often"] }));
+        assert_eq!(share([&mut events, &mut pairs]), ["often", "seldom seen"]);
+        assert_eq!(Value::Object(events), json!({ "c": 1 }));
+        assert_eq!(
+            Value::Object(pairs),
+            json!({ "c": { "0": [[0, 1, 1.5, [0, "once only"]], null, ["ab", "ab"]] }, "d": [0] })
+        );
+    }
+
+    #[test]
+    fn no_text_ends_the_element() {
+        let texts = ["</script>", "</SCRIPT>", "<!--<script>", "<math></math>", "\u{2028}"];
+        let out = inert(&json!(texts).to_string());
+        for bad in ["</s", "</S", "<!", "\u{2028}"] {
+            assert!(!out.contains(bad), "{out}");
+        }
+        assert_eq!(serde_json::from_str::<Vec<String>>(&out).unwrap(), texts);
+    }
 
     #[test]
     fn values_are_packed_in_order_and_reach_both_ends() {

@@ -16,9 +16,11 @@ mod data;
 mod findings;
 mod matrix;
 mod motions;
+mod reasons;
 mod region;
 mod support;
 mod text;
+mod tight;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -54,9 +56,8 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             (measures(derivation, account))
             (making(derivation))
         }
-        script type="application/json" id="/data" { (PreEscaped(data::json(derivation, account))) }
-        script { (PreEscaped(SCRIPT)) }
     };
+    let body = PreEscaped(tight::tight(&body.into_string()));
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -70,16 +71,14 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
                 title { (derivation.title) }
                 style { (PreEscaped(STYLE)) }
             }
-            body { (body) }
+            body {
+                (body)
+                script type="application/json" id="/data" { (PreEscaped(data::json(derivation, account))) }
+                script { (PreEscaped(SCRIPT)) }
+            }
         }
     };
-    let mut out = page.into_string();
-    // Ends that HTML implies: tens of thousands of them would be a tenth of the page.
-    for end in ["</td>", "</th>", "</tr>", "</li>"] {
-        out = out.replace(end, "");
-    }
-    out.push('\n');
-    out
+    page.into_string() + "\n"
 }
 
 fn contents(derivation: &Derivation, account: &Account) -> Markup {

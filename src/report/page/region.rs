@@ -74,8 +74,7 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
     };
     let more = if of.varying > 2 { "; refuted means for some values of the others" } else { "" };
     let say = |(parts, _, word): &&(&[Part], &str, &str)| {
-        let squares: u32 =
-            map.patches.iter().filter(|p| parts.contains(&p.part)).map(|p| p.width * p.height).sum();
+        let squares: u32 = map.patches.iter().filter(|p| parts.contains(&p.part)).map(|p| p.width * p.height).sum();
         let share = 100.0 * f64::from(squares) / f64::from(map.squares * map.squares);
         format!("{word} on {} of 100 parts", (10.0 * share).round() / 10.0)
     };

@@ -126,13 +126,14 @@ table.addEventListener("keydown", e => {
 // ---- the curves of a pair ----
 const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
 const value = new Map([...DIGITS].map((c, i) => [c, i]));
-const unpack = (index, low, high) => {
-  const text = data.strings[index], out = [];
+const stored = x => Array.isArray(x) ? x.map(stored).join("") : typeof x === "number" ? data.strings[x] : x;
+const unpack = (packed, low, high) => {
+  const text = stored(packed), out = [];
   for (let i = 0; i + 1 < text.length; i += 2)
     out.push(low + (high - low) * (value.get(text[i]) * DIGITS.length + value.get(text[i + 1])) / 7224);
   return out;
 };
-const unpackLog = (index, low, high) => [...data.strings[index]].map(c =>
+const unpackLog = (packed, low, high) => [...stored(packed)].map(c =>
   value.get(c) ? low + (high - low) * (value.get(c) - 1) / (DIGITS.length - 2) : -Infinity);
 const pairOf = place => {
   const n = numbers(place);
@@ -214,8 +215,8 @@ function curves(box, [packed, w, found, left_out], id) {
   for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
   const d = unpackLog(residuals, ...decades), b = unpackLog(bounds, ...decades);
   const head = element(box, "p", {}, sought ? "Looked for: " : "Compared: ");
-  head.insertAdjacentHTML("beforeend", data.strings[formula]);
-  if (event !== undefined) head.insertAdjacentHTML("beforeend", ", each time " + data.strings[event] + ".");
+  head.insertAdjacentHTML("beforeend", stored(formula));
+  if (event !== undefined) head.insertAdjacentHTML("beforeend", ", each time " + stored(event) + ".");
   const times = event === undefined ? (sought && found ? [found[1]] : []) : t;
   const log = x => Math.log10(x);
   const all = [...d, ...b].filter(Number.isFinite);
@@ -252,10 +253,10 @@ function curves(box, [packed, w, found, left_out], id) {
   draw(q, t, r, "right");
   element(figure, "figcaption", {}, `Left side (${one}) and right side (${two})` + (lefts === rights ? ": they agree to the width of the line." : "."));
 }
-function witness(box, [label, t, left, right, bound, values]) {
+function witness(box, [label, t, left, right, bound, names, ...values]) {
   const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
-  p.insertAdjacentHTML("beforeend", data.strings[label]);
-  element(box, "pre", { tabindex: 0 }, values + `left = ${left}\nright = ${right}`);
+  p.insertAdjacentHTML("beforeend", stored(label));
+  element(box, "pre", { tabindex: 0 }, stored(names).split("\n").map((name, i) => `${name} = ${values[i]}\n`).join("") + `left = ${left}\nright = ${right}`);
 }
 
 // Rows get a link to their curves when their table is opened.

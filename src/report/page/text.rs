@@ -88,13 +88,15 @@ pub(super) fn condition(text: &str, scope: &Scope) -> Markup {
 
 /// What a comparison is called: a formula, then perhaps its component, or words.
 pub(super) fn label(text: &str, scope: &Scope) -> Markup {
+    html! { @for part in label_parts(text, scope) { (part) } }
+}
+
+/// What a comparison is called, its component by itself: many comparisons of a claim differ in nothing else.
+pub(super) fn label_parts(text: &str, scope: &Scope) -> Vec<Markup> {
     let label = wording::label(text);
-    html! {
-        (label.before) (formula(label.formula, scope)) (label.after)
-        @if let Some(component) = label.component {
-            ", component " (formula(component, scope))
-        }
-    }
+    let name = html! { (label.before) (formula(label.formula, scope)) (label.after) };
+    let component = label.component.map(|component| html! { ", component " (formula(component, scope)) });
+    std::iter::once(name).chain(component).collect()
 }
 
 /// A formula on lines of its own.

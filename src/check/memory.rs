@@ -1,0 +1,200 @@
+//! What was found for an earlier state of a file, by content.
+//!
+//! **In:** questions, each named by everything that its answer depends on. **Out:** the answer that is known, or one that is
+//! computed and kept.
+//!
+//! A verdict of a claim on a motion depends on the symbols, systems and conditions of the file, on the claim's own table, and on
+//! the motion with those that it comes from. A proof depends on the symbols and systems, on the claim, and on the claims that it
+//! follows from, directly or through others. Names of questions are SHA-256 sums of these texts: two questions with one name are
+//! the same question.
+//!
+//! **Guaranteed:** an answer is the one that would be computed now. What is not asked for in [`AGES`] states of the file is
+//! forgotten.
+
+use std::collections::{BTreeSet, HashMap};
+use std::sync::{Mutex, PoisonError};
+
+use sha2::{Digest, Sha256};
+
+use super::account::IdentityAccount;
+use super::step::Step;
+use super::verdict::Verdict;
+use crate::derivation::{Claim, Derivation, Form, Motion};
+
+/// For how many states of a file an answer is kept that is not asked for.
+const AGES: u64 = 8;
+
+/// The name of a question.
+pub(super) type Key = [u8; 32];
+
+/// The name of a question with several parts.
+fn key(parts: &[&[u8]]) -> Key {
+    let mut sum = Sha256::new();
+    for part in parts {
+        sum.update((part.len() as u64).to_le_bytes());
+        sum.update(part);
+    }
+    sum.finalize().into()
+}
+
+/// Answers of one kind, each with the last age in which it was asked for.
+type Answers<T> = Mutex<HashMap<Key, (u64, T)>>;
+
+/// What was found, for several states of a file.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    age: u64,
+    verdicts: Answers<Verdict>,
+    standings: Answers<Option<bool>>,
+    identities: Answers<Option<Result<IdentityAccount, String>>>,
+}
+
+impl Memory {
+    /// A new state of the file begins.
+    pub fn grow_older(&mut self) {
+        self.age += 1;
+        let young = |age: &mut u64| *age + AGES >= self.age;
+        self.verdicts.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.standings.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+    }
+
+    /// The answer to a question; what has no name is always computed.
+    fn answer<T: Clone>(&self, kept: &Answers<T>, name: Option<Key>, compute: impl FnOnce() -> T) -> T {
+        let Some(name) = name else { return compute() };
+        if let Some((age, known)) = kept.lock().unwrap_or_else(PoisonError::into_inner).get_mut(&name) {
+            *age = self.age;
+            return known.clone();
+        }
+        let found = compute();
+        kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, found.clone()));
+        found
+    }
+}
+
+/// A state of a file, by content: see [`super::cache`] for what counts as content.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Contents {
+    /// Everything but claims, motions and words.
+    pub base: String,
+    /// Id and content of every motion.
+    pub motions: Vec<(String, String)>,
+    /// Id and content of every claim.
+    pub claims: Vec<(String, String)>,
+}
+
+/// What is known, for one state of a file. Without a memory everything is computed.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Recall<'a>(Option<Known<'a>>);
+
+#[derive(Clone, Copy)]
+struct Known<'a> {
+    memory: &'a Memory,
+    contents: &'a Contents,
+}
+
+impl<'a> Recall<'a> {
+    /// What is known for a state of a file.
+    pub fn new(memory: &'a Memory, contents: &'a Contents) -> Recall<'a> {
+        Recall(Some(Known { memory, contents }))
+    }
+
+    /// The verdict of a claim on a motion.
+    pub fn verdict(&self, derivation: &Derivation, claim: &Claim, t: usize, compute: impl FnOnce() -> Verdict) -> Verdict {
+        let Some(known) = self.0 else { return compute() };
+        let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
+        known.memory.answer(&known.memory.verdicts, name, compute)
+    }
+
+    /// The verdict of a claim of the file without one of its assumptions, by its place, on a motion.
+    pub fn without(
+        &self,
+        derivation: &Derivation,
+        (claim, whole, place): (&Claim, &str, usize),
+        t: usize,
+        compute: impl FnOnce() -> Verdict,
+    ) -> Verdict {
+        let Some(known) = self.0 else { return compute() };
+        let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
+        known.memory.answer(&known.memory.verdicts, name, compute)
+    }
+
+    /// How a condition stands on a motion. It is named by what it says in the notation of the whole file.
+    pub fn standing(
+        &self,
+        derivation: &Derivation,
+        says: &[&str],
+        t: usize,
+        compute: impl FnOnce() -> Option<bool>,
+    ) -> Option<bool> {
+        let Some(known) = self.0 else { return compute() };
+        let name = known.motion(derivation, t).map(|motion| {
+            let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
+            key(&[b"condition", known.contents.base.as_bytes(), &says, &motion])
+        });
+        known.memory.answer(&known.memory.standings, name, compute)
+    }
+
+    /// Whether a claim holds for all values.
+    pub fn identity(
+        &self,
+        derivation: &Derivation,
+        claim: &Claim,
+        compute: impl FnOnce() -> Option<Result<IdentityAccount, String>>,
+    ) -> Option<Result<IdentityAccount, String>> {
+        let Some(known) = self.0 else { return compute() };
+        known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
+    }
+}
+
+impl Known<'_> {
+    /// The content of a motion and of those that it comes from.
+    fn motion(&self, derivation: &Derivation, mut t: usize) -> Option<Key> {
+        let mut parts: Vec<&[u8]> = Vec::new();
+        loop {
+            let trajectory = derivation.trajectories.get(t)?;
+            let (_, content) = self.contents.motions.iter().find(|(id, _)| *id == trajectory.id)?;
+            parts.push(content.as_bytes());
+            match trajectory.motion {
+                // No motion comes from itself; the loader has seen to that.
+                Motion::Derived { from, .. } if parts.len() <= derivation.trajectories.len() => t = from,
+                _ => return Some(key(&parts)),
+            }
+        }
+    }
+
+    fn claim(&self, id: &str) -> Option<&str> {
+        self.contents.claims.iter().find(|(known, _)| known == id).map(|(_, content)| content.as_str())
+    }
+
+    fn of_claim(&self, derivation: &Derivation, claim: &Claim, name: &str, t: usize, without: &[u8]) -> Option<Key> {
+        // It depends on another motion, too.
+        if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. })) {
+            return None;
+        }
+        let content = self.claim(name.split('/').next()?)?;
+        let motion = self.motion(derivation, t)?;
+        Some(key(&[b"claim", self.contents.base.as_bytes(), content.as_bytes(), name.as_bytes(), without, &motion]))
+    }
+
+    /// A claim with all that it follows from.
+    fn step(&self, derivation: &Derivation, claim: &Claim) -> Option<Key> {
+        let mut sum = key(&[b"step", self.contents.base.as_bytes(), claim.name().as_bytes()]);
+        let mut seen: BTreeSet<String> = BTreeSet::new();
+        let mut open = vec![claim.name()];
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) {
+                continue;
+            }
+            let id = name.split('/').next()?;
+            sum = key(&[&sum, name.as_bytes(), self.claim(id).unwrap_or_default().as_bytes()]);
+            for of in derivation.claims.iter().filter(|c| c.id == id) {
+                for given in Step::given(derivation, of) {
+                    sum = key(&[&sum, given.as_bytes()]);
+                    open.push(given);
+                }
+            }
+        }
+        Some(sum)
+    }
+}
