@@ -150,7 +150,7 @@ impl<'a> Translation<'a> {
                 Node::Leaf(leaf) => to.leaf(*leaf),
                 Node::Unary(op, a) => to.unary(*op, *a),
                 Node::Binary(op, a, b) => to.binary(*op, *a, *b),
-                Node::Constant(r) => to.constant(r.clone()),
+                Node::Constant(r) => to.constant((**r).clone()),
                 Node::Pi => to.pi(),
             };
             if *to.node(there) != node {
