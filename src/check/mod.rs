@@ -18,6 +18,7 @@ mod describe;
 mod enclose;
 pub mod identity;
 mod independence;
+mod kept;
 mod limit;
 mod measure;
 mod memory;
@@ -244,7 +245,7 @@ fn check_and(
         start_of: &start_of,
         measures: &measures,
     };
-    let stage = Stage::build(derivation, &fields, &requests)?;
+    let stage = Stage::build(derivation, &fields, &requests, recall)?;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
         let claim = &derivation.claims[claimed[k]];

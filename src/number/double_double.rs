@@ -1,9 +1,9 @@
 //! Numbers as unevaluated sums of two binary64 numbers: about 106 bits.
 //!
 //! **In:** such numbers. **Out:** results that are rounded to such numbers; sums, products, quotients and square roots are
-//! off by a few units of 2⁻¹⁰⁴ of the sizes of their terms, **elementary functions by as much as binary64 is**. No error bound goes with
-//! them: the series of a motion is computed with them, and how far it is from the motion is found afterwards, see
-//! [`PreciseModel`](super::PreciseModel).
+//! off by a few units of 2⁻¹⁰⁴ of the sizes of their terms, exp, sin, cos, tan, sinh, cosh by not much more, **the other
+//! functions by as much as binary64 is**. No error bound goes with them: the series of a motion is computed with them, and
+//! how far it is from the motion is found afterwards, see [`PreciseModel`].
 //!
 //! **Why:** error-free transforms yield the part of a sum or a product that rounding loses, exactly ([Dekker 1971]); keeping
 //! it costs some twenty operations, and no library of long numbers.
@@ -11,7 +11,7 @@
 //! [Dekker 1971]: https://doi.org/10.1007/BF01397083
 
 use super::interval::round::{product_error, sum_error};
-use super::{NoValue, Number, Rational, Scalar, scalar};
+use super::{NoValue, Number, Op, Precise, PreciseModel, Rational, Scalar, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The sum of two numbers, the second of which is at most half a unit in the last place of the first.
@@ -58,6 +58,15 @@ impl DoubleDouble {
     #[inline(always)]
     pub fn low(&self) -> f64 {
         self.low
+    }
+
+    /// The middle of what a function is known to be.
+    fn middle(&mut self, op: Op, a: &DoubleDouble) -> Result<(), NoValue> {
+        let mut out = PreciseModel::ZERO;
+        let a = PreciseModel::constant(&Precise::new(*a, 0.0));
+        op.apply(&(), &mut out, &a, &a)?;
+        *self = out.value().centre();
+        Ok(())
     }
 
     /// A function of binary64, at the number rounded to it.
@@ -219,20 +228,20 @@ impl Number for DoubleDouble {
         }
         self.checked().map(|_| ())
     }
-    fn exp(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.exp(cx, &a.high))
+    fn exp(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Exp, a)
     }
     fn ln(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.rounded(|x| x.ln(cx, &a.high))
     }
-    fn sin(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.sin(cx, &a.high))
+    fn sin(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Sin, a)
     }
-    fn cos(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.cos(cx, &a.high))
+    fn cos(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Cos, a)
     }
-    fn tan(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.tan(cx, &a.high))
+    fn tan(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Tan, a)
     }
     fn arcsin(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.rounded(|x| x.arcsin(cx, &a.high))
@@ -243,11 +252,11 @@ impl Number for DoubleDouble {
     fn arctan(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.rounded(|x| x.arctan(cx, &a.high))
     }
-    fn sinh(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.sinh(cx, &a.high))
+    fn sinh(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Sinh, a)
     }
-    fn cosh(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
-        self.rounded(|x| x.cosh(cx, &a.high))
+    fn cosh(&mut self, _: &(), a: &DoubleDouble) -> Result<(), NoValue> {
+        self.middle(Op::Cosh, a)
     }
     fn tanh(&mut self, cx: &(), a: &DoubleDouble) -> Result<(), NoValue> {
         self.rounded(|x| x.tanh(cx, &a.high))
@@ -276,6 +285,13 @@ impl Number for DoubleDouble {
         Ok(())
     }
     fn pow(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {
+        // Powers of roots.
+        let halves = 2.0 * b.high;
+        if b.low == 0.0 && halves.abs() <= 64.0 && halves == halves.round() && a.high > 0.0 {
+            let mut root = DoubleDouble::ZERO;
+            root.sqrt(cx, a)?;
+            return self.powi(cx, &root, halves as i32);
+        }
         self.rounded(|x| x.pow(cx, &a.high, &b.high))
     }
     fn arctan2(&mut self, cx: &(), a: &DoubleDouble, b: &DoubleDouble) -> Result<(), NoValue> {

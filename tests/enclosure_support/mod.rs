@@ -182,7 +182,7 @@ fn kepler(start: &[f64], t: f64) -> Vec<Exact> {
     ]
 }
 
-pub const CASES: [Case; 8] = [
+pub const CASES: [Case; 9] = [
     Case {
         name: "decay",
         states: &["x"],
@@ -233,6 +233,19 @@ pub const CASES: [Case; 8] = [
         solution: |_, t| {
             let (c, h) = (exact(t).cosh(), exact(t).tanh());
             vec![exact(1.0) / c.clone(), -(h / c)]
+        },
+    },
+    Case {
+        name: "pendulum, on the separatrix",
+        states: &["x", "v"],
+        equations: &["x' = v", "v' = -sin(x)"],
+        parameters: &[],
+        span: 12.0,
+        start: |_| vec![0.0, 2.0],
+        varies: &[false, false],
+        solution: |_, t| {
+            let (c, h) = (exact(t).cosh(), exact(t).sinh());
+            vec![exact(2.0) * h.atan(), exact(2.0) / c]
         },
     },
     Case {

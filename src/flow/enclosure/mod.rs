@@ -120,7 +120,7 @@ impl Enclosure {
             let value = match graph.as_constant(resolved) {
                 Some(_) => resolved,
                 None => {
-                    let value = new.known(graph, resolved);
+                    let value = new.precise_value(graph, resolved);
                     new.constant(graph, value)
                 }
             };
@@ -173,7 +173,7 @@ impl Enclosure {
             },
         );
         for (leaf, e) in found {
-            let value = self.known(graph, e);
+            let value = self.precise_value(graph, e);
             self.add_constant(leaf, value);
         }
         let mut constants = Vec::new();
@@ -193,7 +193,7 @@ impl Enclosure {
             let given = initial.iter().find(|(l, _)| *l == leaf);
             let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
             let resolved = self.resolve(graph, e)?;
-            let value = self.known(graph, resolved);
+            let value = self.precise_value(graph, resolved);
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));
             state.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
         }
@@ -404,7 +404,7 @@ impl Enclosure {
     }
 
     /// The value of an expression in constants, as precisely as it can be had.
-    fn known(&self, graph: &Graph, e: Expr) -> Result<Precise, NoValue> {
+    fn precise_value(&self, graph: &Graph, e: Expr) -> Result<Precise, NoValue> {
         let plain = self.constant_value(graph, e)?;
         let precise = || -> Option<Precise> {
             let leaves = graph.leaves([e]);

@@ -2,7 +2,8 @@
 //!
 //! **A step.** Let x̂ be the centre of the set of states at t₀, e₀ a difference of one of its states from x̂, p the Taylor
 //! polynomial of the motion through x̂, nearly, and Φ that of the variational equation Φ′ = Df·Φ, Φ(t₀) = I. Both are
-//! polynomials with binary64 coefficients around the middle of the step, and nothing is assumed of them. A box E is guessed, and with [`TaylorModel`]s over the step one finds
+//! polynomials around the middle of the step, and nothing is assumed of them. A box E is guessed, and with Taylor models over
+//! the step one finds
 //!
 //! - r ≥ |x̂ + ∫f(p) − p|, what p misses of being a solution;
 //! - A ∋ Df(p + e) for all |e| ≤ E, and R ≥ |I + ∫AΦ − Φ|.
@@ -14,6 +15,10 @@
 //! tube, so that there is one only (Picard, Lindelöf). This is the a-posteriori bound by defect and Gronwall's inequality
 //! ([Walter 1970, ch. III]; [Hairer, Nørsett & Wanner 1993, §I.10]), with Φ to carry what was there before: nothing but w is
 //! estimated by absolute values, and w is of the size of rounding.
+//!
+//! **Precision.** x̂ and the coefficients of p are double-double, and r is found with [`PreciseModel`]s: in binary64 it would
+//! be a rounding of p at every step, which a motion near a separatrix amplifies a million times. The rest is in binary64
+//! ([`TaylorModel`]), Φ of a low order: it multiplies e₀, which is small, and Φ's own errors R are part of W.
 //!
 //! The set then moves by e₀ ↦ Φ(t₀ + h)e₀ + w, see `set`.
 //!

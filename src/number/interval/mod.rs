@@ -26,8 +26,6 @@ mod model;
 #[cfg(test)]
 mod model_tests;
 mod precise;
-#[cfg(test)]
-mod precise_tests;
 pub(in crate::number) mod round;
 mod tail;
 

@@ -2,8 +2,7 @@
 //! notices every mistake they could rest on.
 
 use super::faults::{EXACT_PAIRS, LOST_LOW, NO_LAGRANGE, NO_TAIL};
-use super::precise::{Precise, PreciseModel};
-use super::{Interval, TaylorModel};
+use super::{Interval, Precise, PreciseModel, TaylorModel};
 use crate::number::{DoubleDouble, Draws, NoValue, Number, Op, Rational, Scalar};
 use dashu_float::{FBig, round::mode::HalfEven};
 use std::cell::Cell;
@@ -88,11 +87,14 @@ fn misses(ops: &[Op]) -> (usize, usize, f64) {
         for round in 0..120 {
             let rest = if round % 3 == 0 { 1e-20 * (1.0 + signed(&mut draws)) } else { 0.0 };
             let spread = [0.0, 1e-3, 0.1][round % 3];
-            let centre = if matches!(op, Op::Sqrt) { 2.0 } else { 1.0 } + signed(&mut draws);
+            let centre = if matches!(op, Op::Sqrt | Op::Pow) { 2.0 } else { 1.0 } + signed(&mut draws);
             let scale = if round % 7 == 0 && matches!(op, Op::Sin | Op::Cos | Op::Exp) { 40.0 } else { 1.0 };
             let a = Quantity::random(&mut draws, scale * centre, spread, rest);
             let y = 3.0 + signed(&mut draws);
-            let b = Quantity::random(&mut draws, y, spread, rest);
+            let mut b = Quantity::random(&mut draws, y, spread, rest);
+            if op == Op::Pow {
+                b = Quantity { coefficients: vec![DoubleDouble::point(-1.5)], rest: 0.0 };
+            }
             let mut model = PreciseModel::ZERO;
             if op.apply(&(), &mut model, &a.model(), &b.model()).is_err() {
                 continue;
@@ -113,6 +115,9 @@ fn misses(ops: &[Op]) -> (usize, usize, f64) {
                     Op::Exp => x.exp(),
                     Op::Sin => x.sin(),
                     Op::Cos => x.cos(),
+                    Op::Sinh => (x.clone().exp() - (-x).exp()) / exact(2.0),
+                    Op::Cosh => (x.clone().exp() + (-x).exp()) / exact(2.0),
+                    Op::Pow => exact(1.0) / (x.clone() * x.sqrt()),
                     _ => x.clone().sin() / x.cos(),
                 };
                 compared += 1;
@@ -124,7 +129,7 @@ fn misses(ops: &[Op]) -> (usize, usize, f64) {
 }
 
 const ARITHMETIC: [Op; 5] = [Op::Add, Op::Sub, Op::Mul, Op::Div, Op::Powi(3)];
-const FUNCTIONS: [Op; 4] = [Op::Sqrt, Op::Exp, Op::Sin, Op::Cos];
+const FUNCTIONS: [Op; 6] = [Op::Sqrt, Op::Exp, Op::Sin, Op::Cos, Op::Sinh, Op::Cosh];
 
 /// The same with a mistake.
 fn misses_with(mistake: &'static LocalKey<Cell<bool>>, ops: &[Op]) -> usize {
@@ -141,14 +146,18 @@ fn results_are_contained() {
     assert!(missed == 0 && compared > 2_000, "{missed} of {compared}");
     let (missed, compared, _) = misses(&FUNCTIONS);
     assert!(missed == 0 && compared > 1_500, "{missed} of {compared}");
-    let (missed, compared, _) = misses(&[Op::Tan]);
-    assert!(missed == 0 && compared > 100, "{missed} of {compared}");
+    let (missed, compared, _) = misses(&[Op::Tan, Op::Pow]);
+    assert!(missed == 0 && compared > 300, "{missed} of {compared}");
 }
 
 #[test]
 fn remainders_are_small() {
     let s = PreciseModel::variable(&Precise::new(DoubleDouble::new(0.7, 1e-17), 0.0), 0.02);
-    for op in [Op::Mul, Op::Div, Op::Sqrt, Op::Exp, Op::Sin, Op::Cos, Op::Tan] {
+    let b = PreciseModel::constant(&Precise::new(DoubleDouble::point(-1.5), 0.0));
+    let mut power = PreciseModel::ZERO;
+    power.pow(&(), &s, &b).expect("defined");
+    assert!(power.parts().1 < 1e-26, "{:e}", power.parts().1);
+    for op in [Op::Mul, Op::Div, Op::Sqrt, Op::Exp, Op::Sin, Op::Cos, Op::Tan, Op::Sinh, Op::Cosh] {
         let mut out = PreciseModel::ZERO;
         op.apply(&(), &mut out, &s, &s).expect("defined");
         assert!(out.parts().1 < 1e-26, "{op:?}: {:e}", out.parts().1);
