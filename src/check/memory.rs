@@ -12,6 +12,7 @@
 //! forgotten.
 
 use std::collections::{BTreeSet, HashMap};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
@@ -21,6 +22,7 @@ use super::kept::Family;
 use super::step::Step;
 use super::verdict::Verdict;
 use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::expr::{Graph, Leaf};
 
 /// For how many states of a file an answer is kept that is not asked for.
 const AGES: u64 = 8;
@@ -49,6 +51,11 @@ pub(super) struct Memory {
     standings: Answers<Option<bool>>,
     identities: Answers<Option<Result<IdentityAccount, String>>>,
     families: Answers<Arc<Mutex<Family>>>,
+    wanted: Answers<BTreeSet<String>>,
+    /// What the motions were asked for when they were built; nothing before that.
+    asked: Mutex<Option<BTreeSet<String>>>,
+    /// Whether motions were asked for something else than a check of the whole file would ask for.
+    other: AtomicBool,
 }
 
 impl Memory {
@@ -59,7 +66,19 @@ impl Memory {
         self.verdicts.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.standings.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+    }
+
+    /// Whether nothing is known yet.
+    pub fn is_new(&mut self) -> bool {
+        self.asked.get_mut().unwrap_or_else(PoisonError::into_inner).is_none()
+    }
+
+    /// Whether an answer may differ from that of a check that knows nothing: error bounds of the points of a motion depend, in
+    /// their last places, on what else the motion is asked for.
+    pub fn is_misled(&self) -> bool {
+        self.other.load(Ordering::Relaxed)
     }
 
     /// The answer to a question; what has no name is always computed.
@@ -140,6 +159,34 @@ impl<'a> Recall<'a> {
         known.memory.answer(&known.memory.standings, name, compute)
     }
 
+    /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
+    /// what motions were built for.
+    pub fn asks(&self, derivation: &Derivation, claimed: &[usize], leaves: impl Fn(usize) -> BTreeSet<Leaf>) {
+        let Some(known) = self.0 else { return };
+        let mut all = BTreeSet::new();
+        for (c, claim) in derivation.claims.iter().enumerate() {
+            let content = known.claim(&claim.id).unwrap_or_default();
+            let name = key(&[b"leaves", &known.base, content.as_bytes(), claim.name().as_bytes()]);
+            let compute = || match claimed.iter().position(|&of| of == c) {
+                Some(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
+                // It was not checked before, and is not now: what it asks for is not known.
+                None => BTreeSet::from([String::new()]),
+            };
+            all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
+        }
+        let mut asked = known.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        if *asked.get_or_insert_with(|| all.clone()) != all {
+            known.memory.other.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Notes that a motion was built for a part of the claims only.
+    pub fn builds_for_a_part(&self) {
+        if let Some(known) = self.0 {
+            known.memory.other.store(true, Ordering::Relaxed);
+        }
+    }
+
     /// Whether there is a memory.
     pub fn is_known(&self) -> bool {
         self.0.is_some()
@@ -182,6 +229,12 @@ impl<'a> Recall<'a> {
         let Some(known) = self.0 else { return compute() };
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
     }
+}
+
+/// A leaf, whatever the numbers of the graph are.
+fn named(graph: &Graph, leaf: &Leaf) -> String {
+    let instant = leaf.instant.map(|e| if e.index() < graph.len() { graph.to_latex(e) } else { String::new() });
+    format!("{} {} {} {instant:?}", leaf.symbol.index(), leaf.component, leaf.rate)
 }
 
 impl Known<'_> {

@@ -106,6 +106,8 @@ impl Fields {
 
 /// What has to be known of motions before claims can be tried on them.
 pub(super) struct Requests<'a> {
+    /// Whether other claims of the file are not asked about.
+    pub part: bool,
     /// The leaves that points have values of.
     pub wanted: &'a [Leaf],
     /// The trajectories on which claims are tried.
@@ -402,6 +404,9 @@ fn family(
     }
     if !problems.is_empty() {
         return Err(CheckError::Problems(problems));
+    }
+    if requests.part {
+        recall.builds_for_a_part();
     }
     recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
     Ok(done)
