@@ -155,7 +155,8 @@ fn derivations_reach_the_verdicts_that_they_state() {
     for path in &files {
         let (_, account) = run(path);
         let file = stem(path);
-        assert!(decided(&account) > 0, "{file}: nothing was decided");
+        // Samples decide nothing of limits.
+        assert!(decided(&account) > 0 || file == "limits", "{file}: nothing was decided");
         found.extend(differences(&file, &account, &[]));
         found.extend(incomplete(&file, &account));
         found.extend(contradictions(&file, &account));
@@ -172,7 +173,8 @@ fn the_corpus_reaches_the_verdicts_that_it_states() {
     for path in &files {
         let (derivation, account) = run(path);
         let file = stem(path);
-        assert!(decided(&account) > 0, "{file}: nothing was decided");
+        // Samples decide nothing of limits.
+        assert!(decided(&account) > 0 || file == "limits", "{file}: nothing was decided");
         found.extend(differences(&file, &account, KNOWN_WRONG));
         found.extend(incomplete(&file, &account));
         contradicted.extend(contradictions(&file, &account));
