@@ -149,16 +149,33 @@ fn the_workflow_uses_what_the_action_has() {
     assert!(action.contains(&format!("default: {sarif}\n")), "{sarif} is not what the action writes");
 }
 
+/// What a forge calls a heading: its letters, digits and hyphens in lower case, spaces as hyphens.
+fn anchor(heading: &str) -> String {
+    let text = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = text.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
 #[test]
 fn links_lead_somewhere() {
     let pages = ["docs/continuous-integration.md", "docs/stability.md", "docs/schema.md"];
     for page in ["README.md", "CHANGELOG.md", "docs/method.md", "docs/derivation-file.md"].into_iter().chain(pages) {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(page);
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let folder = root.join(page);
         let folder = folder.parent().expect("a page lies in a folder");
         let text = read(page);
         for target in text.split("](").skip(1).filter_map(|t| t.split_once(')').map(|(t, _)| t)) {
-            let local = !target.contains("://") && !target.starts_with('#');
-            assert!(!local || folder.join(target).exists(), "{page}: there is no {target}");
+            if target.contains("://") {
+                continue;
+            }
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let path = if file.is_empty() { root.join(page) } else { folder.join(file) };
+            assert!(path.exists(), "{page}: there is no {file}");
+            if !heading.is_empty() {
+                let text = std::fs::read_to_string(path).expect("a page can be read");
+                let found = text.lines().filter(|l| l.starts_with('#')).any(|l| anchor(l) == heading);
+                assert!(found, "{page}: {file} has no heading for #{heading}");
+            }
         }
     }
 }
