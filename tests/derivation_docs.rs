@@ -56,7 +56,7 @@ fn the_example_is_a_derivation_file() {
     let source = Source { path: "docs/derivation-file.md".into(), text: example() };
     let derivation = parse(source, "pendulum").unwrap_or_else(|found| panic!("{}", render(&found, false)));
     assert_eq!(derivation.trajectories.len(), 3);
-    assert_eq!(derivation.claims.len(), 8);
+    assert_eq!(derivation.claims.len(), 11);
 }
 
 #[test]
@@ -66,9 +66,9 @@ fn the_example_has_the_verdicts_that_it_expects() {
     let account = rederive::check::check(&mut derivation, &rederive::check::Options::default(), &|_, _| {});
     let account = account.unwrap_or_else(|e| panic!("{e:?}"));
     for claim in &account.claims {
-        for pair in &claim.results {
-            let word = pair.verdict.outcome().word();
-            assert!(!pair.is_unexpected(), "{} {:?} on {}: {word}", claim.id, claim.reading, pair.trajectory);
+        for judged in claim.verdicts() {
+            let word = judged.verdict.outcome().word();
+            assert!(!judged.unexpected, "{} {:?} on {}: {word}", claim.id, claim.reading, judged.on());
         }
     }
     assert!(account.summary().fails > 0 && account.summary().holds > 0);

@@ -65,6 +65,67 @@ fn what_happens_between_samples_is_found() {
     assert_eq!(outcome(Rigor::Enclosed), Outcome::Fails(Strength::Enclosed));
 }
 
+/// What first integrals tell of any quantity is true of every motion that starts in a box, and tells much of what they fix.
+#[test]
+fn first_integrals_sharpen_what_they_contain() {
+    let mut w = World::default();
+    let field = w.field(&["q", "p"], &["q' = p", "p' = -q"]).expect("solvable");
+    let whole = enclose(&mut w, &field, &[("q", "1"), ("p", "0")], &[], &[], (0.0, 3.0));
+    let start = [Interval::ball(1.0, 1e-3), Interval::ball(0.0, 1e-3)];
+    let mut e = whole.restart(&start).expect("integrated");
+    let energy = w.e("q^2 + p^2");
+    e.conserve(&mut w.graph, &[energy]);
+    assert!(e.conserves());
+    let quantities = ["q^2 + p^2 - 1", "q^2 + 2*p^2 + q*p", "(q^2 + p^2)^3 - q", "p/(q^2 + p^2)"];
+    let quantities: Vec<_> = quantities.map(|q| w.e(q)).to_vec();
+    let resolved: Vec<_> = quantities.iter().map(|&q| e.resolved(&mut w.graph, q).expect("known")).collect();
+    let sharp = e.sharp(&mut w.graph, &resolved).expect("differentiable");
+    let plain = e.compile(&mut w.graph, &quantities).expect("known");
+    let mut state = 7_u64;
+    let mut draw = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for (from, to) in [(0.3, 0.7), (1.0, 1.05), (2.2, 2.6)] {
+        let stretch = e.stretch(Interval::new(from, to).expect("a stretch"));
+        let (found, _) = e.sharpened(&sharp, &stretch);
+        let known = e.over(&plain, &stretch);
+        let width = |k: usize| found[k].expect("bounded").range().width() / known[k].expect("bounded").range().width();
+        assert!(width(0) < 1.01, "{}", width(0));
+        for _ in 0..1_000 {
+            let (a, b, t) = (1.0 + 1e-3 * (2.0 * draw() - 1.0), 1e-3 * (2.0 * draw() - 1.0), from + (to - from) * draw());
+            let (s, c) = (pxfm::f_sin(t), pxfm::f_cos(t));
+            let (q, p) = (a * c + b * s, b * c - a * s);
+            let f = q * q + p * p;
+            let values = [f - 1.0, f + p * p + q * p, f * f * f - q, p / f];
+            for (k, value) in values.into_iter().enumerate() {
+                let range = found[k].expect("bounded").at(t);
+                assert!(range.lo() - 1e-13 <= value && value <= range.hi() + 1e-13, "{k} at {t}: {value} in {range}");
+            }
+        }
+    }
+}
+
+/// Where states are known badly, what is conserved is known well; and what is only nearly conserved is not accepted.
+#[test]
+fn what_is_conserved_is_enclosed_where_states_are_wide() {
+    let path = format!("{}/tests/enclosure_support/conserved.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut derivation = load(Path::new(&path)).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let options = Options { rigor: Rigor::Enclosed, ..Options::default() };
+    let account = check(&mut derivation, &options, &|_, _| {}).expect("checked");
+    for claim in &account.claims {
+        let verdict = &claim.results[0].verdict;
+        let (strong, held) = match verdict.outcome() {
+            Outcome::Holds(strength) => (strength == Strength::Enclosed, true),
+            _ => (false, false),
+        };
+        match claim.id.as_str() {
+            "energy" | "energy-by-another-name" => assert!(strong, "{}: {:?}", claim.id, verdict.evidence().reason),
+            _ => assert!(!held, "{}: {:?}", claim.id, verdict.evidence().reason),
+        }
+    }
+}
+
 /// A blow-up ends the enclosure, with its time and the width there.
 #[test]
 fn a_singularity_ends_the_enclosure() {

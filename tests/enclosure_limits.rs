@@ -24,6 +24,7 @@ const LIMITS: &[(&str, Option<bool>)] = &[
     ("huge-before-three", Some(true)),
     ("rational", Some(true)),
     ("rational-wrong", Some(false)),
+    ("rational-mixed", None),
     ("hospital-is-silent", None),
     ("difference-of-infinities", None),
     ("at-the-cut", None),
@@ -62,7 +63,11 @@ fn limits_are_what_they_are() {
             _ => None,
         };
         if found != *expected {
-            wrong.push(format!("{}: {expected:?} expected, {found:?} found\n    {:?}", claim.id, verdict.evidence().reason));
+            wrong.push(format!(
+                "{}: {expected:?} expected, {found:?} found\n    {:?}",
+                claim.id,
+                verdict.evidence().reason
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -44,7 +44,11 @@ impl Cache {
             let all = ids(derivation);
             return Ok((account, all));
         };
+        if known.as_ref().is_none_or(|known| known.contents.base != contents.base) {
+            self.memory = Memory::default();
+        }
         self.memory.grow_older();
+        let fresh = self.memory.is_new();
         let recall = Recall::new(&self.memory, &contents);
         let mut checked = ids(derivation);
         let mut account = match known {
@@ -54,13 +58,18 @@ impl Cache {
                 if !checked.is_empty() {
                     let options = Options { claims: checked.clone(), ..Options::default() };
                     account.claims.retain(|c| !checked.contains(&c.id));
-                    let fresh = check_beside(derivation, &options, &account.claims, recall)?;
-                    account.claims.extend(fresh);
+                    let found = check_beside(derivation, &options, &account.claims, recall)?;
+                    account.claims.extend(found);
                 }
                 account
             }
             _ => check_recalling(derivation, &Options::default(), recall, &|_, _| {})?,
         };
+        if self.memory.is_misled() && !fresh {
+            self.memory = Memory::default();
+            checked = ids(derivation);
+            account = check_recalling(derivation, &Options::default(), Recall::new(&self.memory, &contents), &|_, _| {})?;
+        }
         describe(derivation, &mut account);
         self.known = Some(Known { contents, account: account.clone() });
         Ok((account, checked))

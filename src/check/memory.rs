@@ -12,14 +12,17 @@
 //! forgotten.
 
 use std::collections::{BTreeSet, HashMap};
-use std::sync::{Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 
 use super::account::IdentityAccount;
+use super::kept::Family;
 use super::step::Step;
 use super::verdict::Verdict;
 use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::expr::{Graph, Leaf};
 
 /// For how many states of a file an answer is kept that is not asked for.
 const AGES: u64 = 8;
@@ -47,6 +50,12 @@ pub(super) struct Memory {
     verdicts: Answers<Verdict>,
     standings: Answers<Option<bool>>,
     identities: Answers<Option<Result<IdentityAccount, String>>>,
+    families: Answers<Arc<Mutex<Family>>>,
+    wanted: Answers<BTreeSet<String>>,
+    /// What the motions were asked for when they were built; nothing before that.
+    asked: Mutex<Option<BTreeSet<String>>>,
+    /// Whether motions were asked for something else than a check of the whole file would ask for.
+    other: AtomicBool,
 }
 
 impl Memory {
@@ -56,7 +65,20 @@ impl Memory {
         let young = |age: &mut u64| *age + AGES >= self.age;
         self.verdicts.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.standings.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.families.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+        self.wanted.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
         self.identities.get_mut().unwrap_or_else(PoisonError::into_inner).retain(|_, (age, _)| young(age));
+    }
+
+    /// Whether nothing is known yet.
+    pub fn is_new(&mut self) -> bool {
+        self.asked.get_mut().unwrap_or_else(PoisonError::into_inner).is_none()
+    }
+
+    /// Whether an answer may differ from that of a check that knows nothing: error bounds of the points of a motion depend, in
+    /// their last places, on what else the motion is asked for.
+    pub fn is_misled(&self) -> bool {
+        self.other.load(Ordering::Relaxed)
     }
 
     /// The answer to a question; what has no name is always computed.
@@ -91,12 +113,14 @@ pub(super) struct Recall<'a>(Option<Known<'a>>);
 struct Known<'a> {
     memory: &'a Memory,
     contents: &'a Contents,
+    /// The name of everything but claims and motions.
+    base: Key,
 }
 
 impl<'a> Recall<'a> {
     /// What is known for a state of a file.
     pub fn new(memory: &'a Memory, contents: &'a Contents) -> Recall<'a> {
-        Recall(Some(Known { memory, contents }))
+        Recall(Some(Known { memory, contents, base: key(&[contents.base.as_bytes()]) }))
     }
 
     /// The verdict of a claim on a motion.
@@ -130,9 +154,69 @@ impl<'a> Recall<'a> {
         let Some(known) = self.0 else { return compute() };
         let name = known.motion(derivation, t).map(|motion| {
             let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
-            key(&[b"condition", known.contents.base.as_bytes(), &says, &motion])
+            key(&[b"condition", &known.base, &says, &motion])
         });
         known.memory.answer(&known.memory.standings, name, compute)
+    }
+
+    /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
+    /// what motions were built for.
+    pub fn asks(&self, derivation: &Derivation, claimed: &[usize], leaves: impl Fn(usize) -> BTreeSet<Leaf>) {
+        let Some(known) = self.0 else { return };
+        let mut all = BTreeSet::new();
+        for (c, claim) in derivation.claims.iter().enumerate() {
+            let content = known.claim(&claim.id).unwrap_or_default();
+            let name = key(&[b"leaves", &known.base, content.as_bytes(), claim.name().as_bytes()]);
+            let compute = || match claimed.iter().position(|&of| of == c) {
+                Some(k) => leaves(k).iter().map(|leaf| named(&derivation.graph, leaf)).collect(),
+                // It was not checked before, and is not now: what it asks for is not known.
+                None => BTreeSet::from([String::new()]),
+            };
+            all.extend(known.memory.answer(&known.memory.wanted, Some(name), compute));
+        }
+        let mut asked = known.memory.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        if *asked.get_or_insert_with(|| all.clone()) != all {
+            known.memory.other.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Notes that a motion was built for a part of the claims only.
+    pub fn builds_for_a_part(&self) {
+        if let Some(known) = self.0 {
+            known.memory.other.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether there is a memory.
+    pub fn is_known(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// The motions of a family, if they are kept and `work` finds them fit for what is asked.
+    pub fn family<T>(
+        &self,
+        derivation: &Derivation,
+        members: &[usize],
+        work: impl FnOnce(&mut Family) -> Option<T>,
+    ) -> Option<T> {
+        let known = self.0?;
+        let name = known.family(derivation, members)?;
+        let kept = {
+            let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
+            let (age, family) = families.get_mut(&name)?;
+            *age = known.memory.age;
+            Arc::clone(family)
+        };
+        work(&mut kept.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Keeps the motions of a family.
+    pub fn keep(&self, derivation: &Derivation, members: &[usize], family: impl FnOnce() -> Family) {
+        let Some(known) = self.0 else { return };
+        if let Some(name) = known.family(derivation, members) {
+            let kept = (known.memory.age, Arc::new(Mutex::new(family())));
+            known.memory.families.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
+        }
     }
 
     /// Whether a claim holds for all values.
@@ -145,6 +229,12 @@ impl<'a> Recall<'a> {
         let Some(known) = self.0 else { return compute() };
         known.memory.answer(&known.memory.identities, known.step(derivation, claim), compute)
     }
+}
+
+/// A leaf, whatever the numbers of the graph are.
+fn named(graph: &Graph, leaf: &Leaf) -> String {
+    let instant = leaf.instant.map(|e| if e.index() < graph.len() { graph.to_latex(e) } else { String::new() });
+    format!("{} {} {} {instant:?}", leaf.symbol.index(), leaf.component, leaf.rate)
 }
 
 impl Known<'_> {
@@ -163,6 +253,12 @@ impl Known<'_> {
         }
     }
 
+    fn family(&self, derivation: &Derivation, members: &[usize]) -> Option<Key> {
+        let each = |&t: &usize| self.motion(derivation, t);
+        let members = members.iter().map(each).collect::<Option<Vec<Key>>>()?;
+        Some(key(&[b"family", &self.base, members.concat().as_slice()]))
+    }
+
     fn claim(&self, id: &str) -> Option<&str> {
         self.contents.claims.iter().find(|(known, _)| known == id).map(|(_, content)| content.as_str())
     }
@@ -174,12 +270,12 @@ impl Known<'_> {
         }
         let content = self.claim(name.split('/').next()?)?;
         let motion = self.motion(derivation, t)?;
-        Some(key(&[b"claim", self.contents.base.as_bytes(), content.as_bytes(), name.as_bytes(), without, &motion]))
+        Some(key(&[b"claim", &self.base, content.as_bytes(), name.as_bytes(), without, &motion]))
     }
 
     /// A claim with all that it follows from.
     fn step(&self, derivation: &Derivation, claim: &Claim) -> Option<Key> {
-        let mut sum = key(&[b"step", self.contents.base.as_bytes(), claim.name().as_bytes()]);
+        let mut sum = key(&[b"step", &self.base, claim.name().as_bytes()]);
         let mut seen: BTreeSet<String> = BTreeSet::new();
         let mut open = vec![claim.name()];
         while let Some(name) = open.pop() {

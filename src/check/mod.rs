@@ -18,6 +18,7 @@ mod describe;
 mod enclose;
 pub mod identity;
 mod independence;
+mod kept;
 mod limit;
 mod measure;
 mod memory;
@@ -219,6 +220,12 @@ fn check_and(
     wanted.extend(&pictures);
     wanted.sort_unstable();
     wanted.dedup();
+    recall.asks(derivation, &claimed, |k| {
+        let of_claim = programs[k].iter().chain(probes.without(k)).flat_map(|p| p.leaves(&derivation.graph));
+        let gradients = gradients[k].iter().flatten().flat_map(|g| g.leaves(&derivation.graph));
+        let altered = altered.iter().flat_map(|a| a.leaves_of(k, starts.len()));
+        of_claim.chain(gradients).chain(altered).collect()
+    });
     for program in programs.iter_mut().flatten().chain(probes.programs_mut()) {
         if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
             let name = derivation.graph.leaf_latex(leaf);
@@ -237,6 +244,7 @@ fn check_and(
         compiled.push(programs);
     }
     let requests = Requests {
+        part: !options.claims.is_empty(),
         wanted: &wanted,
         tried: &tried,
         claims: &claims,
@@ -244,7 +252,7 @@ fn check_and(
         start_of: &start_of,
         measures: &measures,
     };
-    let stage = Stage::build(derivation, &fields, &requests)?;
+    let stage = Stage::build(derivation, &fields, &requests, recall)?;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
         let claim = &derivation.claims[claimed[k]];

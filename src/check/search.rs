@@ -14,7 +14,7 @@
 
 use super::verdict::{Outcome, Verdict};
 use super::{CheckError, Options, Rigor, check_claims};
-use crate::derivation::{Derivation, GivenValue, Motion, Trajectory, parse};
+use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
 use crate::number::Draws;
@@ -454,6 +454,14 @@ pub fn search(
     options: &SearchOptions,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<SearchAccount, CheckError> {
+    let meant = |c: &&Claim| c.id == options.claim || c.name() == options.claim;
+    if derivation.claims.iter().any(|c| meant(&c)) && derivation.claims.iter().filter(meant).all(|c| c.region.is_some())
+    {
+        let text = format!("`{}` is about ranges of values, there is no motion to look for", options.claim);
+        let found = Diagnostic::at(&derivation.file, "search::no-motion", 0..0, text);
+        let hint = "a point at which it fails is part of its verdict: see `rederive explain`";
+        return Err(CheckError::Problems(vec![found.hint(hint)]));
+    }
     let Some(number) = options.variant else { return search_in(derivation, None, options, progress) };
     let (altered, formula) = altered(derivation, options, number)?;
     let found = search_in(&altered, Some(derivation), options, progress)?;

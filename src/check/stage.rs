@@ -5,14 +5,16 @@
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use rayon::prelude::*;
 
 use super::CheckError;
 use super::account::TrajectoryAccount;
 use super::comparison::traced_now;
+use super::kept::Family;
 use super::measure::Compiled;
+use super::memory::Recall;
 use super::program::Program;
 use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
@@ -32,6 +34,8 @@ const CROSS_CHECK: usize = 8;
 /// The motions of a derivation, by the position of their trajectories; only those that are needed are there.
 pub(super) struct Stage {
     motions: Vec<Option<Built>>,
+    /// Whether samples are kept for a later state of the file.
+    keeping: bool,
 }
 
 /// The leaves of all components of a symbol.
@@ -102,6 +106,8 @@ impl Fields {
 
 /// What has to be known of motions before claims can be tried on them.
 pub(super) struct Requests<'a> {
+    /// Whether other claims of the file are not asked about.
+    pub part: bool,
     /// The leaves that points have values of.
     pub wanted: &'a [Leaf],
     /// The trajectories on which claims are tried.
@@ -117,17 +123,22 @@ pub(super) struct Requests<'a> {
 }
 
 /// A motion with everything that was asked of it.
-struct Built {
-    motion: Arc<Motion>,
-    known: Vec<Symbol>,
+#[derive(Clone, Debug)]
+pub(super) struct Built {
+    pub motion: Arc<Motion>,
+    pub known: Vec<Symbol>,
+    /// The leaves of a point of the motion.
+    pub asked: Vec<Leaf>,
     /// Position of every wanted leaf in a point of the motion.
-    places: Vec<Option<usize>>,
+    pub places: Vec<Option<usize>>,
     /// The part of its span that is asked for, as far as the motion reaches.
-    span: (f64, f64),
+    pub span: (f64, f64),
     /// Values of the parameters.
-    given: Vec<(Symbol, Vec<Bounded>)>,
+    pub given: Vec<(Symbol, Vec<Bounded>)>,
     /// Searches for the zeros of expressions that claims and measures ask for.
-    searches: BTreeMap<Expr, Search>,
+    pub searches: BTreeMap<Expr, Arc<Search>>,
+    /// Sample times, and the leaves there, where motions are kept from one state of a file to the next.
+    pub samples: Arc<OnceLock<(Vec<f64>, Points)>>,
 }
 
 impl Stage {
@@ -137,7 +148,12 @@ impl Stage {
     ///
     /// # Errors
     /// A diagnostic for every trajectory that cannot be built.
-    pub fn build(derivation: &Derivation, fields: &Fields, requests: &Requests) -> Result<Stage, CheckError> {
+    pub fn build(
+        derivation: &Derivation,
+        fields: &Fields,
+        requests: &Requests,
+        recall: Recall,
+    ) -> Result<Stage, CheckError> {
         let count = derivation.trajectories.len();
         let source = |t: usize| match derivation.trajectories[t].motion {
             Given::Derived { from, .. } => Some(from),
@@ -172,7 +188,7 @@ impl Stage {
         }
         let families: Vec<Vec<usize>> = families.into_values().collect();
         let results: Vec<Result<Vec<(usize, Built)>, CheckError>> =
-            families.par_iter().map(|members| family(derivation, fields, requests, members)).collect();
+            families.par_iter().map(|members| family(derivation, fields, requests, members, recall)).collect();
         let mut motions: Vec<Option<Built>> = (0..count).map(|_| None).collect();
         let mut problems = Vec::new();
         for result in results {
@@ -186,7 +202,7 @@ impl Stage {
             crate::diag::sort(&mut problems);
             return Err(CheckError::Problems(problems));
         }
-        Ok(Stage { motions })
+        Ok(Stage { motions, keeping: recall.is_known() })
     }
 
     fn built(&self, trajectory: usize) -> Option<&Built> {
@@ -227,7 +243,7 @@ impl Stage {
 
     /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.
     pub fn zeros(&self, trajectory: usize, e: Expr) -> Option<&Zeros> {
-        self.built(trajectory)?.searches.get(&e).map(Search::zeros)
+        self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
     }
 
     /// Samples a motion, and compares the two routes to its values.
@@ -237,6 +253,10 @@ impl Stage {
     pub fn course<'a>(&'a self, graph: &Graph, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
+        if let Some((times, points)) = built.samples.get().cloned() {
+            let points = points.arranged(&built.places);
+            return Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() });
+        }
         let mut times = motion.sample_times(DENSITY);
         // A derived motion may be tried on a part of the span of its source.
         let (from, to) = built.span;
@@ -252,7 +272,9 @@ impl Stage {
             times = times.into_iter().step_by(step).collect();
             times.extend(last.filter(|t| times.last() != Some(t)));
         }
-        let points = motion.along(&times).arranged(&built.places);
+        let points = motion.along(&times);
+        let kept = self.keeping.then(|| (times.clone(), points.clone()));
+        let points = points.arranged(&built.places);
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
@@ -271,6 +293,10 @@ impl Stage {
                     ));
                 }
             }
+        }
+        if let Some(kept) = kept {
+            // Another thread can only have found the same.
+            let _ = built.samples.set(kept);
         }
         Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() })
     }
@@ -331,7 +357,11 @@ fn family(
     fields: &Fields,
     requests: &Requests,
     members: &[usize],
+    recall: Recall,
 ) -> Result<Vec<(usize, Built)>, CheckError> {
+    if let Some(known) = recall.family(derivation, members, |kept| kept.again(derivation, requests, members)) {
+        return Ok(known);
+    }
     let mut graph = derivation.graph.clone();
     let mut done: Vec<(usize, Built)> = Vec::new();
     let mut problems = Vec::new();
@@ -372,7 +402,14 @@ fn family(
         }
         left = later;
     }
-    if problems.is_empty() { Ok(done) } else { Err(CheckError::Problems(problems)) }
+    if !problems.is_empty() {
+        return Err(CheckError::Problems(problems));
+    }
+    if requests.part {
+        recall.builds_for_a_part();
+    }
+    recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
+    Ok(done)
 }
 
 /// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
@@ -457,7 +494,7 @@ fn prepare(
     let mut places = Vec::new();
     let mut asked = Vec::new();
     for &leaf in requests.wanted {
-        let here = known.contains(&leaf.symbol) && leaf.instant.is_none_or(|e| all_known(graph, &known, &[e]));
+        let here = is_known(graph, &known, leaf);
         places.push(here.then_some(asked.len()));
         if here {
             asked.push(leaf);
@@ -466,7 +503,17 @@ fn prepare(
     motion.prepare(graph, &asked).map_err(|e| CheckError::Defect(e.to_string()))?;
     let (reached, asked_for) = (motion.span(), derivation.trajectories[trajectory].span);
     let span = (reached.0.max(asked_for.0), reached.1.min(asked_for.1));
-    // Claims and measures ask for the same zeros again and again.
+    let searched = searched(derivation, requests, trajectory);
+    // What a motion does not know is not searched for.
+    let searches = motion.searches(graph, &searched, span);
+    let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, Arc::new(s.ok()?)))).collect();
+    let of = &derivation.trajectories[trajectory].parameters;
+    let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
+    Ok(Built { motion: Arc::new(motion), known, asked, places, span, given, searches, samples: Arc::default() })
+}
+
+/// What is searched for on a motion, each once: claims and measures ask for the same zeros again and again.
+pub(super) fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize) -> Vec<Expr> {
     let mut searched: BTreeSet<Expr> = BTreeSet::new();
     if requests.tried.contains(&trajectory) {
         for (claim, programs) in requests.claims.iter().zip(requests.programs) {
@@ -477,13 +524,7 @@ fn prepare(
         let taken = requests.measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
         searched.extend(taken.filter_map(|m| m.at));
     }
-    let searched: Vec<Expr> = searched.into_iter().collect();
-    // What a motion does not know is not searched for.
-    let searches = motion.searches(graph, &searched, span);
-    let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, s.ok()?))).collect();
-    let of = &derivation.trajectories[trajectory].parameters;
-    let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
-    Ok(Built { motion: Arc::new(motion), known, places, span, given, searches })
+    searched.into_iter().collect()
 }
 
 /// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
@@ -501,6 +542,11 @@ fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
     let Ok(tape) = crate::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()
+}
+
+/// Whether a leaf has a meaning on a motion that knows these symbols.
+pub(super) fn is_known(graph: &Graph, known: &[Symbol], leaf: Leaf) -> bool {
+    known.contains(&leaf.symbol) && leaf.instant.is_none_or(|e| all_known(graph, known, &[e]))
 }
 
 /// Whether every leaf of the expressions belongs to a known symbol.

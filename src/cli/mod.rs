@@ -10,6 +10,7 @@ mod list;
 mod manual;
 mod outputs;
 mod prove;
+mod report;
 mod schema;
 mod search;
 mod watch;
@@ -97,6 +98,8 @@ enum Command {
     Search(search::SearchArguments),
     /// Drafts a derivation file from a paper's LaTeX source
     Init(InitArguments),
+    /// Makes a PDF file of a report, with LaTeX or a browser, whichever is at hand
+    Report(ReportArguments),
     /// Compares two reports: which verdicts changed, and whether for the worse
     Diff(DiffArguments),
     /// Checks a derivation file again whenever it is saved: only what the change concerns
@@ -227,6 +230,18 @@ struct InitArguments {
 }
 
 #[derive(clap::Args)]
+struct ReportArguments {
+    /// The derivation file
+    file: PathBuf,
+    /// The PDF file. It is made by latexmk, pdflatex or tectonic; without them, by Chromium, Chrome or Edge
+    #[arg(long, value_name = "OUT.PDF")]
+    pdf: PathBuf,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "enclosed")]
+    rigor: RigorArgument,
+}
+
+#[derive(clap::Args)]
 struct DiffArguments {
     /// The report as it was: a report.json, or a folder with reports
     old: PathBuf,
@@ -333,6 +348,7 @@ pub fn run() -> ExitCode {
         Command::Prove(a) => prove::prove(a),
         Command::Search(a) => search::search(a),
         Command::Init(a) => init::init(a),
+        Command::Report(a) => report::report(a),
         Command::Diff(a) => diff::diff(a),
         Command::Watch(a) => watch::watch(a),
         Command::Schema(a) => schema::schema(a),

@@ -242,6 +242,15 @@ impl Loader<'_> {
             self.problems.note("derivation::bad-region", claim.span.clone(), message);
         }
         let known: Vec<Leaf> = region.ranges.iter().map(|r| r.leaf).collect();
+        // A range that was refused is not missed a second time.
+        let refused = |name: &str| {
+            let components = |s: Symbol| known.iter().filter(|l| l.symbol == s).count();
+            claim.scope.symbol(name).is_none_or(|s| components(s) < self.out.graph.component_count(s))
+        };
+        let listed = tables.iter().find_map(|t| t.get("ranges")).and_then(|v| v.get_ref().as_table());
+        if listed.is_some_and(|t| t.keys().any(|name| refused(name.get_ref().trim()))) {
+            return;
+        }
         for written in &claim.assuming.clone() {
             self.only_of(&claim.scope, &written.value, &written.span, &known);
         }

@@ -115,8 +115,12 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("same-motion", "of") => ids("The states that are compared"),
         ("independent", "functions") => formulas("The functions"),
         ("independent", "subject-to") => formulas("Equations that hold between the states anyway"),
-        ("exists", "unknowns") => values("The unknowns, each with the range [from, to] in which a solution is looked for"),
-        ("exists", "such-that") => formulas("As many equations as unknowns, and other relations that a solution satisfies"),
+        ("exists", "unknowns") => {
+            values("The unknowns, each with the range [from, to] in which a solution is looked for")
+        }
+        ("exists", "such-that") => {
+            formulas("As many equations as unknowns, and other relations that a solution satisfies")
+        }
         ("exists", "unique") => flag("There is one solution only"),
         ("expect", "holds" | "fails" | "not-applicable" | "undecided") => json!({
             "anyOf": [{ "enum": ["all", "others"] }, { "type": "array", "items": { "type": "string" } }],

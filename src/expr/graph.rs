@@ -166,6 +166,11 @@ impl Graph {
         self.nodes.is_empty()
     }
 
+    /// The symbol at a position of the list of symbols.
+    pub fn symbol(&self, at: usize) -> Option<Symbol> {
+        (at < self.symbols.len()).then_some(Symbol(at as u32))
+    }
+
     /// Number of symbols declared so far.
     pub fn symbol_count(&self) -> usize {
         self.symbols.len()

@@ -197,10 +197,14 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
     if let Some(told) = over_ranges(claim) {
         message.push_str(&format!(" {told}"));
     }
-    let place = declared(derivation, claim).map_or(0..0, |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
-        [(_, ref span)] => span.clone(),
-        _ => d.span.clone(),
-    });
+    let place =
+        declared(derivation, claim).map_or(
+            0..0,
+            |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
+                [(_, ref span)] => span.clone(),
+                _ => d.span.clone(),
+            },
+        );
     Some(Finding {
         rule: rule(word),
         level: if judged.unexpected { Level::Error } else { Level::Warning },

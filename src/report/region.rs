@@ -143,20 +143,21 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
     if let Some(ranges) = ranges(region) {
         out.push_str(&format!("{}\n\n", prose(&ranges)));
     }
-    let (word, rest) = match verdict(region) {
-        text => text.split_once([':', ' ']).map_or((text.clone(), String::new()), |(w, _)| {
-            (w.to_owned(), text[w.len()..].to_owned())
-        }),
-    };
+    let text = verdict(region);
+    let end = text.find([':', ' ']).unwrap_or(text.len());
+    let (word, rest) = text.split_at(end);
+    let space = if rest.starts_with(' ') { " " } else { "" };
     let expected = match expected(region) {
         text if text.is_empty() => text,
         text => format!(" — **{}**", text.trim_start_matches(", ")),
     };
-    out.push_str(&format!("**{word}**{}{expected}.\n\n", prose(&rest)));
+    out.push_str(&format!("**{word}**{space}{}{expected}.\n\n", prose(rest)));
     if !region.solutions.is_empty() {
-        let rows = region.solutions.iter().flat_map(|s| &s.values).map(|(name, lo, hi)| {
-            vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]
-        });
+        let rows = region
+            .solutions
+            .iter()
+            .flat_map(|s| &s.values)
+            .map(|(name, lo, hi)| vec![prose(&format!("${name}$")), format!("{lo:.17}"), format!("{hi:.17}")]);
         out.push_str(&table(&["solution", "not below", "not above"], rows));
     }
     for remark in &region.remarks {
@@ -189,9 +190,8 @@ fn letter(part: Part) -> &'static str {
 }
 
 fn map_json(map: &RegionMap) -> Value {
-    let patch = |p: &crate::check::region::Patch| {
-        format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height)
-    };
+    let patch =
+        |p: &crate::check::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
     json!({
         "across": map.axes.0,
         "up": map.axes.1,

@@ -221,7 +221,12 @@ fn region(verdicts: &[&str], expected: &[Value]) -> Value {
         ("across", whole("Position among `ranges` of what goes to the right")),
         ("up", whole("Position among `ranges` of what goes up")),
         ("squares", whole("Squares along each side of the board")),
-        ("patches", texts("p proved, b proved where it applies, r refuted, n not applicable, u undecided; column, row, width, height")),
+        (
+            "patches",
+            texts(
+                "p proved, b proved where it applies, r refuted, n not applicable, u undecided; column, row, width, height",
+            ),
+        ),
     ]);
     object(&[
         ("verdict", json!({ "enum": verdicts })),

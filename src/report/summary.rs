@@ -1,9 +1,9 @@
 //! What `rederive check` prints: the matrix of verdicts, what differs, what fails, and the counts.
 
-use super::{discrimination, region};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
+use super::{discrimination, region};
 use crate::check::{Account, ClaimAccount, PairAccount, Witness};
 use crate::derivation::Derivation;
 

@@ -67,7 +67,9 @@ pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along, outcome: Out
     for form in &claim.forms {
         match (form, gradients) {
             (Form::SameMotion { other, of }, _) => parts.push(Part::Same(Same::new(asked, *other, of, along))),
-            (Form::Independent { .. }, Some(Ok(gradients))) => parts.push(Part::Rank(Rank::new(asked, gradients, along))),
+            (Form::Independent { .. }, Some(Ok(gradients))) => {
+                parts.push(Part::Rank(Rank::new(asked, gradients, along)))
+            }
             (Form::Independent { .. }, Some(Err(reason))) => parts.push(Part::Rank(Err(reason.clone()))),
             _ => {}
         }

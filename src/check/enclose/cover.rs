@@ -229,7 +229,12 @@ impl Along {
     /// Bounds made sharper by first integrals; `None` where there is no use in trying.
     ///
     /// The theorem is about quantities that are continuous, so that only what has a range already is looked at.
-    fn sharper(&mut self, selection: &Selection, time: Interval, ranges: &Ranges) -> Option<Vec<Result<Reach, NoValue>>> {
+    fn sharper(
+        &mut self,
+        selection: &Selection,
+        time: Interval,
+        ranges: &Ranges,
+    ) -> Option<Vec<Result<Reach, NoValue>>> {
         if !self.enclosure.conserves() || selection.idle.get() >= PATIENCE {
             return None;
         }

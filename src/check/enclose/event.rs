@@ -28,7 +28,9 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
         if ready.selected(ranges) == Some(false) {
             return Judgement::Settled;
         }
-        let Ok(reach) = &ranges[place] else { return Judgement::Open("whether there is an event cannot be told".to_owned()) };
+        let Ok(reach) = &ranges[place] else {
+            return Judgement::Open("whether there is an event cannot be told".to_owned());
+        };
         if certain(RelationKind::Equal, reach.range()) == Some(false) {
             return Judgement::Settled;
         }
@@ -94,8 +96,10 @@ pub(super) fn always(claim: &Claim, how: &Use, ready: &Ready, event: (usize, usi
     if claim.branches_throughout && !serves.contains(&true) {
         return Shown::Nothing("no single sign of ± is shown to serve".to_owned());
     }
-    let events = if counted == 1 { "event" } else { "events" };
-    Shown::Holds(format!("at {counted} {events}, which are all in the span"))
+    Shown::Holds(match counted {
+        1 => "at the only event in the span".to_owned(),
+        n => format!("at all {n} events in the span"),
+    })
 }
 
 /// An event at which a claim fails for certain: where samples see one, or elsewhere.

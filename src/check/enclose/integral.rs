@@ -96,8 +96,12 @@ fn of_system(request: &Request, graph: &mut Graph, field: &VectorField, candidat
         };
         let zero = graph.integer(0);
         let asked = identity_test(graph, &[(rate, zero)], &Premises::default(), &Options::default());
-        let denominators = |c: &Condition| matches!(c, Condition::Denominator(_));
-        if matches!(asked, Identity::Proved(proof) if proof.conditions.iter().all(denominators)) {
+        // A quotient by something that moves may jump where that vanishes.
+        let fixed = |c: &Condition| match c {
+            Condition::Denominator(e) => !graph.leaves([*e]).iter().any(|l| states.contains(l)),
+            _ => false,
+        };
+        if matches!(asked, Identity::Proved(proof) if proof.conditions.iter().all(fixed)) {
             rows.push(row);
             found.push(e);
         }

@@ -70,16 +70,16 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
         (None, Some(near)) => near,
         (missing, _) => {
             let replaced = removable(along, comparison, &exact, time, &sides);
-            replaced.ok_or_else(|| {
-                format!("near t = {t} the quantity is {}", missing.unwrap_or(NoValue::Indeterminate))
-            })?
+            replaced
+                .ok_or_else(|| format!("near t = {t} the quantity is {}", missing.unwrap_or(NoValue::Indeterminate)))?
         }
     };
     if certain(comparison.kind, there) == Some(false) {
         let sides = ready.sides_at(along, t, place).map(|(l, r)| (l.mid(), r.mid()));
         // Where a side has no value at the time itself, what it tends to.
         let (left, right) = sides.unwrap_or((there.mid(), 0.0));
-        let witness = Witness { t, formula: comparison.label.clone(), left, right, bound: there.width(), values: Vec::new() };
+        let witness =
+            Witness { t, formula: comparison.label.clone(), left, right, bound: there.width(), values: Vec::new() };
         return Ok(Shown::Fails(witness, format!("at t = {t} the limit is another one")));
     }
     if comparison.kind == RelationKind::Equal && there.magnitude() <= ready.precision * ready.scale {
@@ -108,7 +108,8 @@ fn removable(along: &mut Along, c: &Comparison, at: &Rational, time: Interval, s
                 _ => None,
             })
             .collect();
-        let next = quotients.into_iter().find(|&(_, a, b)| vanishes(along, a, at, time) && vanishes(along, b, at, time));
+        let next =
+            quotients.into_iter().find(|&(_, a, b)| vanishes(along, a, at, time) && vanishes(along, b, at, time));
         let Some((node, a, b)) = next else { break };
         let (around, limit) = quotient(along, a, b, at, time, sides)?;
         // Nothing may be concluded from how the quotient is correlated with the rest: only its bounds are put in.
@@ -217,9 +218,11 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
     let tail = |along: &mut Along, e: Expr| {
         let resolved = along.enclosure.resolved(&mut along.graph, e).map_err(|e| e.to_string())?;
         along.enclosure.tail(&mut along.graph, resolved, onwards).map_err(|reason| match reason {
-            NoValue::Unsupported => "an integrated motion is not known for all times; limits at infinity are found for \
+            NoValue::Unsupported => {
+                "an integrated motion is not known for all times; limits at infinity are found for \
                                      motions given by formulas"
-                .to_owned(),
+                    .to_owned()
+            }
             other => format!("after some time the quantity is {other}"),
         })
     };
@@ -272,7 +275,8 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
             let exact = i.lo() == 0.0 && i.hi() == 0.0;
             match c.kind {
                 _ if certain(c.kind, i) == Some(false) => {
-                    let reason = format!("certified by the laws of limits: at {where_to} the sides differ by {:.6e}", i.mid());
+                    let reason =
+                        format!("certified by the laws of limits: at {where_to} the sides differ by {:.6e}", i.mid());
                     Ok(fails(along, sides, i.width(), reason))
                 }
                 RelationKind::Equal if exact || i.magnitude() <= room.min(telling) => Ok(Shown::Holds(format!(
@@ -290,10 +294,14 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
             match c.kind {
                 // A relation between numbers: there is none.
                 RelationKind::Equal => {
-                    let reason = format!("certified by the laws of limits: at {where_to} the difference grows beyond all bounds");
+                    let reason = format!(
+                        "certified by the laws of limits: at {where_to} the difference grows beyond all bounds"
+                    );
                     Ok(fails(along, (f64::INFINITY, 0.0), 0.0, reason))
                 }
-                RelationKind::NotEqual => Ok(Shown::Holds(format!("by the laws of limits: there is no finite limit at {where_to}"))),
+                RelationKind::NotEqual => {
+                    Ok(Shown::Holds(format!("by the laws of limits: there is no finite limit at {where_to}")))
+                }
                 _ => Err(format!("at {where_to} the difference goes to {}∞", if up { "" } else { "−" })),
             }
         }

@@ -110,7 +110,10 @@ impl<'a> Rank<'a> {
             return Err(format!("whether the assumptions hold at t = {t} is not certain"));
         }
         let witness = Witness { t, left: found as f64, right: of as f64, ..sampled.clone() };
-        Ok((witness, format!("certified in exact arithmetic: at t = {t} only {found} of the {of} functions are independent")))
+        Ok((
+            witness,
+            format!("certified in exact arithmetic: at t = {t} only {found} of the {of} functions are independent"),
+        ))
     }
 }
 
@@ -147,8 +150,8 @@ fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
             }
             total = total + Interval::point(sum.bound());
         }
-        // Written so that what is no number refutes.
-        if !(total.hi() < 1.0) {
+        // What is no number refutes, too.
+        if total.hi() >= 1.0 || total.hi().is_nan() {
             return Ok(false);
         }
     }
@@ -176,7 +179,11 @@ fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]
     let rows = rows.ok_or("dependence is shown only where parameters and initial states are rational numbers")?;
     let functions = rows.len() - constraints;
     let found = exact_rank(rows.clone()) - exact_rank(rows[..constraints].to_vec());
-    if found < functions { Ok((found, functions)) } else { Err("the functions are independent at the start".to_owned()) }
+    if found < functions {
+        Ok((found, functions))
+    } else {
+        Err("the functions are independent at the start".to_owned())
+    }
 }
 
 /// An expression at the start, with everything put in that is given.
@@ -224,4 +231,41 @@ fn exact_rank(mut rows: Vec<Vec<Rational>>) -> usize {
         rank += 1;
     }
     rank
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(at: f64, slope: f64) -> TaylorModel {
+        let mut values = [0.0; NODES];
+        let s = TaylorModel::variable(Interval::point(0.0), 1.0);
+        values.iter_mut().enumerate().for_each(|(node, v)| *v = at + slope * s.at_node(node));
+        TaylorModel::through(&values).expect("finite")
+    }
+
+    #[test]
+    fn rows_that_turn_are_independent_until_they_meet() {
+        let (one, zero) = (line(1.0, 0.0), TaylorModel::ZERO);
+        // (1, 0, 0) and (1, a + s·b, 0): dependent where a + s·b = 0.
+        let rows =
+            |a: f64, b: f64, unknown: f64| vec![vec![one, zero, zero], vec![one, line(a, b).widened(unknown), zero]];
+        assert_eq!(independent(&rows(1e-3, 1e-4, 0.0)), Ok(true));
+        assert_eq!(independent(&rows(1e-3, 5e-4, 0.0)), Ok(true));
+        assert_eq!(independent(&rows(1e-3, 1.1e-3, 0.0)), Ok(false));
+        assert_eq!(independent(&rows(1e-3, 1e-4, 1e-2)), Ok(false));
+        assert_eq!(independent(&rows(0.0, 0.0, 0.0)), Ok(false));
+        // More rows than there is room for.
+        assert_eq!(independent(&[vec![one], vec![one]]), Ok(false));
+    }
+
+    #[test]
+    fn ranks_of_rational_matrices_are_exact() {
+        let rank =
+            |rows: &[&[i64]]| exact_rank(rows.iter().map(|r| r.iter().map(|&x| Rational::from(x)).collect()).collect());
+        assert_eq!(rank(&[&[1, 2, 3], &[2, 4, 6]]), 1);
+        assert_eq!(rank(&[&[0, 2, 3], &[0, 4, 6], &[1, 0, 0]]), 2);
+        assert_eq!(rank(&[&[1, 2], &[3, 4]]), 2);
+        assert_eq!(rank(&[]), 0);
+    }
 }

@@ -35,6 +35,8 @@ pub(super) struct Ready<'a> {
     /// The kinds of the assumptions that select times.
     pub assumptions: Vec<RelationKind>,
     pub signs: usize,
+    /// Whether one sign of ± must serve the whole motion.
+    pub throughout: bool,
     /// Where the rate of the only difference stands.
     pub slope: Option<usize>,
     /// Where what vanishes at the events of the claim stands, and its rate.
@@ -140,7 +142,9 @@ impl<'a> Ready<'a> {
             None => None,
         };
         let roots = Selection::new(roots);
-        Ok(Ready { group, roots, sides, given, assumptions, signs, slope, event, scale: 1.0, known: 0.0, precision })
+        let throughout = signs > 1 && claim.branches_throughout;
+        let (scale, known) = (1.0, 0.0);
+        Ok(Ready { group, roots, sides, given, assumptions, signs, throughout, slope, event, scale, known, precision })
     }
 
     /// Looks at more than the comparisons: where the first of the further expressions stands.
@@ -305,17 +309,29 @@ impl<'a> Ready<'a> {
 
     /// A point at which every sign of ± fails, assumptions being met.
     pub fn witness(&self, along: &mut Along, t: f64, values: Vec<(String, f64)>) -> Option<Witness> {
-        let time = Interval::point(t);
-        let ranges = along.over(&self.roots, time);
+        let ranges = along.over(&self.roots, Interval::point(t));
         if self.selected(&ranges) != Some(true) {
             return None;
         }
-        let mut worst = None;
-        for s in 0..self.signs {
-            let c = self.violated(&ranges, s)?;
-            worst.get_or_insert((s, c));
-        }
-        let (s, c) = worst?;
+        let worst: Option<Vec<usize>> = (0..self.signs).map(|s| self.violated(&ranges, s)).collect();
+        self.shown(along, &ranges, (0, *worst?.first()?), t, values)
+    }
+
+    /// A point at which one sign of ± fails, assumptions being met.
+    pub fn witness_against(&self, sign: usize, along: &mut Along, t: f64) -> Option<Witness> {
+        let ranges = along.over(&self.roots, Interval::point(t));
+        let worst = self.violated(&ranges, sign).filter(|_| self.selected(&ranges) == Some(true))?;
+        self.shown(along, &ranges, (sign, worst), t, Vec::new())
+    }
+
+    fn shown(
+        &self,
+        along: &Along,
+        ranges: &Ranges,
+        (s, c): (usize, usize),
+        t: f64,
+        values: Vec<(String, f64)>,
+    ) -> Option<Witness> {
         let difference = ranges[self.place(s, c)].as_ref().ok()?.range();
         let (left, right) = self.sides_at(along, t, self.place(s, c))?;
         let formula = self.group.comparisons[c].label.clone();

@@ -3,8 +3,8 @@
 use super::claim::{Part, remark};
 use super::cover::Along;
 use super::event;
-use super::ready::{POINTS, Ready, Shown};
 use super::limit::limit;
+use super::ready::{POINTS, Ready, Shown, certain};
 use super::span::{changes_sign, eventually};
 use crate::check::program::Use;
 use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
@@ -18,9 +18,7 @@ pub(super) fn certify(parts: Vec<Part>, along: &mut Along, verdict: &mut Verdict
     let mut why = "no part of it is refuted at the witness".to_owned();
     for part in parts {
         let found = match part {
-            Part::Comparisons(how, _, ready) => {
-                ready.and_then(|mut ready| refuted(how, &mut ready, along, &sampled))
-            }
+            Part::Comparisons(how, _, ready) => ready.and_then(|mut ready| refuted(how, &mut ready, along, &sampled)),
             Part::Rank(rank) => rank.and_then(|rank| rank.refuted(along, &sampled)),
             Part::Same(same) => same.and_then(|same| same.refuted(along, &sampled)),
         };
@@ -78,6 +76,15 @@ fn differing(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witn
     }
     let every = along.pieces().len().div_ceil(POINTS).max(1);
     let times: Vec<f64> = along.pieces().iter().step_by(every).map(Interval::mid).collect();
+    if ready.throughout {
+        // Each sign fails somewhere.
+        let near = [sampled.t].into_iter().chain(times.iter().copied());
+        let against: Option<Vec<Witness>> =
+            (0..ready.signs).map(|s| near.clone().find_map(|t| ready.witness_against(s, along, t))).collect();
+        if let Some(first) = against.and_then(|found| found.into_iter().next()) {
+            return Ok(first);
+        }
+    }
     let other = times.into_iter().find_map(|t| ready.witness(along, t, Vec::new()));
     other.ok_or_else(|| match along.incomplete() {
         Some(reason) => format!("at t = {} the enclosure does not exclude it: {reason}", sampled.t),
@@ -88,7 +95,14 @@ fn differing(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witn
 /// That something has no value at the time of the witness.
 fn undefined(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness, String> {
     let ranges = along.over(&ready.roots, Interval::point(sampled.t));
-    if ready.selected(&ranges) == Some(true) && ready.nowhere_defined(&ranges, 0) {
+    // Beside the quantities the group has the conditions under which they have values.
+    let conditions = ready.group.comparisons.iter().enumerate().filter(|(_, c)| c.kind != RelationKind::Equal);
+    let unmet = conditions.filter_map(|(c, comparison)| {
+        let reach = ranges[ready.place(0, c)].as_ref().ok()?;
+        certain(comparison.kind, reach.range())
+    });
+    let unmet = unmet.into_iter().any(|met| !met);
+    if ready.selected(&ranges) == Some(true) && (unmet || ready.nowhere_defined(&ranges, 0)) {
         return Ok(sampled.clone());
     }
     Err(format!("that it has no value at t = {} is not certain", sampled.t))
@@ -101,7 +115,7 @@ fn occurs(ready: &Ready, along: &mut Along, sampled: &Witness) -> Result<Witness
         return Ok(sampled.clone());
     }
     let ([comparison], 1) = (ready.group.comparisons.as_slice(), ready.signs) else {
-        return Err("that several equations hold at one time cannot be enclosed".to_owned());
+        return Err("that several equations hold exactly at one time is not seen from bounds".to_owned());
     };
     let place = ready.place(0, 0);
     if comparison.kind != RelationKind::Equal {

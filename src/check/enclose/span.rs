@@ -157,6 +157,13 @@ pub(super) fn eventually(ready: &Ready, along: &mut Along) -> Shown {
             _ => Shown::Nothing("at no time that was looked at is it certain, or excluded at all times".to_owned()),
         };
     }
+    // Where it is exact, as at a start.
+    let (from, to) = along.span;
+    for t in [along.enclosure.initial_time(), from, to] {
+        if from <= t && t <= to && ready.certainly(&along.over(&ready.roots, Interval::point(t))) {
+            return Shown::Holds(format!("certain at t = {t}"));
+        }
+    }
     // Stretches without a zero, and stretches on which the difference is monotone and changes its sign: one zero each.
     let mut zeros: Vec<Interval> = Vec::new();
     let mut unselected = false;

@@ -106,12 +106,14 @@ impl RegionAccount {
                     let of = variables.iter().find(|v| v.leaf == ranged.leaf);
                     of.map(|v| v.shown)
                 }
-                Values::One(_) => put
-                    .value(ranged.leaf)
-                    .and_then(|e| Some(nearest(graph, e, enclosed(graph, e)?)))
-                    .map(|x| (x, x)),
+                Values::One(_) => {
+                    put.value(ranged.leaf).and_then(|e| Some(nearest(graph, e, enclosed(graph, e)?))).map(|x| (x, x))
+                }
             };
-            ranges.push((matches!(ranged.values, Values::One(_)), RangeAccount { name, unit: ranged.unit.clone(), values }));
+            ranges.push((
+                matches!(ranged.values, Values::One(_)),
+                RangeAccount { name, unit: ranged.unit.clone(), values },
+            ));
         }
         ranges.sort_by_key(|(single, _)| *single);
         RegionAccount {
@@ -200,7 +202,9 @@ impl RegionAccount {
             Outcome::Holds(_) if self.varying == 0 => "at the one point that is asked for".to_owned(),
             Outcome::Holds(_) if self.shares.not_applicable > 0.0 => "at every point at which it applies".to_owned(),
             Outcome::Holds(_) => "at every point of the ranges".to_owned(),
-            Outcome::NotApplicable => "at no point of the ranges do its assumptions hold and its formulas have values".to_owned(),
+            Outcome::NotApplicable => {
+                "at no point of the ranges do its assumptions hold and its formulas have values".to_owned()
+            }
             Outcome::Fails(_) => match &self.witness {
                 Some(w) => w.sentence(),
                 None => "a part of the ranges is refuted".to_owned(),

@@ -27,6 +27,6 @@ faults! {
     WEAK, weak;
     /// Use slopes of functions that jump.
     NO_CONTINUITY, no_continuity;
-    /// Take a zero for verified although Krawczyk's operator does not map into the interior.
+    /// Take a zero for verified although Krawczyk's operator does not map into the interior, but only meets the part.
     NO_INCLUSION, no_inclusion;
 }

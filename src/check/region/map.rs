@@ -43,7 +43,7 @@ fn rank(part: Part) -> u8 {
     }
 }
 
-/// The picture of the first two ranges; `None` where there are fewer.
+/// The picture of the first two ranges; `None` where there are fewer, or where it would be of one part only.
 pub(super) fn draw(division: &Division) -> Option<RegionMap> {
     let n = 1usize << PICTURE_BISECTIONS;
     let mut board = vec![(0u8, Part::Undecided); n * n];
@@ -83,6 +83,9 @@ pub(super) fn draw(division: &Division) -> Option<RegionMap> {
             }
             column += width;
         }
+    }
+    if patches.len() < 2 {
+        return None;
     }
     Some(RegionMap { axes: (0, 1), squares: n as u32, patches })
 }

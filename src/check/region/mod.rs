@@ -65,7 +65,7 @@ pub(super) fn decide_all(
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
-    let decided: Vec<Result<(usize, ClaimAccount), Diagnostic>> = asked
+    let decided: Vec<Result<(usize, ClaimAccount), Box<Diagnostic>>> = asked
         .par_iter()
         .with_max_len(1)
         .map(|&(at, claim, region)| Ok((at, ClaimAccount::of_region(claim, decide(derivation, claim, region)?))))
@@ -74,7 +74,7 @@ pub(super) fn decide_all(
     for one in decided {
         match one {
             Ok(account) => out.push(account),
-            Err(problem) => problems.push(problem),
+            Err(problem) => problems.push(*problem),
         }
     }
     if problems.is_empty() { Ok(out) } else { Err(problems) }
@@ -93,7 +93,7 @@ fn nearest(graph: &Graph, e: Expr, enclosure: Interval) -> f64 {
 }
 
 /// The ranges that are no single values, enclosed from outside and inside.
-fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Result<Vec<Variable>, Diagnostic> {
+fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Result<Vec<Variable>, Box<Diagnostic>> {
     let mut out = Vec::new();
     for ranged in ranges {
         let Values::Between(from, to) = ranged.values else { continue };
@@ -101,11 +101,11 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
             Diagnostic::at(&derivation.file, "check::bad-range", ranged.span.clone(), message.to_owned())
         };
         let (Some(low), Some(high)) = (enclosed(graph, from), enclosed(graph, to)) else {
-            return Err(problem("an end of this range has no value"));
+            return Err(Box::new(problem("an end of this range has no value")));
         };
         let Some(inner) = Interval::new(low.hi(), high.lo()).ok().filter(|inner| !inner.is_point()) else {
             let message = "the ends of this range are in the wrong order, or too close to tell";
-            return Err(problem(message).hint("the smaller one comes first: [from, to]"));
+            return Err(Box::new(problem(message).hint("the smaller one comes first: [from, to]")));
         };
         let shown = (nearest(graph, from, low), nearest(graph, to, high));
         out.push(Variable { leaf: ranged.leaf, outer: low.hull(high), inner, ends: (from, to), shown });
@@ -113,14 +113,14 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
     Ok(out)
 }
 
-fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<RegionAccount, Diagnostic> {
+fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<RegionAccount, Box<Diagnostic>> {
     let mut graph = derivation.graph.clone();
     let variables = variables(derivation, &graph, &region.ranges)?;
     let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
     let mut account = RegionAccount::blank(region, &graph, &put, &variables);
     let problem = |graph: &Graph, leaf: Leaf| {
         let message = format!("`{}` has no value in the claim `{}`", graph.leaf_latex(leaf), claim.name());
-        Diagnostic::at(&derivation.file, "check::no-range", claim.span.clone(), message)
+        Box::new(Diagnostic::at(&derivation.file, "check::no-range", claim.span.clone(), message))
     };
     let question = Question::new(&mut graph, claim, &put, variables.clone()).map_err(|l| problem(&graph, l))?;
     let exists = claim.forms.iter().find_map(|form| match form {
@@ -133,11 +133,7 @@ fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<Reg
         account.unknowns = unknowns
             .iter()
             .zip(&wanted)
-            .map(|(u, v)| RangeAccount {
-                name: graph.leaf_latex(u.leaf),
-                unit: u.unit.clone(),
-                values: Some(v.shown),
-            })
+            .map(|(u, v)| RangeAccount { name: graph.leaf_latex(u.leaf), unit: u.unit.clone(), values: Some(v.shown) })
             .collect();
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;
@@ -165,7 +161,8 @@ fn witness(graph: &Graph, question: &Question, of: &[Variable], division: &Divis
         let tape = Tape::compile(graph, &leaves, &[left, right]).ok()?;
         let mut slots = tape.slots::<Interval>(&());
         let inputs: Vec<_> = cell.sides.iter().map(|s| Ok(*s)).collect();
-        let values: Vec<Interval> = tape.evaluate(&(), &inputs, &mut slots).into_iter().collect::<Result<_, _>>().ok()?;
+        let values: Vec<Interval> =
+            tape.evaluate(&(), &inputs, &mut slots).into_iter().collect::<Result<_, _>>().ok()?;
         let end = |v: &Interval| (v.lo(), v.hi());
         Some((end(values.first()?), end(values.get(1)?)))
     });

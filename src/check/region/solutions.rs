@@ -40,9 +40,9 @@ use crate::tape::{Slots, Tape};
 /// Most parts of the box that are looked at for one value of the parameters, where these do not vary.
 const MOST_PARTS: usize = 20_000;
 /// The same for one cell of parameters that vary.
-const MOST_PARTS_OF_A_CELL: usize = 400;
+const MOST_PARTS_OF_A_CELL: usize = 300;
 /// Most cells of parameters.
-const MOST_CELLS: usize = 4_000;
+const MOST_CELLS: usize = 2_000;
 /// Most times that Krawczyk's operator narrows an enclosure.
 const MOST_ITERATIONS: usize = 12;
 /// Whenever so many parts were looked at, all that are left are tried as one.
@@ -249,7 +249,11 @@ impl Solver {
         let larger: Vec<Interval> = x.iter().map(|side| side.widened(LARGER, f64::MIN_POSITIVE)).collect();
         for v in [larger.as_slice(), x] {
             let Some(mut enclosure) = self.krawczyk(p, v, scratch) else { continue };
-            if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) && !faults::no_inclusion() {
+            if faults::no_inclusion() {
+                let both: Option<Vec<Interval>> = enclosure.iter().zip(x).map(|(k, x)| k.intersection(*x)).collect();
+                let Some(both) = both else { continue };
+                enclosure = both;
+            } else if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) {
                 continue;
             }
             let neighbourhood = v.to_vec();
@@ -290,7 +294,8 @@ impl Solver {
         let (low, high) = (at(inside.lo())?, at(inside.hi())?);
         // At a face that two parts share both could take a zero for theirs: there the sign must be strict. At an end of the box
         // it need not be.
-        let (rising, at_low, at_high) = (slope.lo() > 0.0, inside.lo() == unknown.inner.lo(), inside.hi() == unknown.inner.hi());
+        let (rising, at_low, at_high) =
+            (slope.lo() > 0.0, inside.lo() == unknown.inner.lo(), inside.hi() == unknown.inner.hi());
         let (below, above) = if rising { (low, high) } else { (high, low) };
         let (weak_below, weak_above) = if rising { (at_low, at_high) } else { (at_high, at_low) };
         let crosses = (below.hi() < 0.0 || weak_below && below.hi() == 0.0)

@@ -50,7 +50,7 @@ impl Piece {
 
     /// Its part of the volume.
     pub fn volume(&self) -> f64 {
-        0.5f64.powi(self.bisections() as i32)
+        1.0 / (1u64 << self.bisections().min(MOST_BISECTIONS)) as f64
     }
 }
 

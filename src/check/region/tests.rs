@@ -15,7 +15,9 @@ use std::thread::LocalKey;
 /// A file with one claim over ranges.
 fn file(claim: &str) -> String {
     let symbols: String = ["x", "y", "z"].map(|s| format!("'{s}' = {{ role = \"parameter\" }}\n")).concat();
-    format!("[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n{symbols}\n[[claim]]\nid = \"c\"\nsays = \"s\"\n{claim}\n")
+    format!(
+        "[derivation]\ntitle = \"t\"\nconcerns = \"t\"\n[symbols]\n{symbols}\n[[claim]]\nid = \"c\"\nsays = \"s\"\n{claim}\n"
+    )
 }
 
 fn derivation(claim: &str) -> Derivation {
@@ -48,19 +50,12 @@ fn word(account: &RegionAccount) -> &'static str {
 fn each_trap_catches_a_method_that_is_broken() {
     let pole = "ranges = { 'x' = [0, 1] }\ndefined = ['\\frac{1}{x-0.3}']";
     let strict = "ranges = { 'x' = [0, 1] }\nalways = ['x>0']";
-    let jump = "ranges = { 'x' = [-2, -1], 'y' = [-0.1, 0.1] }\nalways = ['\\operatorname{atan2}(y,x)>3']";
-    let near = "exists = { unknowns = { 'x' = [-1, 1] }, such-that = ['x^2+10^{-9}=0'] }";
-    for (fault, claim) in [(&NO_DOMAIN, pole), (&WEAK, strict), (&NO_INCLUSION, near)] {
+    let jump = "ranges = { 'x' = [-2, -1], 'y' = [-0.1, 0.1] }\nalways = ['45y-\\operatorname{atan2}(y,x)<2']";
+    let near = "exists = { unknowns = { 'x' = [-1, 1] }, such-that = ['x^2-0.6x+0.090000001=0'] }";
+    for (fault, claim) in [(&NO_DOMAIN, pole), (&WEAK, strict), (&NO_CONTINUITY, jump), (&NO_INCLUSION, near)] {
         assert_ne!(word(&account(claim)), "holds", "{claim}");
         assert_eq!(word(&broken(fault, claim)), "holds", "{claim}");
     }
-    // A slope beside a jump lets a part hold on which the claim fails.
-    assert_eq!(word(&account(jump)), "fails");
-    let whole = account("ranges = { 'x' = [-2, -1], 'y' = [-0.1, 0.1] }\nalways = ['\\operatorname{atan2}(y,x)<-3']");
-    assert_eq!(word(&whole), "fails");
-    let (right, wrong) = (account(jump).shares, broken(&NO_CONTINUITY, jump).shares);
-    assert!(right.refuted > 0.4 && right.refuted <= 0.5, "{right:?}");
-    assert_ne!(right, wrong);
 }
 
 #[test]
@@ -68,11 +63,10 @@ fn rounding_is_accounted_for() {
     // 0.1·3 rounded to nearest is not 0.3, and the sum of the terms is not what is written.
     let claim = "ranges = { 'x' = 0.1, 'y' = [1, 2] }\nalways = ['(3x-0.3)y=0']";
     assert_eq!(word(&account(claim)), "holds");
-    let root = "ranges = { 'x' = [2, 3] }\nalways = ['\\left(\\sqrt{x}\\right)^2-x<10^{-15}']";
-    let right = account(root);
-    let wrong = broken(&NEAREST, root);
-    assert_ne!(word(&right), "fails");
-    assert_ne!(right.shares, wrong.shares);
+    // √2 rounded to nearest is too large.
+    let root = "ranges = { 'x' = [2, 3] }\nalways = ['\\left(\\sqrt{2}\\right)^2>2']";
+    assert_eq!(word(&account(root)), "undecided");
+    assert_eq!(word(&broken(&NEAREST, root)), "holds");
 }
 
 #[test]

@@ -79,6 +79,12 @@ impl Probes {
         self.programs.iter().flatten()
     }
 
+    /// What is compiled of a claim without its assumptions, by its position among those that are checked.
+    pub fn without(&self, of: usize) -> impl Iterator<Item = &Program> {
+        let programs = self.programs.get(self.candidates.len()..).unwrap_or_default();
+        self.dropped.iter().zip(programs).filter(move |(d, _)| d.of == of).flat_map(|(_, programs)| programs)
+    }
+
     /// What is compiled, to be completed.
     pub fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
         self.programs.iter_mut().flatten()

@@ -191,6 +191,13 @@ impl Altered {
         out
     }
 
+    /// The leaves of the variants of one claim.
+    pub fn leaves_of(&self, k: usize, starts: usize) -> Vec<Leaf> {
+        let claim = self.claims.get(k).filter(|c| !c.variants.is_empty());
+        let roots = claim.map(|claim| (0..starts).flat_map(|start| claim.roots(start)).collect::<Vec<_>>());
+        roots.map_or_else(Vec::new, |roots| self.graphs[k / TOGETHER].leaves(roots))
+    }
+
     /// Compiles them for points with values of these leaves, which are sorted.
     pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf]) {
         self.known = known.to_vec();

@@ -447,3 +447,117 @@ impl Number for Tail {
         Err(NoValue::Unsupported)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const START: f64 = 3.0;
+
+    fn time() -> Tail {
+        Tail::time(START, true)
+    }
+
+    fn number(x: f64) -> Tail {
+        Tail::constant(Interval::point(x)).expect("a number")
+    }
+
+    /// An operation of the table.
+    fn of(f: impl Fn(&mut Tail) -> Result<(), NoValue>) -> Result<Tail, NoValue> {
+        let mut out = Tail::blank(&());
+        f(&mut out).map(|()| out)
+    }
+
+    fn quotient(a: &Tail, b: &Tail) -> Result<Tail, NoValue> {
+        of(|out| out.div(&(), a, b))
+    }
+
+    fn sine(a: &Tail) -> Tail {
+        of(|out| out.sin(&(), a)).expect("a value")
+    }
+
+    fn exponential(a: &Tail) -> Tail {
+        a.exponential().expect("a value")
+    }
+
+    #[test]
+    fn forms_without_a_limit_have_none() {
+        let t = time();
+        let inverse = t.reciprocal().expect("not 0");
+        let unknown = |tail: Result<Tail, NoValue>| assert_eq!(tail.expect("a value").limit(), Limit::Unknown);
+        unknown(t.sum(&t.negative()));
+        unknown(t.product(&inverse));
+        unknown(quotient(&t, &t));
+        unknown(quotient(&inverse, &inverse));
+        unknown(Ok(sine(&t)));
+        unknown(t.product(&sine(&t)));
+        unknown(sine(&t).product(&number(1e-300)));
+        unknown(sine(&t).sum(&number(1.0)));
+        // 2 + sin t is bounded and away from 0; sin t / t is not away from 0.
+        let small = quotient(&sine(&t), &t).expect("a value");
+        assert_eq!(small.limit(), ZERO);
+        assert!(small.reciprocal().is_err());
+        unknown(sine(&t).sum(&number(2.0)).expect("a value").reciprocal());
+    }
+
+    #[test]
+    fn limits_that_exist_are_found() {
+        let t = time();
+        let falling = exponential(&t.negative());
+        assert_eq!((falling.limit(), falling.is_positive()), (ZERO, Some(true)));
+        assert_eq!(falling.reciprocal().expect("positive").limit(), Limit::PlusInfinity);
+        assert_eq!(falling.product(&sine(&t)).expect("a value").limit(), ZERO);
+        assert_eq!(t.sum(&sine(&t)).expect("a value").limit(), Limit::PlusInfinity);
+        assert_eq!(exponential(&t.raised(2).expect("a value")).limit(), Limit::PlusInfinity);
+        assert_eq!(t.negative().raised(3).expect("a value").limit(), Limit::MinusInfinity);
+        let Limit::Finite(half) = t.arctangent().expect("a value").limit() else { panic!("no limit") };
+        assert!(half.contains(std::f64::consts::FRAC_PI_2) && half.width() < 1e-15);
+        // From above the negative half-axis, from below, and across.
+        let (one, inverse) = (number(-1.0), t.reciprocal().expect("not 0"));
+        let Limit::Finite(above) = Tail::angle(&inverse, &one).expect("a value").limit() else { panic!("no limit") };
+        assert!(above.contains(std::f64::consts::PI));
+        let Limit::Finite(below) = Tail::angle(&inverse.negative(), &one).expect("a value").limit() else { panic!() };
+        assert!(below.contains(-std::f64::consts::PI));
+        assert!(Tail::angle(&quotient(&sine(&t), &t).expect("a value"), &one).is_err());
+    }
+
+    /// Bounds contain the values at many times, of combinations of all operations.
+    #[test]
+    fn bounds_contain_the_values() {
+        let t = time();
+        type Function = Box<dyn Fn(f64) -> f64>;
+        let all: Vec<(Tail, Function)> = vec![
+            (t, Box::new(|t| t)),
+            (exponential(&number(-0.1).product(&t).expect("a value")), Box::new(|t| pxfm::f_exp(-0.1 * t))),
+            (sine(&t), Box::new(pxfm::f_sin)),
+            (t.logarithm().expect("positive"), Box::new(pxfm::f_log)),
+            (t.arctangent().expect("a value"), Box::new(pxfm::f_atan)),
+        ];
+        for i in 0..5 {
+            for j in 0..5 {
+                let (a, b) = (all[i].0, all[j].0);
+                let sum = a.sum(&b.negative()).expect("a value");
+                let product = a.product(&b).expect("a value");
+                let values = [START, 3.7, 11.0, 250.0, 1e5, 1e12].map(|t| (all[i].1(t), all[j].1(t)));
+                for (x, y) in values {
+                    let inside = |tail: &Tail, v: f64| {
+                        // What is too large, or divided by what is too small, for a number says nothing.
+                        if !v.is_finite() {
+                            return;
+                        }
+                        let room = 1e-12 * (1.0 + v.abs());
+                        assert!(tail.lo <= v + room && v - room <= tail.hi, "{i} {j}: {v} in {tail:?}");
+                    };
+                    inside(&sum, x - y);
+                    inside(&product, x * y);
+                    if let Ok(q) = quotient(&a, &b) {
+                        inside(&q, x / y);
+                    }
+                    inside(&product.size().expect("a value"), (x * y).abs());
+                    inside(&sum.raised(3).expect("a value"), (x - y) * (x - y) * (x - y));
+                    inside(&product.raised(2).expect("a value"), x * y * x * y);
+                }
+            }
+        }
+    }
+}

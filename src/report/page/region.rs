@@ -1,7 +1,8 @@
 //! A claim over ranges of values: its verdict, and the picture of two ranges.
 //!
 //! The picture is written by hand: a board of squares, one path for each part. Parts differ by pattern and by colour: proved is
-//! full, refuted is hatched, undecided is chequered, and where the claim does not apply the paper is left as it is.
+//! full, refuted is hatched, undecided is ruled, and where the claim does not apply the paper is left as it is. The lines are
+//! lines, not patterns that are referred to: the page refers to nothing.
 
 use maud::{Markup, PreEscaped, html};
 
@@ -58,25 +59,60 @@ fn tick(of: &RangeAccount, share: f64) -> String {
     value(rounded).replace('-', "−")
 }
 
+/// The path of a part on a board: its squares, diagonals through them, or a line in each row.
+fn path(map: &RegionMap, parts: &[Part], class: &str) -> String {
+    let n = map.squares as usize;
+    let patches = || map.patches.iter().filter(|p| parts.contains(&p.part));
+    if class == "rp" || class == "rn" {
+        return patches().map(|p| format!("M{} {}h{}v{}h-{}z", p.column, p.row, p.width, p.height, p.width)).collect();
+    }
+    let mut board = vec![false; n * n];
+    for p in patches() {
+        for row in p.row..p.row + p.height {
+            let from = row as usize * n + p.column as usize;
+            board[from..from + p.width as usize].fill(true);
+        }
+    }
+    let mut out = String::new();
+    let lines = if class == "rf" { 2 * n - 1 } else { n };
+    for line in 0..lines {
+        // Squares of a diagonal from the upper left to the lower right, or of a row.
+        let square = |c: usize| match class {
+            "rf" => line.checked_sub(c).filter(|r| *r < n).is_some_and(|r| board[r * n + c]),
+            _ => board[line * n + c],
+        };
+        let mut column = 0;
+        while column < n {
+            let run = (column..n).take_while(|c| square(*c)).count();
+            if run > 0 {
+                out.push_str(&match class {
+                    "rf" => format!("M{column} {}l{run}-{run}", line - column + 1),
+                    _ => format!("M{column} {line}.5h{run}"),
+                });
+            }
+            column += run.max(1);
+        }
+    }
+    out
+}
+
 fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
     let (Some(across), Some(up)) = (of.ranges.get(map.axes.0), of.ranges.get(map.axes.1)) else { return html! {} };
     let name = name(claim);
-    // Every picture has its own patterns: a page may show one claim alone.
-    let id = |class: &str| format!("/{class}/{name}");
     let (left, top, side) = BOARD;
     let (right, bottom) = (left + side, top + side);
     let scale = side / f64::from(map.squares);
     let shown: Vec<&(&[Part], &str, &str)> =
         PARTS.iter().filter(|(parts, ..)| map.patches.iter().any(|p| parts.contains(&p.part))).collect();
-    let path = |parts: &[Part]| -> String {
-        let of_part = map.patches.iter().filter(|p| parts.contains(&p.part));
-        of_part.map(|p| format!("M{} {}h{}v{}h-{}z", p.column, p.row, p.width, p.height, p.width)).collect()
-    };
     let more = if of.varying > 2 { "; refuted means for some values of the others" } else { "" };
     let say = |(parts, _, word): &&(&[Part], &str, &str)| {
         let squares: u32 = map.patches.iter().filter(|p| parts.contains(&p.part)).map(|p| p.width * p.height).sum();
         let share = 100.0 * f64::from(squares) / f64::from(map.squares * map.squares);
-        format!("{word} on {} of 100 parts", (10.0 * share).round() / 10.0)
+        match share {
+            s if s < 0.1 => format!("{word} on less than 0.1 % of the squares"),
+            s if s > 99.9 => format!("{word} on more than 99.9 % of the squares"),
+            s => format!("{word} on {} % of the squares", (10.0 * s).round() / 10.0),
+        }
     };
     let describe = format!(
         "{} from {} to {} to the right, {} from {} to {} upwards: {}{more}.",
@@ -88,16 +124,6 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
         tick(up, 1.0),
         shown.iter().map(say).collect::<Vec<_>>().join(", "),
     );
-    let pattern = |class: &str, d: &str| {
-        html! {
-            pattern id=(id(class)) class=(class) width="6" height="6" patternUnits="userSpaceOnUse"
-                patternTransform=(format!("scale({})", 1.0 / scale)) { path d=(d); }
-        }
-    };
-    let fill = |class: &str| match class {
-        "rf" | "ru" => format!("fill:url(#{})", id(class)),
-        _ => String::new(),
-    };
     let text = |x: f64, y: f64, anchor: &str, words: String| {
         html! { text x=(x) y=(y) text-anchor=(anchor) { (words) } }
     };
@@ -106,16 +132,10 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
             svg role="img" viewBox="0 0 480 470" {
                 title { "Where " (name) " is proved" }
                 desc { (describe) }
-                defs {
-                    (pattern("rf", "M0 6L6 0M-1 1L1 -1M5 7L7 5"))
-                    (pattern("ru", "M0 0h3v3h-3zM3 3h3v3h-3z"))
-                }
                 g transform=(format!("translate({left} {bottom}) scale({scale} -{scale})")) {
-                    @for (parts, class, _) in &shown {
-                        path class=(class) style=[Some(fill(class)).filter(|f| !f.is_empty())] d=(path(parts));
-                    }
+                    @for (parts, class, _) in &shown { path class=(class) d=(path(map, parts, class)) {} }
                 }
-                path.axis d=(format!("M{left} {top}h{side}v{side}h-{side}z"));
+                path.axis d=(format!("M{left} {top}h{side}v{side}h-{side}z")) {}
                 @for (share, anchor) in [(0.0, "start"), (0.5, "middle"), (1.0, "end")] {
                     (text(left + share * side, bottom + 18.0, anchor, tick(across, share)))
                     (text(left - 6.0, bottom - share * side + if share == 1.0 { 12.0 } else { 0.0 }, "end", tick(up, share)))
@@ -123,9 +143,15 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
                 (text(0.5 * (left + right), bottom + 38.0, "middle", label(across)))
                 text transform=(format!("translate(16 {}) rotate(-90)", top + 0.5 * side)) text-anchor="middle" { (label(up)) }
                 @for (i, (_, class, word)) in shown.iter().enumerate() {
-                    @let x = left + 104.0 * i as f64 - 60.0;
+                    @let before: usize = shown[..i].iter().map(|(_, _, word)| word.chars().count()).sum();
+                    @let x = 24.0 + 34.0 * i as f64 + 8.0 * before as f64;
                     g transform=(format!("translate({x} 452) scale({scale})")) {
-                        rect class=(class) style=[Some(fill(class)).filter(|f| !f.is_empty())] width="2" height="2" {}
+                        path class=(class) d=(match *class {
+                            "rf" => "M0 1l1-1M0 2l2-2M1 2l1-1",
+                            "ru" => "M0 .5h2M0 1.5h2",
+                            _ => "M0 0h2v2h-2z",
+                        }) {}
+                        path.rs d="M0 0h2v2h-2z" {}
                     }
                     (text(x + 16.0, 463.0, "start", (*word).to_owned()))
                 }
