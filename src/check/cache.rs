@@ -68,7 +68,8 @@ impl Cache {
         if self.memory.is_misled() && !fresh {
             self.memory = Memory::default();
             checked = ids(derivation);
-            account = check_recalling(derivation, &Options::default(), Recall::new(&self.memory, &contents), &|_, _| {})?;
+            account =
+                check_recalling(derivation, &Options::default(), Recall::new(&self.memory, &contents), &|_, _| {})?;
         }
         describe(derivation, &mut account);
         self.known = Some(Known { contents, account: account.clone() });

@@ -124,7 +124,13 @@ impl<'a> Recall<'a> {
     }
 
     /// The verdict of a claim on a motion.
-    pub fn verdict(&self, derivation: &Derivation, claim: &Claim, t: usize, compute: impl FnOnce() -> Verdict) -> Verdict {
+    pub fn verdict(
+        &self,
+        derivation: &Derivation,
+        claim: &Claim,
+        t: usize,
+        compute: impl FnOnce() -> Verdict,
+    ) -> Verdict {
         let Some(known) = self.0 else { return compute() };
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
         known.memory.answer(&known.memory.verdicts, name, compute)

@@ -64,7 +64,8 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
     let mut derivation = load(&path).map_err(Stop::Diagnostics)?;
     let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
     let account = check(&mut derivation, &options, &|_, _| {})?;
-    let sources = [("report.tex", report::tex(&derivation, &account)), ("index.html", report::page(&derivation, &account))];
+    let sources =
+        [("report.tex", report::tex(&derivation, &account)), ("index.html", report::page(&derivation, &account))];
     let mut failures = Vec::new();
     for (name, program, way) in &programs {
         match made(program, *way, &sources) {
@@ -85,7 +86,8 @@ fn told(pdf: &Path, derivation: &Derivation) -> String {
 
 /// The programs that are on the PATH, in the order in which they are tried.
 fn programs() -> Vec<(&'static str, PathBuf, Way)> {
-    let folders: Vec<PathBuf> = std::env::var_os("PATH").map(|p| std::env::split_paths(&p).collect()).unwrap_or_default();
+    let folders: Vec<PathBuf> =
+        std::env::var_os("PATH").map(|p| std::env::split_paths(&p).collect()).unwrap_or_default();
     // What is named relative to the place where one stands is not looked up.
     let find = |name: &str| {
         let file = format!("{name}{}", std::env::consts::EXE_SUFFIX);

@@ -36,7 +36,7 @@ pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
 pub(super) enum Part<'a> {
     Comparisons(&'a Use, &'a Group, Result<Ready<'a>, String>),
     Rank(Result<Rank<'a>, String>),
-    Same(Result<Same<'a>, String>),
+    Same(Result<Box<Same<'a>>, String>),
 }
 
 /// The parts of a claim, or why there is nothing to look at.
@@ -66,7 +66,9 @@ pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along, outcome: Out
     let mut parts: Vec<Part> = program.groups.iter().map(|part| ready(part, along)).collect();
     for form in &claim.forms {
         match (form, gradients) {
-            (Form::SameMotion { other, of }, _) => parts.push(Part::Same(Same::new(asked, *other, of, along))),
+            (Form::SameMotion { other, of }, _) => {
+                parts.push(Part::Same(Same::new(asked, *other, of, along).map(Box::new)))
+            }
             (Form::Independent { .. }, Some(Ok(gradients))) => {
                 parts.push(Part::Rank(Rank::new(asked, gradients, along)))
             }

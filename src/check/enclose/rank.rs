@@ -130,6 +130,7 @@ fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
     let size = |row: &[TaylorModel]| row.iter().map(TaylorModel::bound).fold(f64::MIN_POSITIVE, f64::max);
     let sizes: Vec<f64> = rows.iter().map(|row| size(row)).collect();
     let mut values = vec![[0.0; NODES]; n * m];
+    #[expect(clippy::needless_range_loop, reason = "one of two indices")]
     for node in 0..NODES {
         let there = DMatrix::from_fn(m, n, |i, j| rows[i][j].at_node(node) / sizes[i]);
         let Some(inverse) = (&there * there.transpose()).try_inverse() else { return Ok(false) };

@@ -35,7 +35,7 @@ pub(super) struct Integrals {
     /// The integrals, and their derivatives by states that do not vanish, with row and state.
     values: Compiled,
     slopes: Compiled,
-    entries: Vec<(usize, usize)>,
+    entries: Entries,
     /// Their values.
     start: Vec<Interval>,
 }
@@ -52,6 +52,9 @@ pub(super) struct Known {
     inverses: Vec<DMatrix<f64>>,
 }
 
+/// Row and state of each derivative that does not vanish.
+type Entries = Vec<(usize, usize)>;
+
 /// Derivatives by states: those that do not vanish.
 type Slopes = Vec<(usize, TaylorModel)>;
 
@@ -60,7 +63,7 @@ type Slopes = Vec<(usize, TaylorModel)>;
 pub struct Sharp {
     values: Compiled,
     slopes: Compiled,
-    entries: Vec<(usize, usize)>,
+    entries: Entries,
 }
 
 impl Sharp {
@@ -71,11 +74,7 @@ impl Sharp {
 }
 
 /// Derivatives of expressions by states, with row and state.
-fn gradients(
-    graph: &mut Graph,
-    states: &[Leaf],
-    roots: &[Expr],
-) -> Result<(Vec<Expr>, Vec<(usize, usize)>), FlowError> {
+fn gradients(graph: &mut Graph, states: &[Leaf], roots: &[Expr]) -> Result<(Vec<Expr>, Entries), FlowError> {
     let (mut entries, mut slopes) = (Vec::new(), Vec::new());
     for (row, &e) in roots.iter().enumerate() {
         let present = graph.leaves([e]);
