@@ -49,7 +49,9 @@ impl<'a> Describer<'a> {
 
     /// Values of the leaves that both sides depend on.
     pub fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
-        let wanted = self.graph.leaves([comparison.left, comparison.right]);
+        let mut wanted = self.graph.leaves([comparison.left, comparison.right]);
+        // Not in the order of the graph, which depends on what was written before.
+        wanted.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, self.graph.leaf_latex(*l)));
         let value = |leaf: Leaf| {
             let at = self.leaves.iter().position(|&l| l == leaf)?;
             let v = self.points.get(time, at).ok()?;
