@@ -93,7 +93,8 @@ fn first_integrals_sharpen_what_they_contain() {
         let width = |k: usize| found[k].expect("bounded").range().width() / known[k].expect("bounded").range().width();
         assert!(width(0) < 1.01, "{}", width(0));
         for _ in 0..1_000 {
-            let (a, b, t) = (1.0 + 1e-3 * (2.0 * draw() - 1.0), 1e-3 * (2.0 * draw() - 1.0), from + (to - from) * draw());
+            let (a, b, t) =
+                (1.0 + 1e-3 * (2.0 * draw() - 1.0), 1e-3 * (2.0 * draw() - 1.0), from + (to - from) * draw());
             let (s, c) = (pxfm::f_sin(t), pxfm::f_cos(t));
             let (q, p) = (a * c + b * s, b * c - a * s);
             let f = q * q + p * p;

@@ -255,10 +255,10 @@ impl PreciseModel {
     #[inline(always)]
     fn combine(&mut self, a: &PreciseModel, b: &PreciseModel, sign: f64) -> Result<(), NoValue> {
         let mut small = [0.0; ROOM];
-        for k in 0..ROOM {
+        for (k, left) in small.iter_mut().enumerate() {
             let (s, e) = two_sum(a.high[k], sign * b.high[k]);
             self.high[k] = s;
-            small[k] = e + (a.low[k] + sign * b.low[k]);
+            *left = e + (a.low[k] + sign * b.low[k]);
         }
         self.settle(&small);
         self.length = a.length.max(b.length);
