@@ -40,7 +40,7 @@ fn oscillator() -> (Along, Selection, Selection) {
 fn what_is_true_is_settled_by_the_first_stretches() {
     let (mut along, energy, _) = oscillator();
     let small = |_: Interval, ranges: &Ranges| match &ranges[0] {
-        Ok(reach) if reach.range().magnitude() < 1e-13 => Judgement::Settled,
+        Ok(reach) if reach.range().magnitude() < 1e-10 => Judgement::Settled,
         other => Judgement::Open(format!("{other:?}")),
     };
     let looked = along.cover(&energy, small, |_| true);

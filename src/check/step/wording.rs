@@ -241,6 +241,10 @@ impl Step<'_> {
                     }
                     out.generic |= matches!(condition, Condition::Pivot(_));
                 }
+                // The short ones first; not in the order of the graph, which depends on what was written before.
+                for list in [&mut out.conditions, &mut out.exceptions, &mut out.given_only_where] {
+                    list.sort_by(|a, b| (a.chars().count(), a).cmp(&(b.chars().count(), b)));
+                }
                 let discriminant = |c: &Condition| matches!(c, Condition::Discriminant(_));
                 if let Some(words) = self.orders_of(&proof.conditions) {
                     // What only the premises ask for does not restrict the claim.
