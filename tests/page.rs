@@ -124,7 +124,10 @@ fn everything_essential_is_there_without_the_program() {
     let html = page.split("<script").next().unwrap_or_default();
     for claim in &account.claims {
         let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
-        assert!([format!(" id={name}>"), format!(" id=\"{name}\">")].iter().any(|place| html.contains(place)), "{name}");
+        assert!(
+            [format!(" id={name}>"), format!(" id=\"{name}\">")].iter().any(|place| html.contains(place)),
+            "{name}"
+        );
     }
     let (pairs, cells) =
         (account.claims.iter().map(|c| c.results.len()).sum::<usize>(), html.matches("<tr id=/p").count());

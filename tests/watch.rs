@@ -170,7 +170,10 @@ fn any_sequence_of_edits_gives_what_a_whole_check_gives() {
         ("[-3, 1.4, 0]", "[-3, 1.3, 0.1]"),
         ("span = [0, 30]", "span = [0, 29]"),
         // A claim that comes.
-        ("[[claim]]\nid = \"energy\"", "[[claim]]\nid = \"new\"\nsays = \"New.\"\nalways = ['r\\ddot r+\\dot r^2>0']\n\n[[claim]]\nid = \"energy\""),
+        (
+            "[[claim]]\nid = \"energy\"",
+            "[[claim]]\nid = \"new\"\nsays = \"New.\"\nalways = ['r\\ddot r+\\dot r^2>0']\n\n[[claim]]\nid = \"energy\"",
+        ),
         // A symbol.
         (r"({\bf r}_2,{\bf r}_1)", r"({\bf r}_1,{\bf r}_2)"),
     ];
