@@ -297,8 +297,8 @@ fn check_and(
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let ((columns, shown), (weighed, courses)): ((Vec<Column>, Vec<_>), (Vec<Option<Weighed>>, Vec<_>)) =
-        columns.into_iter().unzip();
+    let (found, (weighed, courses)): (Vec<_>, (Vec<Option<Weighed>>, Vec<_>)) = columns.into_iter().unzip();
+    let (columns, shown): (Vec<Column>, Vec<_>) = found.into_iter().unzip();
     let mut account = assemble(derivation, &stage, &claimed, &tried, &columns, shown);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
     let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
