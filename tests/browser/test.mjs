@@ -109,6 +109,11 @@ for (const id of fs.readdirSync(reports).sort()) {
     check(dead.length === 0, `${id}: links without a place: ${[...new Set(dead)].slice(0, 5)}`);
     const twice = await page.evaluate(() => { const s = new Set(); return [...document.querySelectorAll("[id]")].map(e => e.id).filter(i => s.has(i) || !s.add(i)); });
     check(twice.length === 0, `${id}: places with one name: ${twice}`);
+    // A cell leads to a pair of its own claim, also where claims without a row stand between.
+    const astray = await page.evaluate(() => [...document.querySelectorAll(".matrix tbody tr")].flatMap(r => [...r.querySelectorAll("td a")]
+      .filter(a => document.getElementById(a.getAttribute("href").slice(1))?.closest("article")?.id !== r.cells[0].textContent)
+      .map(a => r.cells[0].textContent)));
+    check(astray.length === 0, `${id}: cells that lead to another claim: ${[...new Set(astray)].slice(0, 3)}`);
     // Formulas, with everything unfolded that is not a table of verdicts.
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
     await page.waitForTimeout(50);

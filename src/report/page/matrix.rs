@@ -39,7 +39,9 @@ fn cell(pair: &PairAccount) -> String {
 /// Where a pair stands on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script writes
 /// the address of a pair as `claim@trajectory`, which stays when claims are added.
 pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> String {
-    let row = account.claims.iter().position(|c| c.id == claim.id && c.reading == claim.reading);
+    // Claims over ranges have no row.
+    let mut rows = account.claims.iter().filter(|c| c.region.is_none());
+    let row = rows.position(|c| c.id == claim.id && c.reading == claim.reading);
     let column = account.trajectories.iter().position(|t| t.id == pair.trajectory);
     format!("/p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
 }

@@ -52,7 +52,11 @@ function filter(s) {
   byId("/none").hidden = shown > 0;
   byId("/shown").textContent = all ? "" : shown + (shown === 1 ? " verdict" : " verdicts") + " shown";
   const words = { h: "holds", f: "fails", n: "not-applicable", u: "undecided" };
-  for (const article of document.querySelectorAll("article.claim")) article.hidden = !all && !kept.has(article.id);
+  for (const article of document.querySelectorAll("article.claim")) {
+    // A claim over ranges has no row, and no verdict on a trajectory.
+    const alone = !names.includes(article.id) && !s.verdict.length && !s.trajectory && like(article.id, s.claim);
+    article.hidden = !all && !kept.has(article.id) && !alone;
+  }
   for (const family of document.querySelectorAll(".family"))
     family.hidden = ![...family.querySelectorAll("article.claim")].some(a => !a.hidden);
   for (const group of document.querySelectorAll(".verdicts")) {
