@@ -7,6 +7,7 @@ use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
 use super::verdict::{Outcome, Strength, Verdict};
+use crate::derivation::Claim;
 
 /// A trajectory as it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -273,5 +274,25 @@ impl Account {
             s.unexpected += usize::from(pair.unexpected);
         }
         s
+    }
+}
+
+impl ClaimAccount {
+    /// What a file says of a claim, with its verdicts on trajectories.
+    pub(super) fn of(claim: &Claim, results: Vec<PairAccount>) -> ClaimAccount {
+        ClaimAccount {
+            id: claim.id.clone(),
+            reading: claim.reading.clone(),
+            says: claim.says.clone(),
+            place: claim.place.clone(),
+            formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
+            assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
+            remark: claim.remark.clone(),
+            identity: None,
+            conditions: Default::default(),
+            results,
+            region: None,
+            variants: None,
+        }
     }
 }

@@ -506,20 +506,7 @@ fn assemble(
                 discrimination: None,
             })
         };
-        claims.push(ClaimAccount {
-            id: claim.id.clone(),
-            reading: claim.reading.clone(),
-            says: claim.says.clone(),
-            place: claim.place.clone(),
-            formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
-            assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
-            remark: claim.remark.clone(),
-            identity: None,
-            conditions: Default::default(),
-            results: columns.iter().zip(tried).filter_map(pair).collect(),
-            region: None,
-            variants: None,
-        });
+        claims.push(ClaimAccount::of(claim, columns.iter().zip(tried).filter_map(pair).collect()));
     }
     let trajectories = tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
     let (mut measurements, mut pictures) = (Vec::new(), Vec::new());

@@ -271,16 +271,11 @@ const CLOSER: usize = 4;
 
 /// Tries a claim that holds at further times around its worst sample: the worst of all times lies between samples.
 fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
-    let Trial { program, course, .. } = *trial;
+    let Trial { course, .. } = *trial;
     let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
     let near = course.near(at);
-    let describer = Describer::new(trial, &near.times, &near.points);
-    let measured = measure(program, &near.points, Some(along));
-    let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };
-    let held = program.groups.iter().zip(&measured.groups);
-    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
-    let closer = all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect());
+    let Some(closer) = at_further_times(trial, along, &near.times, &near.points) else { return verdict };
     match (closer.outcome(), &closer.evidence().residual) {
         (Outcome::Fails(_), _) => closer,
         (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -290,6 +285,17 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
         }
         _ => verdict,
     }
+}
+
+/// The verdict of what a claim says of all times, at further times; `None` where its assumptions leave none of them.
+fn at_further_times(trial: &Trial, along: &Measurements, times: &[f64], points: &Points) -> Option<Verdict> {
+    let program = trial.program;
+    let describer = Describer::new(trial, times, points);
+    let measured = measure(program, points, Some(along));
+    let left = apply(trial, &measured, &describer).conclude().ok()?;
+    let held = program.groups.iter().zip(&measured.groups);
+    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
+    Some(all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect()))
 }
 
 /// Tries a claim that holds at further times, where exponentials in it may have peaks between the samples.
@@ -311,12 +317,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
         return verdict;
     }
     let points = course.points_at(program, &times);
-    let describer = Describer::new(trial, &times, &points);
-    let measured = measure(program, &points, Some(along));
-    let Ok(left) = apply(trial, &measured, &describer).conclude() else { return verdict };
-    let held = program.groups.iter().zip(&measured.groups);
-    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
-    let closer = all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect());
+    let Some(closer) = at_further_times(trial, along, &times, &points) else { return verdict };
     match closer.outcome() {
         Outcome::Fails(_) => closer,
         Outcome::Undecided if holds => closer,

@@ -2,7 +2,7 @@
 
 use super::angle::AngleBenches;
 use super::core::Core;
-use super::program::{Bench, Program};
+use super::program::{Bench, Program, Turns};
 use crate::number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 
 /// How many stretches, or times, are looked at together.
@@ -83,7 +83,8 @@ impl<'a> Explorer<'a> {
         let mut out = Vec::with_capacity(times.len());
         for block in times.chunks(BLOCK) {
             let lanes = block.try_into().ok().and_then(|times: &[f64; BLOCK]| {
-                self.run_values(times);
+                let turns = self.turns(times);
+                self.program.run_lanes(self.core, &mut self.wide_values, times, &turns);
                 self.program.output(&self.wide_values, 0).ok().map(|x| x.coefficient(0))
             });
             match lanes {
@@ -96,16 +97,15 @@ impl<'a> Explorer<'a> {
         out
     }
 
-    fn run_values(&mut self, times: &[f64; BLOCK]) {
-        let turns = times.map(|t| self.core.turns(self.program, t, &mut self.angles));
-        self.program.run_lanes(self.core, &mut self.wide_values, times, &turns);
+    fn turns(&mut self, times: &[f64; BLOCK]) -> [Turns; BLOCK] {
+        times.map(|t| self.core.turns(self.program, t, &mut self.angles))
     }
 
     /// The polynomials around the middles of several stretches; none where that must be found out for a stretch alone.
     fn pieces(&mut self, stretches: &[(f64, f64); BLOCK]) -> [Option<Piece>; BLOCK] {
         let centres = stretches.map(|(start, end)| start + 0.5 * (end - start));
-        self.run_values(&centres);
-        let turns = centres.map(|t| self.core.turns(self.program, t, &mut self.angles));
+        let turns = self.turns(&centres);
+        self.program.run_lanes(self.core, &mut self.wide_values, &centres, &turns);
         self.program.run_lanes(self.core, &mut self.wide_series, &centres, &turns);
         let outputs = 0..self.program.output_count();
         let values: Result<Vec<_>, _> =

@@ -13,6 +13,14 @@ use crate::number::{Bounded, BoundedLanes, NoValue};
 /// A value, or why there is none.
 type Value = Result<Bounded, NoValue>;
 
+/// Whether two values are one, bit for bit: 0 and −0 are not, since angles tell them apart.
+fn is_same(a: Value, b: Value) -> bool {
+    match (a, b) {
+        (Ok(a), Ok(b)) => a.value.to_bits() == b.value.to_bits() && a.error.to_bits() == b.error.to_bits(),
+        (a, b) => a == b,
+    }
+}
+
 /// The values of one leaf.
 #[derive(Clone, Debug)]
 enum Column {
@@ -37,7 +45,7 @@ impl Column {
     fn push(&mut self, count: usize, x: Value) {
         match self {
             Column::Same(same) if count == 0 => *same = x,
-            Column::Same(same) if *same == x => {}
+            Column::Same(same) if is_same(*same, x) => {}
             Column::Same(same) => {
                 *self = match (*same, x) {
                     (Ok(same), Ok(x)) => {
@@ -296,6 +304,13 @@ mod tests {
         assert!(points.lanes::<4>(0, 2).is_none() && points.lanes::<4>(4, 2).is_some());
         assert!(points.lanes::<4>(9, 1).is_none(), "beyond the end");
         assert!(points.lanes::<4>(0, 3).is_none());
+    }
+
+    #[test]
+    fn a_zero_keeps_its_sign() {
+        let points: Points = [0.0, -0.0].map(|x| vec![Ok(Bounded::exact(x))]).into_iter().collect();
+        let signs = [0, 1].map(|at| points.get(at, 0).unwrap().value.is_sign_negative());
+        assert_eq!(signs, [false, true]);
     }
 
     #[test]

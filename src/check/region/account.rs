@@ -258,19 +258,6 @@ impl RegionWitness {
 impl ClaimAccount {
     /// The account of a claim over ranges.
     pub(super) fn of_region(claim: &Claim, region: RegionAccount) -> ClaimAccount {
-        ClaimAccount {
-            id: claim.id.clone(),
-            reading: claim.reading.clone(),
-            says: claim.says.clone(),
-            place: claim.place.clone(),
-            formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
-            assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
-            remark: claim.remark.clone(),
-            identity: None,
-            conditions: Default::default(),
-            results: Vec::new(),
-            region: Some(region),
-            variants: None,
-        }
+        ClaimAccount { region: Some(region), ..ClaimAccount::of(claim, Vec::new()) }
     }
 }

@@ -48,7 +48,7 @@ pub(super) enum Domain {
 }
 
 /// The range of D on a cell; `None` where D has a value nowhere on it.
-type Range = Option<Decorated>;
+pub(super) type Range = Option<Decorated>;
 
 /// A variable, its range enclosed, and its exact ends.
 #[derive(Clone, Debug)]
@@ -298,17 +298,25 @@ impl Signs {
 /// Runs a tape on a cell: a range for each output, `None` where it has a value nowhere.
 fn run(tape: &Tape, key: (usize, usize), cell: &Cell, scratch: &mut Scratch) -> Vec<Range> {
     let slots = scratch.slots.entry(key).or_insert_with(|| tape.slots::<Decorated>(&()));
-    for (i, side) in cell.sides.iter().enumerate() {
+    ranges(tape, cell.sides.iter(), slots).collect()
+}
+
+/// The range of each output of a tape over a box; `None` where it has a value nowhere on it.
+pub(super) fn ranges<'s>(
+    tape: &'s Tape,
+    sides: impl Iterator<Item = &'s Interval>,
+    slots: &'s mut Slots<Decorated>,
+) -> impl Iterator<Item = Range> + 's {
+    for (i, side) in sides.enumerate() {
         slots.set(i, Ok(Decorated::all_of(*side)));
     }
     tape.run(&(), slots);
-    let output = |k: usize| match tape.output(k, slots) {
+    (0..tape.output_count()).map(|k| match tape.output(k, slots) {
         Ok(value) => Some(*value),
         Err(NoValue::OutOfDomain) => None,
         // Nothing is known.
         Err(NoValue::Indeterminate | NoValue::Unsupported) => Some(Decorated::UNKNOWN),
-    };
-    (0..tape.output_count()).map(output).collect()
+    })
 }
 
 /// What a range of D says of `D ? 0`.

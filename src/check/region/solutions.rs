@@ -29,12 +29,12 @@ use nalgebra::DMatrix;
 use super::account::{RegionAccount, RegionWitness, SolutionAccount};
 use super::faults;
 use super::question::{Insertion, Part, Question};
-use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable};
+use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, ranges};
 use super::subdivide::{Division, Judge};
 use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Statement};
-use crate::number::{Decorated, Interval, NoValue, Scalar};
+use crate::number::{Decorated, Interval, Scalar};
 use crate::tape::{Slots, Tape};
 
 /// Most parts of the box that are looked at for one value of the parameters, where these do not vary.
@@ -160,16 +160,7 @@ impl Solver {
             (true, None) => return Some(vec![Decorated::UNKNOWN; self.unknowns.len().pow(2)]),
         };
         let slots = slots.get_or_insert_with(|| tape.slots::<Decorated>(&()));
-        for (i, side) in p.iter().chain(x).enumerate() {
-            slots.set(i, Ok(Decorated::all_of(*side)));
-        }
-        tape.run(&(), slots);
-        let output = |k: usize| match tape.output(k, slots) {
-            Ok(value) => Some(*value),
-            Err(NoValue::OutOfDomain) => None,
-            Err(NoValue::Indeterminate | NoValue::Unsupported) => Some(Decorated::UNKNOWN),
-        };
-        (0..tape.output_count()).map(output).collect()
+        ranges(tape, p.iter().chain(x), slots).collect()
     }
 
     /// F on a box; `None` where it has a value nowhere on it.
