@@ -306,6 +306,21 @@ impl<'a> MeasuredGroup<'a> {
         strict && difference.error > 0.0 && difference.contains_zero() && !self.equal[sign][comparison]
     }
 
+    /// Joins how a comparison stands at every time to how others do.
+    pub fn stand(&self, sign: usize, comparison: usize, precision: f64, whole: &mut [Standing]) {
+        let series = &self.signs[sign][comparison];
+        let equation = self.group.comparisons[comparison].kind == RelationKind::Equal;
+        let plain = equation && !self.definedness && !self.mute[sign][comparison] && series.missing.is_empty();
+        for (i, whole) in whole.iter_mut().enumerate() {
+            // Nearly all points of an equation that holds.
+            let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);
+            if plain && series.difference.get(i).is_some_and(agrees) {
+                continue;
+            }
+            *whole = whole.and(self.standing(sign, comparison, i, precision));
+        }
+    }
+
     /// How a comparison stands at a time.
     pub fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Standing {
         let kind = self.group.comparisons[comparison].kind;

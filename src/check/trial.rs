@@ -81,8 +81,9 @@ impl Course<'_> {
             let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
             let mut times: Vec<f64> = neighbours.flat_map(between).collect();
             times.sort_by(f64::total_cmp);
-            let points: Points = times.iter().map(|&t| self.values(t)).collect();
-            Arc::new(Near { times, points: Arc::new(points) })
+            let all: Vec<usize> = (0..self.leaves.len()).collect();
+            let points = Arc::new(self.stage.points(self.trajectory, &times, &all));
+            Arc::new(Near { times, points })
         };
         let known = || self.near.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(near) = known().get(&at) {

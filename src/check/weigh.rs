@@ -56,12 +56,9 @@ impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
         let whole = |(s, series): (usize, &Vec<Series>)| -> Vec<Standing> {
-            let count = series.first().map_or(0, Series::len);
-            let at = |i: usize| {
-                let each = (0..series.len()).map(|c| measured.standing(s, c, i, precision));
-                each.fold(Standing::Satisfied, Standing::and)
-            };
-            (0..count).map(at).collect()
+            let mut whole = vec![Standing::Satisfied; series.first().map_or(0, Series::len)];
+            (0..series.len()).for_each(|c| measured.stand(s, c, precision, &mut whole));
+            whole
         };
         Judged { measured, precision, whole: measured.signs.iter().enumerate().map(whole).collect() }
     }
@@ -102,7 +99,8 @@ impl<'a, 'g> Judged<'a, 'g> {
         let whole = self.whole[sign][time];
         let stands = move |c: &usize| self.measured.standing(sign, *c, time, self.precision) == whole;
         let count = self.measured.signs[sign].len();
-        (0..count).filter(move |c| count == 1 || stands(c))
+        // Where all is well, each of them is.
+        (0..count).filter(move |c| count == 1 || whole == Standing::Satisfied || stands(c))
     }
 
     /// A comparison at a time with the sign that does best, and the size of its terms: what a reader is shown.
@@ -225,9 +223,17 @@ fn clearest(group: &MeasuredGroup, failures: &[Failure]) -> Option<Failure> {
     let exactly = |f: &Failure| Failure { size: f.size / group.scale(f.sign, f.comparison, f.time), ..*f };
     let first = failures.iter().max_by(|a, b| most(a).total_cmp(&most(b)))?;
     let least = exactly(first).size;
-    let may_be = failures.iter().filter(|f| most(f) >= least).map(exactly);
-    let later = |a: &Failure, b: &Failure| b.size > a.size || b.size == a.size && b.time == a.time;
-    may_be.reduce(|a, b| if later(&a, &b) { b } else { a })
+    let mut clearest: Option<Failure> = None;
+    for f in failures {
+        if most(f) < clearest.map_or(least, |c| c.size.max(least)) {
+            continue;
+        }
+        let f = exactly(f);
+        if clearest.is_none_or(|c| f.size > c.size || f.size == c.size && f.time == c.time) {
+            clearest = Some(f);
+        }
+    }
+    clearest
 }
 
 /// Weighs a group, all comparisons of which must hold.
@@ -238,6 +244,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let mut inconclusive_count = 0;
     let mut failures: Vec<Failure> = Vec::new();
     let mut worst: Option<(usize, usize)> = None;
+    let mut largest = 0.0;
     let judged = Judged::new(group, setting.precision);
     let standing = &judged.whole;
     let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
@@ -287,8 +294,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             continue;
         };
         let (size, bound) = (difference.value.abs(), difference.error);
-        let worse = evidence.residual.as_ref().is_none_or(|r| ratio(size, bound) > ratio(r.max, r.bound));
+        let worse = evidence.residual.is_none() || ratio(size, bound) > largest;
         if worse && !group.definedness {
+            largest = ratio(size, bound);
             evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
             worst = Some((c, i));
         }
