@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use super::comparison::Comparison;
-use super::program::Program;
+use super::program::{Program, SIDES};
 use super::trial::Trial;
 use super::weigh::{Left, Setting};
 use crate::derivation::Claim;
@@ -62,12 +62,10 @@ impl<'a> Describer<'a> {
 
     /// Why a comparison has no value.
     pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
-        let Some(tape) = self.program.tape() else { return reason.to_string() };
         let mut slots = self.slots.borrow_mut();
-        self.program.run(self.points.sample(time), 1.0, &mut slots);
-        let Some(slots) = slots.as_ref() else { return reason.to_string() };
+        let Some((tape, slots)) = self.program.evaluated(self.points.sample(time), &mut slots) else { return reason.to_string() };
         let position = self.program.position(comparison);
-        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
+        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(SIDES * k + side, slots)));
         match fault {
             Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
                 Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),

@@ -148,6 +148,20 @@ impl Tape {
         self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
+    /// The instructions that depend on one of the inputs that are marked, in their order.
+    pub fn dependent(&self, marked: &[bool]) -> Vec<Instruction> {
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        let mut out = Vec::with_capacity(self.instructions.len());
+        for step in &self.instructions {
+            if depends[step.a as usize] || depends[step.b as usize] {
+                depends[step.out as usize] = true;
+                out.push(*step);
+            }
+        }
+        out
+    }
+
     /// Number of slots: inputs, constants and results.
     pub fn slot_count(&self) -> usize {
         self.inputs.len() + self.presets.len() + self.instructions.len()
