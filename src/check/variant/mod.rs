@@ -292,9 +292,9 @@ impl Altered {
         courses: &[Course],
     ) -> Result<(), CheckError> {
         let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
-        for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
+        accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &tried));
-        }
+        });
         let Places { claimed, tried, starts, start_of } = *places;
         erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }
             .offer(accounts, courses)
