@@ -10,7 +10,7 @@ use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
-use super::measured::{Measurements, measure};
+use super::measured::{Measurements, measure, measure_first};
 use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
@@ -172,8 +172,7 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
-        let (first, point) = (&times[..1], &Arc::new(points.first()));
-        let applied = apply(trial, &measure(program, point, None), &Describer::new(trial, first, point));
+        let applied = apply(trial, &measure_first(program, points, 1), &Describer::new(trial, &times[..1], points));
         if let Some(reason) = applied.unmet {
             return not_applicable(reason);
         }
@@ -491,7 +490,7 @@ pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describe
                 Standing::Satisfied => {}
                 Standing::NoValue(reason) => {
                     if *left == Left::In {
-                        *left = Left::Out(describer.fault(comparison, i, reason).into());
+                        *left = Left::Out(describer.fault(comparison, i, reason));
                     }
                 }
                 Standing::Violated if assumption.throughout => {
