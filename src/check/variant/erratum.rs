@@ -272,7 +272,7 @@ impl Search<'_> {
                 let precision = claim.precision;
                 let points: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
                 let evidence = Evidence { points: &points, first_counts: false, precision, one_sign_throughout: false };
-                let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
+                let found = rejection::rejected(&group, &placed, &evidence);
                 left.retain(|&v| !found.variants[v]);
             }
             out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree.clone())));
