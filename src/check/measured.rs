@@ -192,8 +192,9 @@ impl Sizes<'_> {
             Sizes::Known(_) => Vec::new(),
             Sizes::Asked(asked) => {
                 let known = asked.typical().get(comparison).map(Vec::as_slice).unwrap_or_default();
-                let at = samples(series.len()).into_iter().zip(known);
-                at.filter(|(time, _)| valued(time)).filter_map(|(_, size)| *size).collect()
+                let at = samples(asked.points.len()).into_iter().zip(known);
+                // Of times that were not measured nothing else is known.
+                at.filter(|(time, _)| *time >= series.len() || valued(time)).filter_map(|(_, size)| *size).collect()
             }
         };
         // Where none of these samples counts, others may.
@@ -366,8 +367,21 @@ pub(super) fn measure<'a>(
     points: &Arc<Points>,
     along: Option<&Measurements>,
 ) -> Measurements<'a> {
+    gathered(program, (points, points.len()), along)
+}
+
+/// The same for the first of the points, up to `times`; all of them say what is typical.
+pub(super) fn measure_first<'a>(program: &'a Program, points: &Arc<Points>, times: usize) -> Measurements<'a> {
+    gathered(program, (points, times.min(points.len())), None)
+}
+
+fn gathered<'a>(
+    program: &'a Program,
+    (points, times): (&Arc<Points>, usize),
+    along: Option<&Measurements>,
+) -> Measurements<'a> {
     let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
-    let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure(points, sign)).collect();
+    let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure((points, times), sign)).collect();
     let sizes: Vec<Sizes> = signs.iter().map(|&sign| sizes(program, points, sign)).collect();
     let mut next = 0;
     let mut gather = |group: &'a Group, definedness: bool, along: Option<&MeasuredGroup>| {

@@ -370,29 +370,30 @@ impl Program {
         self.sizes.as_ref()
     }
 
-    /// Measures every comparison at the points, for one sign of ±.
-    pub fn measure(&self, points: &Points, sign: f64) -> Vec<Series> {
+    /// Measures every comparison at the first `times` of the points, for one sign of ±.
+    pub fn measure(&self, (points, times): (&Points, usize), sign: f64) -> Vec<Series> {
         let Some(sides) = &self.sides else { return Vec::new() };
         let count = sides.tape().output_count() / SIDES;
-        let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(points.len())).collect();
+        let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
         let mut evaluation = Evaluation::new(sides, points, sign);
         let mut failed = 0;
         let mut from = 0;
-        while from < points.len() {
+        while from < times {
             // The last block begins earlier, and yields only what is missing.
-            let begin = from.min(points.len().saturating_sub(BLOCK));
-            if points.len() >= BLOCK && failed < PATIENCE {
+            let begin = from.min(times.saturating_sub(BLOCK));
+            let end = (begin + BLOCK).min(times);
+            if times >= BLOCK && failed < PATIENCE {
                 if let Some(slots) = evaluation.at_all(std::array::from_fn(|i| begin + i)) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
                         series.push_block(three(|n| sides.tape().output(SIDES * k + n, slots)), from - begin);
                     }
-                    from = begin + BLOCK;
+                    from = end;
                     continue;
                 }
                 failed += 1;
             }
-            for at in from..(begin + BLOCK).min(points.len()) {
+            for at in from..end {
                 let slots = evaluation.at(at);
                 for (k, series) in out.iter_mut().enumerate() {
                     let of = |[left, right, difference]: [&Bounded; SIDES]| {
@@ -401,7 +402,7 @@ impl Program {
                     series.push(three(|n| sides.tape().output(SIDES * k + n, slots)).map(of));
                 }
             }
-            from = (begin + BLOCK).min(points.len());
+            from = end;
         }
         out
     }

@@ -3,14 +3,13 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
-use super::measured::{Measurements, measure};
+use super::measured::{Measurements, measure, measure_first};
 use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
@@ -42,14 +41,6 @@ pub(super) struct Course<'a> {
     pub times: Vec<f64>,
     /// The values at the sample times.
     pub points: Arc<Points>,
-    /// What was looked at around a sample, by its position: claims ask for the same again and again.
-    pub near: Mutex<BTreeMap<usize, Arc<Near>>>,
-}
-
-/// Times around a sample, increasing, and the values there.
-pub(super) struct Near {
-    times: Vec<f64>,
-    points: Arc<Points>,
 }
 
 impl Course<'_> {
@@ -61,36 +52,23 @@ impl Course<'_> {
     /// The same motion at the same times, with the values of other leaves, by their positions.
     pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
         let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));
-        let (times, near) = (self.times.clone(), Mutex::default());
-        Course { points, times, near, ..*self }
+        Course { points, times: self.times.clone(), ..*self }
     }
 
     /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
     pub fn keep(&mut self, leaves: &[usize]) {
         Arc::make_mut(&mut self.points).keep(leaves);
         self.motion.rest();
-        self.near = Mutex::default();
     }
 
-    /// Times around a sample: a few between it and its neighbours.
-    fn near(&self, at: usize) -> Arc<Near> {
-        let look = || {
-            let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
-            let between =
-                |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
-            let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
-            let mut times: Vec<f64> = neighbours.flat_map(between).collect();
-            times.sort_by(f64::total_cmp);
-            let all: Vec<usize> = (0..self.leaves.len()).collect();
-            let points = Arc::new(self.stage.points(self.trajectory, &times, &all));
-            Arc::new(Near { times, points })
-        };
-        let known = || self.near.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(near) = known().get(&at) {
-            return Arc::clone(near);
-        }
-        let near = look();
-        Arc::clone(known().entry(at).or_insert(near))
+    /// Times around a sample: a few between it and its neighbours, increasing.
+    fn near(&self, at: usize) -> Vec<f64> {
+        let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
+        let between = |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+        let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
+        let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+        times.sort_by(f64::total_cmp);
+        times
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
@@ -172,8 +150,7 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
-        let (first, point) = (&times[..1], &Arc::new(points.first()));
-        let applied = apply(trial, &measure(program, point, None), &Describer::new(trial, first, point));
+        let applied = apply(trial, &measure_first(program, points, 1), &Describer::new(trial, &times[..1], points));
         if let Some(reason) = applied.unmet {
             return not_applicable(reason);
         }
@@ -239,7 +216,8 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
     let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
     let near = course.near(at);
-    let Some(closer) = at_further_times(trial, along, &near.times, &near.points) else { return verdict };
+    let points = course.points_at(trial.program, &near);
+    let Some(closer) = at_further_times(trial, along, &near, &points) else { return verdict };
     match (closer.outcome(), &closer.evidence().residual) {
         (Outcome::Fails(_), _) => closer,
         (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -491,7 +469,7 @@ pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describe
                 Standing::Satisfied => {}
                 Standing::NoValue(reason) => {
                     if *left == Left::In {
-                        *left = Left::Out(describer.fault(comparison, i, reason).into());
+                        *left = Left::Out(describer.fault(comparison, i, reason));
                     }
                 }
                 Standing::Violated if assumption.throughout => {

@@ -12,6 +12,7 @@ use super::comparison::{Comparison, Standing};
 use super::describe::Describer;
 use super::measured::{Measured, MeasuredGroup, Series};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
@@ -48,6 +49,8 @@ pub(super) struct Judged<'a, 'g> {
     /// The measurements.
     pub measured: &'a MeasuredGroup<'g>,
     precision: f64,
+    /// Whether it consists of equations only, that say more than that they have values.
+    equations: bool,
     /// `[s][i]`: standing of the whole group at time i for the sign s.
     pub whole: Vec<Vec<Standing>>,
 }
@@ -60,7 +63,9 @@ impl<'a, 'g> Judged<'a, 'g> {
             (0..series.len()).for_each(|c| measured.stand(s, c, precision, &mut whole));
             whole
         };
-        Judged { measured, precision, whole: measured.signs.iter().enumerate().map(whole).collect() }
+        let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
+        let equations = equations && !measured.definedness;
+        Judged { measured, precision, equations, whole: measured.signs.iter().enumerate().map(whole).collect() }
     }
 
     /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
@@ -90,8 +95,14 @@ impl<'a, 'g> Judged<'a, 'g> {
             Ok(d) => (ratio(d.value.abs(), d.error), d.error),
             Err(_) => (f64::INFINITY, f64::INFINITY),
         };
-        let all = self.worst(sign, time).map(|c| (c, size(c)));
-        all.reduce(|a, b| if b.1 > a.1 { b } else { a }).map_or(0, |(c, _)| c)
+        let larger = |a: (usize, (f64, f64)), b: (usize, (f64, f64))| if b.1 > a.1 { b } else { a };
+        let sized = |c| (c, size(c));
+        // What is violated of an equation is further off than what is not.
+        let found = match (self.whole[sign][time], self.equations) {
+            (Standing::Satisfied, _) | (Standing::Violated, true) => (0..series.len()).map(sized).reduce(larger),
+            _ => self.worst(sign, time).map(sized).reduce(larger),
+        };
+        found.map_or(0, |(c, _)| c)
     }
 
     /// The comparisons that stand as the whole group does at a time, for one sign.
@@ -99,8 +110,7 @@ impl<'a, 'g> Judged<'a, 'g> {
         let whole = self.whole[sign][time];
         let stands = move |c: &usize| self.measured.standing(sign, *c, time, self.precision) == whole;
         let count = self.measured.signs[sign].len();
-        // Where all is well, each of them is.
-        (0..count).filter(move |c| count == 1 || whole == Standing::Satisfied || stands(c))
+        (0..count).filter(move |c| count == 1 || stands(c))
     }
 
     /// A comparison at a time with the sign that does best, and the size of its terms: what a reader is shown.
@@ -252,7 +262,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     // First what has no value: such points are left out.
     for (i, left) in setting.left.iter_mut().enumerate() {
         if let (Some(Standing::NoValue(reason)), Left::In) = (judged.best(i), &*left) {
-            *left = Left::Out(fault(judged.deciding(0, i), i, reason).into());
+            *left = Left::Out(fault(judged.deciding(0, i), i, reason));
         }
     }
     let counted: Vec<usize> = (0..count).filter(|&i| setting.left[i] == Left::In).collect();
@@ -282,7 +292,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
         let Ok(difference) = group.signs[best][c].difference(i) else {
             if standing[best][i] == Standing::Violated {
                 // A claim of definedness: there is no value to show, the reason is.
-                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain));
+                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain).to_string());
                 failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
             } else if standing[best][i] == Standing::Inconclusive {
                 inconclusive_count += 1;
@@ -313,13 +323,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
                 });
             }
             Standing::Violated => {
-                let size = |c: usize| group.signs[best][c].difference(i).map_or(0.0, |d| d.value.abs());
-                failures.extend(judged.worst(best, i).map(|c| Failure {
-                    size: size(c),
-                    sign: best,
-                    comparison: c,
-                    time: i,
-                }));
+                let off = |c: usize| group.signs[best][c].difference(i).map_or(0.0, |d| d.value.abs());
+                let failed = |c: usize| Failure { size: off(c), sign: best, comparison: c, time: i };
+                failures.extend(judged.worst(best, i).map(failed));
             }
         }
     }

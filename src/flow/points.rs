@@ -122,11 +122,6 @@ impl Points {
         Sample::Among(self, at)
     }
 
-    /// The first time alone.
-    pub fn first(&self) -> Points {
-        (self.count > 0).then(|| self.row(0)).into_iter().collect()
-    }
-
     /// All times in their order, to be read in place.
     pub fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
         (0..self.count).map(|at| self.sample(at))

@@ -119,7 +119,7 @@ fn is_refuted(program: &Program, points: &Points) -> bool {
     if !program.assumptions.is_empty() || program.at.is_some() || program.is_branching() {
         return false;
     }
-    let measured = program.measure(points, 1.0);
+    let measured = program.measure((points, points.len()), 1.0);
     let mut first = 0;
     for (how, group) in &program.groups {
         let of = &measured[first.min(measured.len())..(first + group.comparisons.len()).min(measured.len())];
