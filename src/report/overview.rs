@@ -85,6 +85,9 @@ fn reasons(whole: &Whole<'_>) -> String {
 
 fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     let mut parts = Vec::new();
+    if reading.added && whole.fate != Fate::Added {
+        parts.push("(For comparison)".to_owned());
+    }
     if whole.is_read() {
         parts.push(if reading.claim.reading.is_some() {
             prose(&reading.claim.says)
