@@ -185,10 +185,10 @@ pub(super) struct Unsaid<'a> {
     pub claims: Vec<&'a ClaimAccount>,
 }
 
-/// Every condition that separates the motions of some claim: those of most claims first.
-pub(super) fn unsaid(account: &Account) -> Vec<Unsaid<'_>> {
-    let mut out: Vec<Unsaid<'_>> = Vec::new();
-    for claim in &account.claims {
+/// Every condition that separates the motions of some claim of the paper: those of most claims first.
+pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<Unsaid<'a>> {
+    let mut out: Vec<Unsaid<'a>> = Vec::new();
+    for claim in account.claims.iter().filter(|c| declared(derivation, c).is_none_or(|d| !d.added)) {
         let Some(explanation) = claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) else {
             continue;
         };

@@ -31,7 +31,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
         }
         out.push('\n');
     }
-    out.push_str(&unsaid(account));
+    out.push_str(&unsaid(derivation, account));
     out
 }
 
@@ -103,8 +103,8 @@ fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     parts.join(" ")
 }
 
-fn unsaid(account: &Account) -> String {
-    let found = digest::unsaid(account);
+fn unsaid(derivation: &Derivation, account: &Account) -> String {
+    let found = digest::unsaid(derivation, account);
     if found.is_empty() {
         return String::new();
     }

@@ -91,7 +91,7 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
         }
         out.push_str("\\end{itemize}\n\n");
     }
-    let unsaid = digest::unsaid(account);
+    let unsaid = digest::unsaid(derivation, account);
     if !unsaid.is_empty() {
         out.push_str("\\subsubsection*{What was left unsaid}\n\\begin{itemize}\n");
         for u in &unsaid {

@@ -179,7 +179,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
 
 /// The conditions that claims do not name and need.
 fn unsaid(derivation: &Derivation, account: &Account) -> Markup {
-    let unsaid = digest::unsaid(account);
+    let unsaid = digest::unsaid(derivation, account);
     html! {
         @if !unsaid.is_empty() {
             h3 id="/found/unsaid" { "What was left unsaid" }
