@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::weigh::{Judged, Left, Setting};
 
 /// Most samples that are kept of a pair, the worst one apart.
-const MOST: usize = 9;
+const MOST: usize = 60;
 
 /// One comparison at some of its sample times, increasing.
 #[derive(Clone, Debug, PartialEq)]
