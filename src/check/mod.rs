@@ -16,6 +16,7 @@ mod cache;
 mod comparison;
 mod describe;
 mod enclose;
+mod follow;
 pub mod identity;
 mod independence;
 mod kept;
