@@ -16,6 +16,7 @@ mod cache;
 mod comparison;
 mod describe;
 mod enclose;
+mod follow;
 pub mod identity;
 mod independence;
 mod kept;
@@ -284,7 +285,7 @@ fn check_and(
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
-                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                     recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
                 })
             };

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::lower::{Generator, Generators};
+use super::sign::Known;
 use super::structure::Structure;
 use super::values::Values;
 use crate::expr::FastMap;
@@ -44,8 +45,8 @@ pub(super) struct Probe {
     pub(super) solvable: FastMap<(Expr, Leaf), Option<Rc<InPowers>>>,
     /// The terms of sums of squares, see the solver.
     pub(super) squares: FastMap<Expr, Option<Vec<Expr>>>,
-    /// Whether an expression is known to be ≠ 0 from the facts of the problem.
-    pub(super) nonzero: FastMap<Expr, bool>,
+    /// What the facts of the problem say of signs.
+    pub(super) signs: FastMap<Expr, Known>,
 }
 
 /// Number of points at which [`Probe::sight`] must see 0.
@@ -65,7 +66,7 @@ impl Probe {
             points: vec![Place::default(); TRIES],
             sights: FastMap::default(),
             structure,
-            nonzero: FastMap::default(),
+            signs: FastMap::default(),
             squares: FastMap::default(),
             solvable: FastMap::default(),
         }

@@ -17,7 +17,7 @@ mod reduce;
 use super::lower::{Generator, Generators};
 use super::polynomial::{factors, product};
 use super::probe::{InPowers, Probe, Sight};
-use super::sign::Facts;
+use super::sign::{Facts, Known};
 use super::structure::{Extent, Powers};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::expr::{FastMap, FastSet};
@@ -346,12 +346,11 @@ impl Solver<'_> {
 
     /// Whether an expression is known to be ≠ 0.
     fn is_known(&mut self, e: Expr) -> bool {
-        if let Some(&known) = self.probe.nonzero.get(&e) {
-            return known;
-        }
-        let known = self.facts.sign(self.graph, self.generators, e).nonzero;
-        self.probe.nonzero.insert(e, known);
-        known
+        self.sign(e).nonzero
+    }
+
+    fn sign(&mut self, e: Expr) -> Known {
+        self.facts.sign_after(self.graph, self.generators, e, &mut self.probe.signs)
     }
 
     /// Whether it is known from what is given.

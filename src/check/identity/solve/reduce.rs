@@ -56,7 +56,7 @@ impl Solver<'_> {
         let signs: Vec<(bool, bool)> = terms
             .iter()
             .map(|&(e, minus)| {
-                let known = self.facts.sign(self.graph, self.generators, e);
+                let known = self.sign(e);
                 let pair = (known.not_negative, known.not_positive);
                 if minus { (pair.1, pair.0) } else { pair }
             })
