@@ -66,8 +66,8 @@ pub(super) fn residuals(
         let (m, scale) = judged.shown(comparison, i)?;
         Some(ResidualPoint {
             t: setting.times[i],
-            left: m.left.value,
-            right: m.right.value,
+            left: m.left,
+            right: m.right,
             residual: m.difference.value.abs(),
             bound: m.difference.error,
             limit: setting.precision * scale,

@@ -11,9 +11,9 @@
 //! moves is still the energy.
 
 use super::comparison::{Comparison, GUARD};
+use super::measured::{Measurements, MeasuredGroup};
 use super::program::Program;
-use super::trial::Measurements;
-use super::weigh::MeasuredGroup;
+
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
@@ -146,7 +146,7 @@ fn is_mute(
 ) -> bool {
     let comparison = &group.group.comparisons[c];
     // Where every residual is clear there is nothing to ask.
-    let within = group.signs[s][c].iter().flatten().any(|m| m.difference.value.abs() <= GUARD * m.difference.error);
+    let within = group.signs[s][c].differences().any(|d| d.value.abs() <= GUARD * d.error);
     // An error far below the sides leaves nothing unseen but what is below the last digit of both.
     if group.definedness || !within {
         return false;

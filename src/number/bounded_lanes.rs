@@ -9,15 +9,16 @@
 //! instructions. Nearly all blocks of a motion have values throughout.
 
 use super::bounded::convolved;
-use super::{Bounded, NoValue, Number, Rational, Scalar, scalar};
+use super::wide::Steps;
+use super::{Bounded, Instruction, NoValue, Number, Rational, Scalar, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points with their error bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct BoundedLanes<const N: usize> {
-    value: [f64; N],
-    error: [f64; N],
+    pub(super) value: [f64; N],
+    pub(super) error: [f64; N],
 }
 
 impl<const N: usize> BoundedLanes<N> {
@@ -30,6 +31,12 @@ impl<const N: usize> BoundedLanes<N> {
     #[inline(always)]
     pub fn of(each: [Bounded; N]) -> BoundedLanes<N> {
         BoundedLanes { value: each.map(|x| x.value), error: each.map(|x| x.error) }
+    }
+
+    /// The values of all lanes.
+    #[inline(always)]
+    pub fn values(&self) -> &[f64; N] {
+        &self.value
     }
 
     /// The number in a lane; lanes are counted from 0 to N − 1.
@@ -242,6 +249,9 @@ impl<const N: usize> Number for BoundedLanes<N> {
     }
     fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
         self.each(|x, i| x.agm(&(), &a.lane(i), &b.lane(i)))
+    }
+    fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+        Steps { values, missing, steps }.run();
     }
 }
 

@@ -166,6 +166,23 @@ impl FiniteField {
         }
         acc
     }
+    /// 1/a in GF(p) for a ≠ 0, by Euclid's algorithm: half the time of the power a^(p−2).
+    ///
+    /// The cofactors alternate in sign and stay at most p, so that 64 bits hold their magnitudes. As a stands for a·2⁻⁶⁴, two
+    /// products with 2¹²⁸ bring the inverse back into Montgomery's form.
+    fn reciprocal(&self, a: u64) -> u64 {
+        let (mut r, mut next) = (self.p, a);
+        let (mut cofactor, mut following) = (0u64, 1u64);
+        let mut negative = true;
+        while next != 0 {
+            let q = r / next;
+            (r, next) = (next, r - q * next);
+            (cofactor, following) = (following, cofactor + q * following);
+            negative = !negative;
+        }
+        let inverse = if negative { self.p - cofactor } else { cofactor };
+        self.times(self.times(inverse, self.r2), self.r2)
+    }
     /// √a in GF(p): a^((p+1)/4), if its square is a.
     fn prime_root(&self, a: u64) -> Option<u64> {
         let r = self.power(a, (self.p + 1) >> 2);
@@ -225,10 +242,10 @@ impl FiniteField {
             return None;
         }
         if a.im == 0 {
-            return Some(Finite { re: self.power(a.re, self.p - 2), im: 0 });
+            return Some(Finite { re: self.reciprocal(a.re), im: 0 });
         }
         let norm = self.plus(self.times(a.re, a.re), self.times(a.im, a.im));
-        let n = self.power(norm, self.p - 2);
+        let n = self.reciprocal(norm);
         Some(Finite { re: self.times(a.re, n), im: self.times(self.negative(a.im), n) })
     }
 
@@ -263,12 +280,12 @@ impl FiniteField {
         }
         let norm = self.plus(self.times(a.re, a.re), self.times(a.im, a.im));
         let s = self.prime_root(norm)?;
-        let half = self.power(self.plus(self.one, self.one), self.p - 2);
+        let half = self.reciprocal(self.plus(self.one, self.one));
         let u = match self.prime_root(self.times(self.plus(a.re, s), half)) {
             Some(u) => u,
             None => self.prime_root(self.times(self.minus(a.re, s), half))?,
         };
-        let v = self.times(self.times(a.im, half), self.power(u, self.p - 2));
+        let v = self.times(self.times(a.im, half), self.reciprocal(u));
         let root = Finite { re: u, im: v };
         (self.product(root, root) == a).then_some(root)
     }
@@ -407,6 +424,8 @@ mod tests {
                 assert_eq!(left, f.sum(f.product(a, b), f.product(a, c)));
                 assert_eq!(f.product(a, f.product(b, c)), f.product(f.product(a, b), c));
                 assert_eq!(f.product(a, f.inverse(a).unwrap()), f.integer(1));
+                let own = f.draw_element(&mut draws);
+                assert_eq!(f.reciprocal(own.re), f.power(own.re, f.prime() - 2));
                 if let Some(r) = f.square_root(a) {
                     assert_eq!(f.product(r, r), a);
                     roots += 1;

@@ -120,6 +120,8 @@ mod restate;
 mod roots;
 mod sign;
 mod solve;
+mod structure;
+mod values;
 mod witness;
 
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};

@@ -491,20 +491,20 @@ impl Examination<'_> {
             .filter(|(l, _)| matches!(self.lowered.generators.get(**l), Some(Generator::Exponential(_))))
             .map(|(_, &e)| e)
             .collect();
-        if solved.iter().any(|&e| self.lowered.facts.sign(self.graph, &self.lowered.generators, e).not_positive) {
+        if solved.iter().any(|&e| {
+            let Examination { graph, lowered, probe, .. } = &mut *self;
+            lowered.facts.sign_after(graph, &lowered.generators, e, &mut probe.signs).not_positive
+        }) {
             return true;
         }
-        let Facts { positive, not_negative, .. } = self.lowered.given_facts.clone();
-        let mut facts: Vec<(Expr, bool)> = positive.into_iter().map(|e| (e, true)).collect();
-        facts.extend(not_negative.into_iter().map(|e| (e, false)));
+        let Facts { positive, not_negative, .. } = &self.lowered.given_facts;
+        let mut facts: Vec<(Expr, bool)> = positive.iter().map(|&e| (e, true)).collect();
+        facts.extend(not_negative.iter().map(|&e| (e, false)));
         facts.sort_unstable();
         facts.into_iter().any(|(e, strict)| {
             let image = insert_definitions(self.graph, map, e);
-            let mut others = self.lowered.facts.clone();
-            others.positive.remove(&image);
-            others.not_negative.remove(&image);
-            others.nonzero.remove(&image);
-            let known = others.sign(self.graph, &self.lowered.generators, image);
+            let Examination { graph, lowered, probe, .. } = self;
+            let known = lowered.facts.sign_by_parts(graph, &lowered.generators, image, &mut probe.signs);
             known.not_positive && (strict || known.nonzero)
         })
     }
