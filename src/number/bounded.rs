@@ -18,15 +18,15 @@ use super::{NoValue, Number, Rational, Scalar, real, scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// u, half the distance from 1 to the next number: the largest relative error of a basic operation.
-const U: f64 = f64::EPSILON / 2.0;
+pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// Largest relative error granted to an elementary function: one unit in the last place.
 const ULP: f64 = f64::EPSILON;
 /// More than all underflow errors of one operation and of its error bound, each at most 2⁻¹⁰⁷⁵.
-const TINY: f64 = f64::MIN_POSITIVE;
+pub(super) const TINY: f64 = f64::MIN_POSITIVE;
 /// More than the product of the relative rounding errors, each at most 1 + u, that go into one error bound.
-const UP: f64 = 1.0 + 32.0 * U;
+pub(super) const UP: f64 = 1.0 + 32.0 * U;
 /// Less than the same product of factors 1 − u.
-const DOWN: f64 = 1.0 - 32.0 * U;
+pub(super) const DOWN: f64 = 1.0 - 32.0 * U;
 
 /// All numbers within `value ± error`.
 ///

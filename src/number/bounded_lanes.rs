@@ -9,15 +9,17 @@
 //! instructions. Nearly all blocks of a motion have values throughout.
 
 use super::bounded::convolved;
-use super::{Bounded, NoValue, Number, Rational, Scalar, scalar};
+use super::wide::{Convolution, Once, Steps};
+use super::{Bounded, Instruction, NoValue, Number, Op, Rational, Scalar, scalar};
+use pulp::Arch;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points with their error bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct BoundedLanes<const N: usize> {
-    value: [f64; N],
-    error: [f64; N],
+    pub(super) value: [f64; N],
+    pub(super) error: [f64; N],
 }
 
 impl<const N: usize> BoundedLanes<N> {
@@ -30,6 +32,12 @@ impl<const N: usize> BoundedLanes<N> {
     #[inline(always)]
     pub fn of(each: [Bounded; N]) -> BoundedLanes<N> {
         BoundedLanes { value: each.map(|x| x.value), error: each.map(|x| x.error) }
+    }
+
+    /// The values of all lanes.
+    #[inline(always)]
+    pub fn values(&self) -> &[f64; N] {
+        &self.value
     }
 
     /// The number in a lane; lanes are counted from 0 to N − 1.
@@ -145,6 +153,9 @@ impl<const N: usize> Scalar for BoundedLanes<N> {
     }
 
     fn convolution(a: &[Self], b: &[Self]) -> Self {
+        if let Some(sum) = Arch::new().dispatch(Convolution(a, b)) {
+            return sum;
+        }
         let mut out = Self::ZERO;
         for i in 0..N {
             out.set_lane(i, convolved(a, b, |x| x.lane(i)));
@@ -226,6 +237,9 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.total(|i| a.lane(i) - b.lane(i))
     }
     fn mul(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::Mul, out: self, a, b }) {
+            return Ok(());
+        }
         self.total(|i| a.lane(i) * b.lane(i))
     }
     fn div(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
@@ -243,12 +257,15 @@ impl<const N: usize> Number for BoundedLanes<N> {
     fn agm(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
         self.each(|x, i| x.agm(&(), &a.lane(i), &b.lane(i)))
     }
+    fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+        Arch::new().dispatch(Steps { values, missing, steps });
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Draws, Op};
+    use crate::number::Draws;
 
     #[test]
     fn each_lane_is_what_one_point_is() {

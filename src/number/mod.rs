@@ -25,6 +25,7 @@ mod real;
 mod scalar;
 mod series;
 mod slope;
+mod wide;
 
 pub use bounded::Bounded;
 pub use bounded_lanes::BoundedLanes;
@@ -36,7 +37,7 @@ pub(crate) use interval::faults as interval_faults;
 pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};
 pub use jet::{Jet, Orders};
 pub use lanes::{DualLanes, Lanes};
-pub use operation::{Number, Op};
+pub use operation::{Instruction, Number, Op};
 pub use random::Draws;
 pub use scalar::Scalar;
 

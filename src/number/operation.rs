@@ -6,6 +6,56 @@
 
 use super::{NoValue, Rational};
 
+/// One step of a program: `values[out] := op(values[a], values[b])`, with b = a for operations of one argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instruction {
+    /// The operation.
+    pub op: Op,
+    /// Slot of the first argument.
+    pub a: u32,
+    /// Slot of the second argument; equal to `a` when there is none.
+    pub b: u32,
+    /// Slot of the result; larger than `a` and `b`.
+    pub out: u32,
+}
+
+/// How one step is carried out.
+pub(super) trait Apply<N> {
+    /// `out` := `op` of `a` and `b`.
+    fn apply(&self, op: Op, out: &mut N, a: &N, b: &N) -> Result<(), NoValue>;
+}
+
+/// As the number type does it.
+struct Plain<'c, C>(&'c C);
+
+impl<N: Number> Apply<N> for Plain<'_, N::Context> {
+    #[inline(always)]
+    fn apply(&self, op: Op, out: &mut N, a: &N, b: &N) -> Result<(), NoValue> {
+        op.apply(self.0, out, a, b)
+    }
+}
+
+/// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
+#[inline(always)]
+pub(super) fn run_each<N>(
+    values: &mut [N],
+    missing: &mut [Option<NoValue>],
+    steps: &[Instruction],
+    how: impl Apply<N>,
+) {
+    for &Instruction { op, a, b, out } in steps {
+        let (a, b, out) = (a as usize, b as usize, out as usize);
+        let reason = missing[a].or(missing[b]);
+        missing[out] = if reason.is_some() {
+            reason
+        } else {
+            // Arguments lie before the result, so the borrow can be split there.
+            let (before, rest) = values.split_at_mut(out);
+            how.apply(op, &mut rest[0], &before[a], &before[b]).err()
+        };
+    }
+}
+
 macro_rules! operations {
     (
         unary { $( $U:ident $u:ident $uspell:literal on $udom:literal; )* }
@@ -55,7 +105,7 @@ macro_rules! operations {
 
         /// An arithmetic in which formulas can be evaluated.
         ///
-        /// Every method overwrites `self` with the result. No method has a default: a new number type decides each
+        /// Every method overwrites `self` with the result. No operation has a default: a new number type decides each
         /// operation, and a new operation is decided by each number type.
         pub trait Number: Clone {
             /// What the arithmetic needs to know beside its arguments (the orders of a series, the prime of a field).
@@ -73,6 +123,13 @@ macro_rules! operations {
                fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue>; )*
             $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`, on ", $bdom, ".")]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
+
+            /// Carries out the steps of a program. A type whose operations want wider registers than every processor has
+            /// chooses them here, once for all steps; results are those of [`Op::apply`], bit for bit.
+            #[inline]
+            fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+                run_each(values, missing, steps, Plain(cx));
+            }
         }
     };
 }

@@ -10,26 +10,14 @@
 
 use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
-use crate::number::{NoValue, Number, Op, Rational};
+pub use crate::number::Instruction;
+use crate::number::{NoValue, Number, Rational};
 
 /// What fills a slot before the instructions run.
 #[derive(Clone, Debug, PartialEq)]
 enum Preset {
     Rational(Rational),
     Pi,
-}
-
-/// One step: `slots[out] := op(slots[a], slots[b])`, with b = a for operations of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Instruction {
-    /// The operation.
-    pub op: Op,
-    /// Slot of the first argument.
-    pub a: u32,
-    /// Slot of the second argument; equal to `a` when there is none.
-    pub b: u32,
-    /// Slot of the result; larger than `a` and `b`.
-    pub out: u32,
 }
 
 /// A straight-line program. Slots are numbered: inputs first, then constants, then results.
@@ -148,6 +136,30 @@ impl Tape {
         self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
+    /// The instructions that some outputs need, in their order; and those of them that depend on one of the inputs that are
+    /// marked.
+    pub fn needed(&self, outputs: impl Iterator<Item = usize>, marked: &[bool]) -> (Vec<Instruction>, Vec<Instruction>) {
+        let mut needed = vec![false; self.slot_count()];
+        outputs.for_each(|o| needed[self.outputs[o] as usize] = true);
+        for step in self.instructions.iter().rev() {
+            if needed[step.out as usize] {
+                needed[step.a as usize] = true;
+                needed[step.b as usize] = true;
+            }
+        }
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        let all: Vec<Instruction> = self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
+        let mut dependent = Vec::with_capacity(all.len());
+        for step in &all {
+            if depends[step.a as usize] || depends[step.b as usize] {
+                depends[step.out as usize] = true;
+                dependent.push(*step);
+            }
+        }
+        (all, dependent)
+    }
+
     /// Number of slots: inputs, constants and results.
     pub fn slot_count(&self) -> usize {
         self.inputs.len() + self.presets.len() + self.instructions.len()
@@ -191,17 +203,7 @@ impl Tape {
     /// Runs some of the instructions, where the others have their results from before: those that depend on inputs which
     /// have changed since, in an order in which every argument comes before its use.
     pub fn run_some<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>, instructions: &[Instruction]) {
-        for &Instruction { op, a, b, out } in instructions {
-            let (a, b, out) = (a as usize, b as usize, out as usize);
-            let reason = slots.missing[a].or(slots.missing[b]);
-            slots.missing[out] = if reason.is_some() {
-                reason
-            } else {
-                // Arguments lie before the result, so the borrow can be split there.
-                let (before, rest) = slots.values.split_at_mut(out);
-                op.apply(cx, &mut rest[0], &before[a], &before[b]).err()
-            };
-        }
+        N::run(cx, &mut slots.values, &mut slots.missing, instructions);
     }
 
     /// An output after [`Tape::run`].
