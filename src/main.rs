@@ -4,6 +4,10 @@ mod cli;
 
 use std::process::ExitCode;
 
+/// Proofs and reports ask for many small pieces of memory: this allocator gives and takes them faster than the system's.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> ExitCode {
     cli::run()
 }

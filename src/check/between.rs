@@ -7,10 +7,13 @@
 //! once between two changes. Where the sides only touch, or where the search is incomplete, nothing is concluded: a claim
 //! that would hold is then `undecided`.
 
+use std::sync::Arc;
+
 use super::comparison::Standing;
 use super::describe::{Describer, short};
+use super::measured::{Measurements, measure};
 use super::program::Use;
-use super::trial::{Applied, Measurements, Trial, all_of, apply, incomplete, measure, not_applicable};
+use super::trial::{Applied, Trial, all_of, apply, incomplete, not_applicable};
 use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Judged, Left, weigh};
 use crate::flow::{Incomplete, Points};
@@ -39,7 +42,7 @@ pub(super) struct Between<'a> {
     /// The times, increasing.
     pub times: Vec<f64>,
     /// The values at these times.
-    points: Points,
+    points: Arc<Points>,
     roles: Vec<Role>,
     /// What the search leaves open, in words.
     open: Vec<String>,
@@ -140,7 +143,7 @@ impl<'a> Between<'a> {
         let judged = Judged::new(group, trial.claim.precision);
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
-            Role::Probe(_) | Role::Vanishing(_) => Left::Out(String::new()),
+            Role::Probe(_) | Role::Vanishing(_) => Left::Out(Arc::from("")),
             _ => left.clone(),
         };
         let left: Vec<Left> = applied.left.iter().zip(&self.roles).map(weighed).collect();

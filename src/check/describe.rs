@@ -1,9 +1,10 @@
 //! Points in words and numbers, for witnesses and reasons.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 
 use super::comparison::Comparison;
-use super::program::Program;
+use super::program::{Program, SIDES};
 use super::trial::Trial;
 use super::weigh::{Left, Setting};
 use crate::derivation::Claim;
@@ -21,7 +22,10 @@ pub(super) struct Describer<'a> {
     /// The times of the points.
     pub times: &'a [f64],
     points: &'a Points,
+    shown: bool,
     slots: RefCell<Option<Slots<Bounded>>>,
+    /// What was said of inputs without a value, by their position and the reason.
+    said: RefCell<Vec<((usize, NoValue), Arc<str>)>>,
 }
 
 /// A number with as many digits as a reader wants.
@@ -32,8 +36,8 @@ pub(super) fn short(x: f64) -> String {
 impl<'a> Describer<'a> {
     /// A describer of these points.
     pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
-        let Trial { graph, claim, program, course } = *trial;
-        Describer { graph, claim, program, leaves: course.leaves, times, points, slots: RefCell::new(None) }
+        let Trial { graph, claim, program, course, shown } = *trial;
+        Describer { graph, claim, program, leaves: course.leaves, times, points, shown, slots: RefCell::default(), said: RefCell::default() }
     }
 
     /// How the claim is weighed at the points, of which those count that are left.
@@ -43,6 +47,7 @@ impl<'a> Describer<'a> {
             left,
             precision: self.claim.precision,
             one_sign_throughout: self.claim.branches_throughout,
+            shown: self.shown,
             describer: self,
         }
     }
@@ -61,27 +66,36 @@ impl<'a> Describer<'a> {
     }
 
     /// Why a comparison has no value.
-    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> String {
-        let Some(tape) = self.program.tape() else { return reason.to_string() };
+    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> Arc<str> {
         let mut slots = self.slots.borrow_mut();
-        self.program.run(self.points.sample(time), 1.0, &mut slots);
-        let Some(slots) = slots.as_ref() else { return reason.to_string() };
+        let bare = || reason.to_string().into();
+        let Some((tape, slots)) = self.program.evaluated(self.points.sample(time), &mut slots) else { return bare() };
         let position = self.program.position(comparison);
-        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(4 * k + side, slots)));
+        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(SIDES * k + side, slots)));
         match fault {
-            Some(Fault::Input(i)) => match self.program.input(i).and_then(|at| self.leaves.get(at)) {
-                Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)),
-                None => reason.to_string(),
-            },
+            Some(Fault::Input(i)) => {
+                let mut said = self.said.borrow_mut();
+                if let Some((_, text)) = said.iter().find(|(of, _)| *of == (i, reason)) {
+                    return Arc::clone(text);
+                }
+                let text = match self.program.input(i).and_then(|at| self.leaves.get(at)) {
+                    Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)).into(),
+                    None => bare(),
+                };
+                said.push(((i, reason), Arc::clone(&text)));
+                text
+            }
             Some(Fault::Instruction(step)) => {
                 let a = slots.value(step.a as usize).value;
                 let b = slots.value(step.b as usize).value;
                 match step.op.arity() {
-                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)),
-                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b)),
+                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)).into(),
+                    _ => {
+                        format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b)).into()
+                    }
                 }
             }
-            Some(Fault::Constant) | None => reason.to_string(),
+            Some(Fault::Constant) | None => bare(),
         }
     }
 }

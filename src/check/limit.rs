@@ -4,8 +4,11 @@
 //! defined, jumps of angles apart, and motions are continuous. Where there is no value (0/0), or the time goes to infinity,
 //! points nearby do not tell what the limit is, and the verdict is `undecided`.
 
+use std::sync::Arc;
+
 use super::describe::{Describer, short};
-use super::trial::{Trial, measure};
+use super::measured::measure;
+use super::trial::Trial;
 use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Left, weigh};
 use crate::latex::LimitPoint;
@@ -28,7 +31,7 @@ pub(super) fn limit(trial: &Trial, position: usize, point: &LimitPoint) -> Verdi
     if t0 < from || t0 > to {
         return undecided(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
-    let (times, points) = ([t0], [course.values(t0)].into_iter().collect());
+    let (times, points) = ([t0], Arc::new([course.values(t0)].into_iter().collect()));
     let measured = measure(program, &points, None);
     let describer = Describer::new(trial, &times, &points);
     let verdict = weigh(describer.setting(vec![Left::In]), &measured.groups[position]);

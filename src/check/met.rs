@@ -7,9 +7,12 @@
 //! nowhere. A stretch that falls between two samples would be taken for one on which nothing is assumed, and one with a
 //! single sample for one on which the claim was tried.
 
+use std::sync::Arc;
+
 use super::between::is_weak;
 use super::describe::short;
-use super::trial::{Trial, Values, incomplete, measure};
+use super::measured::measure;
+use super::trial::{Trial, Values, incomplete};
 use super::weigh::Judged;
 use crate::flow::{Incomplete, Points};
 use crate::number::NoValue;
@@ -24,7 +27,7 @@ pub(super) struct Met {
     /// The times, increasing.
     pub times: Vec<f64>,
     /// The values at these times.
-    pub points: Points,
+    pub points: Arc<Points>,
 }
 
 /// What was looked for.
@@ -95,7 +98,7 @@ pub(super) fn look(trial: &Trial) -> Search {
     let values = course.points_at(program, &times);
     let place = |(i, &t): (usize, &f64)| (course.times.partition_point(|&x| x < t), values.row(i));
     let more: Vec<(usize, Values)> = times.iter().enumerate().map(place).collect();
-    let points = course.points.with(&more, program.inputs());
+    let points = Arc::new(course.points.with(&more, program.inputs()));
     times.extend(&course.times);
     times.sort_by(f64::total_cmp);
     found.more = Some(Met { times, points });

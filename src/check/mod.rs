@@ -16,14 +16,17 @@ mod cache;
 mod comparison;
 mod describe;
 mod enclose;
+mod follow;
 pub mod identity;
 mod independence;
 mod kept;
 mod limit;
 mod measure;
+mod measured;
 mod memory;
 mod met;
 mod occurrence;
+mod part;
 mod picture;
 mod program;
 mod proposition;
@@ -163,11 +166,17 @@ fn check_and(
 ) -> Result<Account, CheckError> {
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
     // What is about ranges needs no motion.
-    let regions = region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)?;
+    let regions = |derivation: &Derivation| {
+        region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)
+    };
     if derivation.scope.time().is_none() && derivation.trajectories.is_empty() && derivation.systems.is_empty() {
-        return Ok(Account { claims: regions.into_iter().map(|(_, c)| c).collect(), ..Account::default() });
+        return Ok(Account { claims: regions(derivation)?.into_iter().map(|(_, c)| c).collect(), ..Account::default() });
     }
-    let fields = Fields::solve(derivation).map_err(CheckError::Problems)?;
+    let fields = match Fields::solve(derivation) {
+        Ok(fields) => fields,
+        // Problems of ranges are told first.
+        Err(problems) => return Err(regions(derivation).err().unwrap_or(CheckError::Problems(problems))),
+    };
 
     // One program per claim and initial time: the value "at the start" is part of what a first integral says.
     let mut starts: Vec<Rational> = Vec::new();
@@ -208,7 +217,9 @@ fn check_and(
     let mut probes = if separating { Probes::new(derivation, &claimed, &tried, &starts) } else { Probes::default() };
     let measures = measure::compile(derivation, options.claims.is_empty());
     let sign = derivation.scope.branch_sign();
-    let mut altered = (!options.plain).then(|| Altered::new(derivation, &claimed, &starts));
+    let altered = || (!options.plain).then(|| Altered::new(derivation, &claimed, &starts));
+    let (mut altered, regions) = rayon::join(altered, || regions(derivation));
+    let regions = regions?;
     let pictures = if options.claims.is_empty() && !options.plain { picture::leaves(derivation) } else { Vec::new() };
 
     let mut wanted: Vec<_> = programs.iter().flatten().flat_map(|p| p.leaves(&derivation.graph)).collect();
@@ -274,7 +285,7 @@ fn check_and(
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
-                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                     recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
                 })
             };
@@ -325,6 +336,8 @@ fn check_and(
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
         altered.conclude(derivation, &mut account.claims, &weighed, &places, &courses)?;
     }
+    // They are large.
+    rayon::join(|| drop(altered), || drop(courses));
     // Back to the order of the file.
     for (at, of) in regions {
         let before = claimed.iter().filter(|&&c| c < at).count();

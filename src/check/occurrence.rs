@@ -5,11 +5,12 @@
 use super::between::Between;
 use super::comparison::Standing;
 use super::describe::short;
+use super::measured::MeasuredGroup;
 use super::program::Use;
 use super::series::residuals;
 use super::trial::Trial;
 use super::verdict::{Evidence, Outcome, Residual, Strength, Verdict, Witness};
-use super::weigh::{Judged, Left, MeasuredGroup, Setting, witness};
+use super::weigh::{Judged, Left, Setting, witness};
 
 /// What lies between the samples, looked for when it is needed; none for a claim that is tried at events only.
 type Looked<'f, 'a> = dyn Fn() -> Option<Between<'a>> + 'f;
@@ -26,7 +27,7 @@ struct Occurrence {
 fn point(setting: &Setting, judged: &Judged, (i, s): (usize, usize), between: bool) -> Option<Occurrence> {
     let group = judged.measured;
     let c = judged.deciding(s, i);
-    let m = group.signs[s][c][i].as_ref().ok()?;
+    let m = group.signs[s][c].get(i).ok()?;
     let (t, max, bound) = (setting.times[i], m.difference.value.abs(), m.difference.error);
     let witness = witness(setting, &group.group.comparisons[c], i, m);
     Some(Occurrence { t, residual: Residual { max, bound, at: t }, witness, between })
@@ -103,11 +104,11 @@ pub(super) fn occurrence(
 fn closest(setting: &Setting, group: &MeasuredGroup) -> Option<(Residual, (usize, usize))> {
     let mut closest: Option<(Residual, (usize, usize))> = None;
     for (c, series) in group.signs.iter().flat_map(|s| s.iter().enumerate()) {
-        for (i, m) in series.iter().enumerate() {
-            if let (Ok(m), Left::In) = (m, &setting.left[i]) {
-                let size = m.difference.value.abs();
+        for (i, left) in setting.left.iter().enumerate() {
+            if let (Ok(difference), Left::In) = (series.difference(i), left) {
+                let size = difference.value.abs();
                 if closest.as_ref().is_none_or(|(r, _)| size < r.max) {
-                    closest = Some((Residual { max: size, bound: m.difference.error, at: setting.times[i] }, (c, i)));
+                    closest = Some((Residual { max: size, bound: difference.error, at: setting.times[i] }, (c, i)));
                 }
             }
         }

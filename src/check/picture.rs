@@ -42,6 +42,8 @@ pub enum LineKind {
     Separatrix,
     /// A claimed slope, by its position.
     Slope(usize),
+    /// Where an axis of a sphere comes out on the near side, by its position, and whether it is the positive end.
+    Axis(usize, bool),
 }
 
 /// A line in the plane of the drawing.
@@ -207,6 +209,11 @@ fn sphere(derivation: &Derivation, picture: &Picture, course: &Course) -> Result
     }
     let flat = |p: &Vector| (dot(p, &right) / long, dot(p, &up) / long);
     let in_front = |p: &Vector| dot(p, &towards) >= 0.0;
+    for axis in 0..3 {
+        let side = if towards[axis] < 0.0 { -1.0 } else { 1.0 };
+        let place = (side * right[axis], side * up[axis]);
+        lines.push(Line { kind: LineKind::Axis(axis, side > 0.0), points: vec![place] });
+    }
     let seen = |front: bool| points.iter().map(move |p| (in_front(p) == front).then(|| flat(p)));
     lines.extend(parts(LineKind::Hidden, seen(false)));
     lines.extend(parts(LineKind::Shown(0), seen(true)));
@@ -256,11 +263,10 @@ fn level_sets(
     for (k, cell) in grid.iter_mut().enumerate() {
         let (u, v) = (place(k % GRID), place(k / GRID));
         let w = 1.0 - u * u - v * v;
-        if w >= 0.0 {
-            let w = w.sqrt();
-            let p = [0, 1, 2].map(|i| u * right[i] + v * up[i] + w * towards[i]);
-            *cell = f(&p);
-        }
+        // Beyond the rim are the values of the rim, so that lines reach it; there they are cut.
+        let (w, size) = if w >= 0.0 { (w.sqrt(), 1.0) } else { (0.0, u.hypot(v)) };
+        let p = [0, 1, 2].map(|i| (u * right[i] + v * up[i] + w * towards[i]) / size);
+        *cell = f(&p);
     }
     let (low, high) = extent;
     if high - low <= 1e-12 * high.abs().max(low.abs()) {
@@ -268,13 +274,40 @@ fn level_sets(
     }
     let even = (1..=LEVELS).map(|k| low + (high - low) * k as f64 / (LEVELS + 1) as f64);
     let level = |kind: LineKind, c: f64| {
-        contours(&grid, c)
-            .into_iter()
-            .map(move |line| Line { kind, points: line.into_iter().map(|(x, y)| (fraction(x), fraction(y))).collect() })
+        contours(&grid, c).into_iter().flat_map(move |line| {
+            let places: Vec<(f64, f64)> = line.into_iter().map(|(x, y)| (fraction(x), fraction(y))).collect();
+            inside(&places).into_iter().map(move |points| Line { kind, points })
+        })
     };
     let mut lines: Vec<Line> = even.flat_map(|c| level(LineKind::Level, c)).collect();
     lines.extend(saddles.into_iter().flat_map(|c| level(LineKind::Separatrix, c)));
     Some(lines)
+}
+
+/// The parts of a line on the disc, each up to the rim.
+fn inside(line: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    let size = |p: &(f64, f64)| p.0.hypot(p.1);
+    let mut out: Vec<Vec<(f64, f64)>> = Vec::new();
+    let mut open = false;
+    for (k, p) in line.iter().enumerate() {
+        let before = k.checked_sub(1).and_then(|k| line.get(k));
+        let within = size(p) <= 1.0;
+        // Where the line crosses the rim, the distance from the middle taken as linear in between.
+        let rim = before.filter(|b| (size(b) <= 1.0) != within).map(|b| {
+            let share = (1.0 - size(b)) / (size(p) - size(b));
+            (b.0 + share * (p.0 - b.0), b.1 + share * (p.1 - b.1))
+        });
+        if within && !open {
+            out.push(Vec::new());
+        }
+        open = within;
+        if let Some(part) = out.last_mut() {
+            part.extend(rim);
+            part.extend(Some(*p).filter(|_| within));
+        }
+    }
+    out.retain(|part| part.len() > 1);
+    out
 }
 
 /// A place on the grid as a place on the disc.
@@ -414,6 +447,20 @@ mod tests {
         assert!(saddles(&mut flat, &mut (f64::INFINITY, f64::NEG_INFINITY)).is_empty());
         let mut round = |p: &Vector| Some(p[0] * p[0] + p[1] * p[1] + 3.0 * p[2] * p[2]);
         assert!(saddles(&mut round, &mut (f64::INFINITY, f64::NEG_INFINITY)).is_empty());
+    }
+
+    #[test]
+    fn lines_end_at_the_rim() {
+        let across: Vec<(f64, f64)> = (0..=40).map(|k| (f64::from(k) / 10.0 - 2.0, 0.6)).collect();
+        let parts = inside(&across);
+        assert_eq!(parts.len(), 1);
+        for end in [parts[0].first(), parts[0].last()] {
+            let (x, y) = end.expect("a point");
+            assert!((x.hypot(*y) - 1.0).abs() < 1e-3, "{x} {y}");
+        }
+        assert!(inside(&[(2.0, 0.0), (2.0, 1.0)]).is_empty());
+        let all = [(0.0, 0.0), (0.5, 0.0), (0.5, 0.5)];
+        assert_eq!(inside(&all), [all.to_vec()]);
     }
 
     #[test]

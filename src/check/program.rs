@@ -4,17 +4,16 @@
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
 use super::comparison::{Comparison, Group, at_instant, traced};
+use super::measured::{Measured, Series};
+use super::part::{BLOCK, Evaluation, Part};
 use super::steep::exponents;
-use super::weigh::{Measured, Series};
 use crate::derivation::{Derivation, Form, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
-use crate::number::{Bounded, BoundedLanes, NoValue, Rational};
+use crate::number::{Bounded, NoValue, Rational};
 use crate::tape::{Slots, Tape};
 
-/// Points that are evaluated at once.
-const BLOCK: usize = 8;
 /// After so many blocks in a row with points without a value, points are evaluated one by one.
 const PATIENCE: usize = 3;
 
@@ -71,8 +70,11 @@ pub(super) struct Program {
     pub at: Option<Expr>,
     /// Exponents in what it says of every time: see `steep`.
     pub steep: Vec<Expr>,
-    tape: Option<Tape>,
-    /// Where the inputs of the tape stand among the leaves of a point.
+    /// Left, right, and left − right of every comparison.
+    sides: Option<Part>,
+    /// The size of the terms of every comparison.
+    sizes: Option<Part>,
+    /// The positions among the leaves of a point of everything that is needed, increasing.
     inputs: Vec<usize>,
     sign: Leaf,
 }
@@ -281,7 +283,7 @@ impl Program {
         let always = groups.iter().filter(|(how, _)| matches!(how, Use::Always | Use::Defined));
         let compared: Vec<&Comparison> = always.flat_map(|(_, group)| &group.comparisons).collect();
         let steep = exponents(graph, &claim.scope, &compared);
-        Program { assumptions, groups, at, steep, tape: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
+        Program { assumptions, groups, at, steep, sides: None, sizes: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
     }
 
     /// The expressions whose zeros along a motion the claim depends on.
@@ -324,22 +326,20 @@ impl Program {
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 
-    /// Makes the tape. `known` are the leaves of a point, sorted.
+    /// Compiles everything. `known` are the leaves of a point, sorted.
+    ///
+    /// # Errors
+    /// A leaf that is needed, and is not among those of a point.
     pub fn compile(&mut self, graph: &mut Graph, known: &[Leaf]) -> Result<(), Leaf> {
-        let mut roots = Vec::new();
-        for c in self.comparisons() {
-            roots.push((c.left, c.right, c.magnitude));
-        }
-        let roots: Vec<Expr> = roots.into_iter().flat_map(|(l, r, m)| [l, r, graph.sub(l, r), m]).collect();
-        // Only what the claim depends on is copied from a point.
-        let mut needed = graph.leaves(roots.iter().copied());
-        needed.retain(|&l| l != self.sign);
-        self.inputs.clear();
-        for leaf in &needed {
-            self.inputs.push(known.binary_search(leaf).map_err(|_| *leaf)?);
-        }
-        needed.push(self.sign);
-        self.tape = Some(Tape::compile(graph, &needed, &roots)?);
+        let compared: Vec<(Expr, Expr)> = self.comparisons().map(|c| (c.left, c.right)).collect();
+        let sizes: Vec<Expr> = self.comparisons().map(|c| c.magnitude).collect();
+        let sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
+        let sides = Part::new(graph, known, self.sign, &sides)?;
+        let sizes = Part::new(graph, known, self.sign, &sizes)?;
+        self.inputs = sides.inputs().iter().chain(sizes.inputs()).copied().collect();
+        self.inputs.sort_unstable();
+        self.inputs.dedup();
+        (self.sides, self.sizes) = (Some(sides), Some(sizes));
         Ok(())
     }
 
@@ -350,7 +350,7 @@ impl Program {
 
     /// The position among the leaves of a point of an input of the tape.
     pub fn input(&self, position: usize) -> Option<usize> {
-        self.inputs.get(position).copied()
+        self.sides.as_ref()?.inputs().get(position).copied()
     }
 
     /// The leaf that stands for the sign of ±.
@@ -358,92 +358,60 @@ impl Program {
         self.sign
     }
 
-    /// The tape, once compiled.
-    pub fn tape(&self) -> Option<&Tape> {
-        self.tape.as_ref()
+    /// Where the reason lies that a side of a comparison, by its position, has no value at a point: the tape with its
+    /// evaluation there.
+    pub fn evaluated<'s>(&'s self, values: Sample, slots: &'s mut Option<Slots<Bounded>>) -> Option<(&'s Tape, &'s Slots<Bounded>)> {
+        let sides = self.sides.as_ref()?;
+        Some((sides.tape(), sides.run(values, 1.0, slots)))
     }
 
-    /// Evaluates everything at a point, for one sign of ±; what was found stays in the slots.
-    pub fn run(&self, values: Sample, sign: f64, slots: &mut Option<Slots<Bounded>>) {
-        let Some(tape) = &self.tape else { return };
-        let slots = slots.get_or_insert_with(|| tape.slots(&()));
-        for (i, &at) in self.inputs.iter().enumerate() {
-            slots.set(i, values.get(at));
-        }
-        slots.set(self.inputs.len(), Ok(Bounded::exact(sign)));
-        tape.run(&(), slots);
+    /// The sizes of the terms of all comparisons, once compiled.
+    pub fn sizes(&self) -> Option<&Part> {
+        self.sizes.as_ref()
     }
 
-    /// Evaluates everything at a block of points; `false` where some input has a value at some of the points only.
-    fn run_block(
-        &self,
-        tape: &Tape,
-        (points, from): (&Points, usize),
-        sign: f64,
-        slots: &mut Slots<BoundedLanes<BLOCK>>,
-    ) -> bool {
-        for (i, &at) in self.inputs.iter().enumerate() {
-            let lanes = match points.absent(at) {
-                Some(reason) => Err(reason),
-                None => match points.lanes(from, at) {
-                    Some(lanes) => Ok(lanes),
-                    None => return false,
-                },
-            };
-            slots.set(i, lanes);
-        }
-        slots.set(self.inputs.len(), Ok(BoundedLanes::splat(Bounded::exact(sign))));
-        tape.run(&(), slots);
-        true
-    }
-
-    /// Measures every comparison at the points, for one sign of ±: `[comparison][point]`.
-    pub fn measure(&self, points: &Points, sign: f64) -> Vec<Series> {
-        let Some(tape) = &self.tape else { return Vec::new() };
-        let count = tape.output_count() / 4;
-        let mut out: Vec<Series> = (0..count).map(|_| Vec::with_capacity(points.len())).collect();
-        let (mut single, mut lanes) = (None, None);
+    /// Measures every comparison at the first `times` of the points, for one sign of ±.
+    pub fn measure(&self, (points, times): (&Points, usize), sign: f64) -> Vec<Series> {
+        let Some(sides) = &self.sides else { return Vec::new() };
+        let count = sides.tape().output_count() / SIDES;
+        let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
+        let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
         let mut failed = 0;
-        // What depends on something that has no value at any of the points has none either.
-        let absent: Vec<bool> = self.inputs.iter().map(|&at| points.absent(at).is_some()).collect();
-        let never = tape.depends(&absent);
-        for from in (0..points.len()).step_by(BLOCK) {
-            if from + BLOCK <= points.len() && failed < PATIENCE {
-                let slots = lanes.get_or_insert_with(|| tape.slots::<BoundedLanes<BLOCK>>(&()));
-                let valued = |slots: &_| (0..4 * count).all(|o| never[o] || tape.output(o, slots).is_ok());
-                if self.run_block(tape, (points, from), sign, slots) && valued(slots) {
+        let mut from = 0;
+        while from < times {
+            // The last block begins earlier, and yields only what is missing.
+            let begin = from.min(times.saturating_sub(BLOCK));
+            let end = (begin + BLOCK).min(times);
+            if times >= BLOCK && failed < PATIENCE {
+                if let Some(slots) = evaluation.at_all(std::array::from_fn(|i| begin + i)) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
-                        match four(|n| tape.output(4 * k + n, slots).copied()) {
-                            Ok([left, right, difference, magnitude]) => series.extend((0..BLOCK).map(|i| {
-                                let (left, right) = (left.lane(i), right.lane(i));
-                                let (difference, magnitude) = (difference.lane(i), magnitude.lane(i).value);
-                                Ok(Measured { left, right, difference, magnitude })
-                            })),
-                            Err(reason) => series.extend([Err(reason); BLOCK]),
-                        }
+                        series.push_block(three(|n| sides.tape().output(SIDES * k + n, slots)), from - begin);
                     }
+                    from = end;
                     continue;
                 }
                 failed += 1;
             }
-            for at in from..(from + BLOCK).min(points.len()) {
-                self.run(points.sample(at), sign, &mut single);
-                let Some(slots) = &single else { continue };
+            for at in from..end {
+                let slots = evaluation.at(at);
                 for (k, series) in out.iter_mut().enumerate() {
-                    let of = |[left, right, difference, magnitude]: [Bounded; 4]| {
-                        let magnitude = magnitude.value;
-                        Measured { left, right, difference, magnitude }
+                    let of = |[left, right, difference]: [&Bounded; SIDES]| {
+                        Measured { left: left.value, right: right.value, difference: *difference }
                     };
-                    series.push(four(|n| tape.output(4 * k + n, slots).copied()).map(of));
+                    series.push(three(|n| sides.tape().output(SIDES * k + n, slots)).map(of));
                 }
             }
+            from = end;
         }
         out
     }
 }
 
-/// The four outputs of a comparison, or why the first that has no value has none.
-fn four<T>(output: impl Fn(usize) -> Result<T, NoValue>) -> Result<[T; 4], NoValue> {
-    Ok([output(0)?, output(1)?, output(2)?, output(3)?])
+/// What is computed of each comparison: left, right, left − right.
+pub(super) const SIDES: usize = 3;
+
+/// The outputs of a comparison, or why the first that has no value has none.
+fn three<'s, T>(output: impl Fn(usize) -> Result<&'s T, NoValue>) -> Result<[&'s T; SIDES], NoValue> {
+    Ok([output(0)?, output(1)?, output(2)?])
 }

@@ -85,6 +85,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         reading: None,
         says: proposition.formula.clone(),
         parent_says: None,
+        added: false,
         place: None,
         label: None,
         remark: None,

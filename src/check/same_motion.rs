@@ -4,7 +4,8 @@ use super::comparison::{Comparison, Group};
 use super::describe::Describer;
 use super::trial::{Trial, assumptions_of};
 use super::verdict::Verdict;
-use super::weigh::{Measured, MeasuredGroup, Series, weigh};
+use super::measured::{Measured, MeasuredGroup, Series, Sizes};
+use super::weigh::weigh;
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::flow::Sample;
@@ -33,7 +34,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
         course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
     let mut comparisons = Vec::new();
-    let mut series: Vec<Series> = Vec::new();
+    let (mut series, mut sizes): (Vec<Series>, Vec<Vec<f64>>) = Default::default();
     for leaf in of.iter().flat_map(|&s| components(derivation, s)) {
         let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
         let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
@@ -45,17 +46,22 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &
             right: node,
             magnitude: node,
             boundaries: Vec::new(),
+            told: Default::default(),
         });
         let compare = |(ours, theirs): (Sample, &Option<Vec<_>>)| {
             let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;
             let (left, right): (Bounded, Bounded) = (ours.get(at)?, theirs[at]?);
             let difference = left - right;
-            Ok(Measured { left, right, difference, magnitude: left.value.abs() + right.value.abs() })
+            Ok(Measured { left: left.value, right: right.value, difference })
         };
-        series.push(course.points.samples().zip(&theirs).map(compare).collect());
+        let mut of = Series::with_capacity(course.times.len());
+        course.points.samples().zip(&theirs).map(compare).for_each(|m| of.push(m));
+        let size = |i: usize| of.get(i).map_or(0.0, |m| m.left.abs() + m.right.abs());
+        sizes.push((0..of.len()).map(size).collect());
+        series.push(of);
     }
     let group = Group { comparisons, branching: false };
-    let measured = MeasuredGroup::new(&group, vec![series], false);
+    let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);
     match assumptions_of(trial) {
         Ok(left) => {
             let describer = Describer::new(trial, &course.times, &course.points);

@@ -5,7 +5,7 @@
 //! of another system) has no value there, which makes claims that need it not applicable rather than wrong.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
@@ -255,7 +255,7 @@ impl Stage {
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() });
+            return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
         }
         let mut times = motion.sample_times(DENSITY);
         // A derived motion may be tried on a part of the span of its source.
@@ -298,7 +298,7 @@ impl Stage {
             // Another thread can only have found the same.
             let _ = built.samples.set(kept);
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points, near: Mutex::default() })
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() })
     }
 
     /// The value of an expression in parameters on a motion.

@@ -3,13 +3,13 @@
 //! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
 //! form of claim: measure, see which points the assumptions leave, weigh.
 
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use super::between::{Between, between_samples};
 use super::comparison::{Group, Standing};
 use super::describe::{Describer, short};
 use super::limit::limit;
+use super::measured::{Measurements, measure, measure_first};
 use super::met;
 use super::occurrence::occurrence;
 use super::program::{Program, Use};
@@ -17,7 +17,7 @@ use super::stage::Stage;
 use super::steep;
 use super::telling::silence;
 use super::verdict::{Evidence, Exclusion, Outcome, Verdict};
-use super::weigh::{Judged, Left, MeasuredGroup, Series, TOLERATED_INCONCLUSIVE, weigh};
+use super::weigh::{Judged, Left, TOLERATED_INCONCLUSIVE, weigh};
 use crate::derivation::{Claim, Form};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Points, Zeros};
@@ -40,15 +40,7 @@ pub(super) struct Course<'a> {
     /// The sample times, increasing.
     pub times: Vec<f64>,
     /// The values at the sample times.
-    pub points: Points,
-    /// What was looked at around a sample, by its position: claims ask for the same again and again.
-    pub near: Mutex<BTreeMap<usize, Arc<Near>>>,
-}
-
-/// Times around a sample, increasing, and the values there.
-pub(super) struct Near {
-    times: Vec<f64>,
-    points: Points,
+    pub points: Arc<Points>,
 }
 
 impl Course<'_> {
@@ -59,36 +51,24 @@ impl Course<'_> {
 
     /// The same motion at the same times, with the values of other leaves, by their positions.
     pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
-        let points = self.stage.points(self.trajectory, &self.times, &leaves);
-        let (times, near) = (self.times.clone(), Mutex::default());
-        Course { points, times, near, ..*self }
+        let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));
+        Course { points, times: self.times.clone(), ..*self }
     }
 
     /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
     pub fn keep(&mut self, leaves: &[usize]) {
-        self.points.keep(leaves);
+        Arc::make_mut(&mut self.points).keep(leaves);
         self.motion.rest();
-        self.near = Mutex::default();
     }
 
-    /// Times around a sample: a few between it and its neighbours.
-    fn near(&self, at: usize) -> Arc<Near> {
-        let look = || {
-            let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
-            let between =
-                |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
-            let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
-            let mut times: Vec<f64> = neighbours.flat_map(between).collect();
-            times.sort_by(f64::total_cmp);
-            let points = times.iter().map(|&t| self.values(t)).collect();
-            Arc::new(Near { times, points })
-        };
-        let known = || self.near.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(near) = known().get(&at) {
-            return Arc::clone(near);
-        }
-        let near = look();
-        Arc::clone(known().entry(at).or_insert(near))
+    /// Times around a sample: a few between it and its neighbours, increasing.
+    fn near(&self, at: usize) -> Vec<f64> {
+        let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
+        let between = |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+        let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
+        let mut times: Vec<f64> = neighbours.flat_map(between).collect();
+        times.sort_by(f64::total_cmp);
+        times
     }
 
     /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
@@ -97,13 +77,13 @@ impl Course<'_> {
     }
 
     /// What a claim needs at other times.
-    pub fn points_at(&self, program: &Program, times: &[f64]) -> Points {
-        self.stage.points(self.trajectory, times, program.inputs())
+    pub fn points_at(&self, program: &Program, times: &[f64]) -> Arc<Points> {
+        Arc::new(self.stage.points(self.trajectory, times, program.inputs()))
     }
 
     /// What a claim needs at events, and at other times: an event has a `slack`, up to which its time is known, and how far
     /// the values move meanwhile is part of their error.
-    pub fn points_at_events(&self, program: &Program, events: &[(f64, Option<f64>)]) -> Points {
+    pub fn points_at_events(&self, program: &Program, events: &[(f64, Option<f64>)]) -> Arc<Points> {
         let around = |&(t, slack): &(f64, Option<f64>)| {
             let beside = slack.map(|slack| [t - slack, t + slack]);
             [t].into_iter().chain(beside.into_iter().flatten())
@@ -117,7 +97,7 @@ impl Course<'_> {
             let here = found.row(at);
             if slack.is_none() { here } else { widened(here, found.row(at + 1), found.row(at + 2)) }
         };
-        events.iter().map(point).collect()
+        Arc::new(events.iter().map(point).collect())
     }
 
     /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
@@ -149,51 +129,15 @@ pub(super) struct Trial<'a> {
     pub program: &'a Program,
     /// The motion.
     pub course: &'a Course<'a>,
-}
-
-/// Everything measured for one claim at a list of times.
-pub(super) struct Measurements<'a> {
-    /// The assumptions.
-    pub assumptions: Vec<MeasuredGroup<'a>>,
-    /// What the claim says.
-    pub groups: Vec<MeasuredGroup<'a>>,
-}
-
-/// Measures all groups of a program at the given points. What is typical of the size of their terms is that of `along`, the
-/// measurements along the whole motion; without it, that of the points.
-pub(super) fn measure<'a>(program: &'a Program, points: &Points, along: Option<&Measurements>) -> Measurements<'a> {
-    let signs: &[f64] = if program.is_branching() { &[1.0, -1.0] } else { &[1.0] };
-    let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure(points, sign)).collect();
-    let mut next = 0;
-    let mut gather = |group: &'a Group, definedness: bool, along: Option<&MeasuredGroup>| {
-        let first = next;
-        next += group.comparisons.len();
-        let used = if group.branching { by_sign.len() } else { 1 };
-        let mut series = |s: usize, c: usize| by_sign[s].get_mut(first + c).map(std::mem::take).unwrap_or_default();
-        let signs = (0..used).map(|s| (0..group.comparisons.len()).map(|c| series(s, c)).collect()).collect();
-        match along {
-            Some(along) => {
-                let (floors, mute, equal) = (along.floors.clone(), along.mute.clone(), along.equal.clone());
-                MeasuredGroup { group, signs, definedness, floors, mute, equal }
-            }
-            None => MeasuredGroup::new(group, signs, definedness),
-        }
-    };
-    let assumptions = program.assumptions.iter().enumerate();
-    let assumptions =
-        assumptions.map(|(k, a)| gather(&a.group, false, along.and_then(|m| m.assumptions.get(k)))).collect();
-    let groups = program.groups.iter().enumerate();
-    let groups = groups
-        .map(|(k, (how, g))| gather(g, matches!(how, Use::Defined), along.and_then(|m| m.groups.get(k))))
-        .collect();
-    Measurements { assumptions, groups }
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
 }
 
 /// Tries a claim on a motion.
 pub(super) fn try_claim(trial: &Trial) -> Verdict {
     let Trial { program, course, .. } = *trial;
     let zeros = program.at.and_then(|e| course.zeros(e));
-    let at_events: Option<(Vec<f64>, Points)> = match (&program.at, zeros) {
+    let at_events: Option<(Vec<f64>, Arc<Points>)> = match (&program.at, zeros) {
         (None, _) => None,
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
             let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
@@ -208,8 +152,7 @@ pub(super) fn try_claim(trial: &Trial) -> Verdict {
     };
     // An equation among the assumptions that fails at the first point settles it.
     if program.assumptions.iter().any(|a| a.throughout) {
-        let (first, point) = (&times[..1], &points.first());
-        let applied = apply(trial, &measure(program, point, None), &Describer::new(trial, first, point));
+        let applied = apply(trial, &measure_first(program, points, 1), &Describer::new(trial, &times[..1], points));
         if let Some(reason) = applied.unmet {
             return not_applicable(reason);
         }
@@ -275,7 +218,8 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
     let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
     let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
     let near = course.near(at);
-    let Some(closer) = at_further_times(trial, along, &near.times, &near.points) else { return verdict };
+    let points = course.points_at(trial.program, &near);
+    let Some(closer) = at_further_times(trial, along, &near, &points) else { return verdict };
     match (closer.outcome(), &closer.evidence().residual) {
         (Outcome::Fails(_), _) => closer,
         (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
@@ -288,7 +232,7 @@ fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict
 }
 
 /// The verdict of what a claim says of all times, at further times; `None` where its assumptions leave none of them.
-fn at_further_times(trial: &Trial, along: &Measurements, times: &[f64], points: &Points) -> Option<Verdict> {
+fn at_further_times(trial: &Trial, along: &Measurements, times: &[f64], points: &Arc<Points>) -> Option<Verdict> {
     let program = trial.program;
     let describer = Describer::new(trial, times, points);
     let measured = measure(program, points, Some(along));
@@ -485,7 +429,7 @@ impl Applied {
         }
         if self.left.iter().all(|l| *l != Left::In) {
             let reason = self.left.into_iter().find_map(|l| match l {
-                Left::Out(reason) => Some(reason),
+                Left::Out(reason) => Some(reason.to_string()),
                 Left::In => None,
             });
             let reason = reason.unwrap_or_else(|| "there is no time to try it at".to_owned());
@@ -503,6 +447,8 @@ pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describe
         let judged = Judged::new(group, trial.claim.precision);
         let mut unclear = None;
         let mut unclear_count = 0;
+        let not_met: Arc<str> = format!("the assumption `{}` is not met", assumption.text).into();
+        let undecided: Arc<str> = format!("the assumption `{}` cannot be decided", assumption.text).into();
         for (i, left) in applied.left.iter_mut().enumerate() {
             let Some(standing) = judged.best(i) else { continue };
             if standing == Standing::Satisfied {
@@ -510,13 +456,13 @@ pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describe
             }
             let c = judged.deciding(0, i);
             let comparison = &assumption.group.comparisons[c];
-            let sides = |what: &str| match &group.signs[0][c][i] {
+            let sides = |what: &str| match group.signs[0][c].get(i) {
                 Ok(m) => format!(
                     "the assumption `{}` {what}: at t = {} its sides are {} and {} (error bound {:.1e})",
                     assumption.text,
                     short(describer.times[i]),
-                    short(m.left.value),
-                    short(m.right.value),
+                    short(m.left),
+                    short(m.right),
                     m.difference.error
                 ),
                 Err(_) => format!("the assumption `{}` {what}", assumption.text),
@@ -536,12 +482,12 @@ pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describe
                     unclear.get_or_insert_with(|| sides("cannot be decided"));
                     unclear_count += 1;
                     if *left == Left::In {
-                        *left = Left::Out(format!("the assumption `{}` cannot be decided", assumption.text));
+                        *left = Left::Out(Arc::clone(&undecided));
                     }
                 }
                 Standing::Violated | Standing::Inconclusive => {
                     if *left == Left::In {
-                        *left = Left::Out(format!("the assumption `{}` is not met", assumption.text));
+                        *left = Left::Out(Arc::clone(&not_met));
                     }
                 }
             }

@@ -1,13 +1,16 @@
 //! Weighing: from measured comparisons to a verdict.
 //!
-//! **In:** for every comparison and every time, both sides with their error bounds ([`Series`]). **Out:** a [`Verdict`].
+//! **In:** for every comparison and every time, both sides with their error bounds ([`MeasuredGroup`]). **Out:** a [`Verdict`].
 //!
 //! The rules, in their order: a point where an assumption is not met, or where a side has no value, is left out and named;
 //! when nothing is left the claim is not applicable. One violated point refutes. Points whose bound is too large to tell
 //! are named too; more than two in a hundred of them, and the verdict is `undecided`.
 
-use super::comparison::{Comparison, Group, Standing, judge};
+use std::sync::Arc;
+
+use super::comparison::{Comparison, Standing};
 use super::describe::Describer;
+use super::measured::{Measured, MeasuredGroup, Series};
 use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
@@ -15,122 +18,8 @@ use crate::number::{Bounded, NoValue};
 /// Share of points whose bound may be too large, for a claim that holds at all others.
 pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
 
-/// Errors below this are those of results that are too small for a number.
-const UNDERFLOW: f64 = 1e-290;
-
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
-
-/// Both sides of a comparison at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Measured {
-    /// The left side.
-    pub left: Bounded,
-    /// The right side.
-    pub right: Bounded,
-    /// Left − right.
-    pub difference: Bounded,
-    /// Size of the terms.
-    pub magnitude: f64,
-}
-
-/// A comparison at all times, for one sign of ±.
-pub(super) type Series = Vec<Result<Measured, NoValue>>;
-
-/// One group, measured: `signs[s][c][i]` is comparison c at time i for the sign s; one sign only where no ± occurs.
-pub(super) struct MeasuredGroup<'a> {
-    /// What was compared.
-    pub group: &'a Group,
-    /// The measurements.
-    pub signs: Vec<Vec<Series>>,
-    /// Whether the group only says that its left sides have values.
-    pub definedness: bool,
-    /// What is typical of the size of the terms along the motion, for each sign.
-    pub floors: Vec<f64>,
-    /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
-    pub mute: Vec<Vec<bool>>,
-    /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
-    /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
-    pub equal: Vec<Vec<bool>>,
-}
-
-impl<'a> MeasuredGroup<'a> {
-    /// A group measured along a motion: what is typical of it is what is typical there.
-    pub fn new(group: &'a Group, signs: Vec<Vec<Series>>, definedness: bool) -> MeasuredGroup<'a> {
-        let floors = signs.iter().map(|s| floor(s)).collect();
-        let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
-        let along = |series: &Series| {
-            let within = |m: &Measured| m.difference.contains_zero();
-            let mut known = series.iter().flatten().map(within);
-            let (Some(first), last) = (known.next(), series.iter().flatten().next_back().is_some_and(within)) else {
-                return false;
-            };
-            // What is clear before and after did not fade away.
-            definedness && !first && !last || first && known.all(|w| w)
-        };
-        let equal = signs.iter().map(|s| s.iter().map(along).collect()).collect();
-        MeasuredGroup { group, signs, definedness, floors, mute, equal }
-    }
-
-    /// What a residual must be small against: the size of the terms at that time, or what is typical of the group along
-    /// the motion, whichever is larger.
-    fn scale(&self, sign: usize, m: &Measured) -> f64 {
-        m.magnitude.max(self.floors[sign])
-    }
-
-    /// Whether the sides are equal within an error, where that does not refute a strict relation.
-    fn is_open(&self, sign: usize, comparison: usize, m: &Measured) -> bool {
-        let strict = match self.group.comparisons[comparison].kind {
-            RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => true,
-            RelationKind::Equal | RelationKind::LessEqual | RelationKind::GreaterEqual => false,
-        };
-        strict && m.difference.error > 0.0 && m.difference.contains_zero() && !self.equal[sign][comparison]
-    }
-
-    /// How a comparison stands at a time.
-    fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Standing {
-        let kind = self.group.comparisons[comparison].kind;
-        // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
-        let exists = self.definedness && kind == RelationKind::Equal;
-        match &self.signs[sign][comparison][time] {
-            Ok(_) if exists => Standing::Satisfied,
-            // No bound is small enough for what cannot be seen.
-            Ok(m) if self.mute[sign][comparison] => judge(kind, m.difference, 0.0, precision),
-            Ok(m) => match judge(kind, m.difference, self.scale(sign, m), precision) {
-                Standing::Violated if self.is_open(sign, comparison, m) => Standing::Inconclusive,
-                standing => standing,
-            },
-            Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
-            Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
-            // A value may exist: this is a bound that is too large, not a formula that says nothing.
-            Err(_) => Standing::Inconclusive,
-        }
-    }
-}
-
-/// What is typical of the size of the terms of a group. The components of a vector share it: that one of them vanishes does
-/// not make its rounding significant.
-fn floor(group: &[Series]) -> f64 {
-    let typical = group.iter().map(typical).fold(0.0, f64::max);
-    if typical > 0.0 {
-        return typical;
-    }
-    // Terms that are 0 with an error this small are not 0, but too small for a number: nothing is small against them, if not
-    // what they are at other times.
-    let all = || group.iter().flatten().flatten();
-    let error = all().map(|m| m.difference.error).fold(0.0, f64::max);
-    if error > 0.0 && error < UNDERFLOW { all().map(|m| m.magnitude).fold(0.0, f64::max) } else { 1.0 }
-}
-
-/// The median size of the terms of a comparison along the motion.
-fn typical(series: &Series) -> f64 {
-    let mut sizes: Vec<f64> = series.iter().filter_map(|m| m.as_ref().ok().map(|m| m.magnitude)).collect();
-    if sizes.is_empty() {
-        return 0.0;
-    }
-    let middle = sizes.len() / 2;
-    *sizes.select_nth_unstable_by(middle, f64::total_cmp).1
-}
 
 /// Why a point does not count.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +27,7 @@ pub(super) enum Left {
     /// It counts.
     In,
     /// It is left out, for this reason.
-    Out(String),
+    Out(Arc<str>),
 }
 
 /// What is known of each time before the claim itself is looked at, and how to describe a point.
@@ -151,6 +40,8 @@ pub(super) struct Setting<'a> {
     pub precision: f64,
     /// Whether one sign of ± must serve the whole motion.
     pub one_sign_throughout: bool,
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
     /// What describes the points.
     pub describer: &'a Describer<'a>,
 }
@@ -160,6 +51,8 @@ pub(super) struct Judged<'a, 'g> {
     /// The measurements.
     pub measured: &'a MeasuredGroup<'g>,
     precision: f64,
+    /// Whether it consists of equations only, that say more than that they have values.
+    equations: bool,
     /// `[s][i]`: standing of the whole group at time i for the sign s.
     pub whole: Vec<Vec<Standing>>,
 }
@@ -168,41 +61,79 @@ impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
         let whole = |(s, series): (usize, &Vec<Series>)| -> Vec<Standing> {
-            let count = series.first().map_or(0, Vec::len);
-            let at = |i: usize| {
-                let each = (0..series.len()).map(|c| measured.standing(s, c, i, precision));
-                each.fold(Standing::Satisfied, Standing::and)
-            };
-            (0..count).map(at).collect()
+            let mut whole = vec![Standing::Satisfied; series.first().map_or(0, Series::len)];
+            (0..series.len()).for_each(|c| measured.stand(s, c, precision, &mut whole));
+            whole
         };
-        Judged { measured, precision, whole: measured.signs.iter().enumerate().map(whole).collect() }
+        let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
+        let equations = equations && !measured.definedness;
+        Judged { measured, precision, equations, whole: measured.signs.iter().enumerate().map(whole).collect() }
     }
 
-    /// The comparison that decides the standing at a time, for one sign: the one that is furthest off among the worst.
+    /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
+    /// terms, among the worst; where all is well, the one with the largest residual.
     pub fn deciding(&self, sign: usize, time: usize) -> usize {
-        let worst = self.whole[sign][time];
+        if self.whole[sign][time] == Standing::Satisfied {
+            return self.largest(sign, time);
+        }
         let series = &self.measured.signs[sign];
         if series.len() == 1 {
             return 0;
         }
-        let off = |c: usize| match &series[c][time] {
-            Ok(m) => m.difference.value.abs() / self.measured.scale(sign, m),
-            Err(_) => f64::INFINITY,
-        };
-        let candidates = (0..series.len()).filter(|&c| self.measured.standing(sign, c, time, self.precision) == worst);
-        candidates.max_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
+        let scale = |c: usize| self.measured.scale(sign, c, time);
+        let off = |c: usize| series[c].difference(time).map_or(f64::INFINITY, |d| d.value.abs() / scale(c));
+        let worst = self.worst(sign, time).map(|c| (c, off(c)));
+        worst.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(c, _)| c)
     }
 
-    /// A comparison at a time with the sign that does best, and the size of its terms: what a reader is shown.
-    pub fn shown(&self, comparison: usize, time: usize) -> Option<(&Measured, f64)> {
-        let rank = |&s: &usize| match self.whole[s].get(time) {
+    /// The comparison with the largest residual at a time, in units of its error bound, among those that stand as the whole
+    /// group does, for one sign. Among equals the one with the largest bound.
+    fn largest(&self, sign: usize, time: usize) -> usize {
+        let series = &self.measured.signs[sign];
+        if series.len() == 1 {
+            return 0;
+        }
+        let size = |c: usize| match series[c].difference(time) {
+            Ok(d) => (ratio(d.value.abs(), d.error), d.error),
+            Err(_) => (f64::INFINITY, f64::INFINITY),
+        };
+        let larger = |a: (usize, (f64, f64)), b: (usize, (f64, f64))| if b.1 > a.1 { b } else { a };
+        let sized = |c| (c, size(c));
+        // What is violated of an equation is further off than what is not.
+        let found = match (self.whole[sign][time], self.equations) {
+            (Standing::Satisfied, _) | (Standing::Violated, true) => (0..series.len()).map(sized).reduce(larger),
+            _ => self.worst(sign, time).map(sized).reduce(larger),
+        };
+        found.map_or(0, |(c, _)| c)
+    }
+
+    /// The comparisons that stand as the whole group does at a time, for one sign.
+    fn worst(&self, sign: usize, time: usize) -> impl Iterator<Item = usize> + '_ {
+        let whole = self.whole[sign][time];
+        let stands = move |c: &usize| self.measured.standing(sign, *c, time, self.precision) == whole;
+        let count = self.measured.signs[sign].len();
+        (0..count).filter(move |c| count == 1 || stands(c))
+    }
+
+    /// A comparison at some times, with the sign that does best there, and the size of its terms: what a reader is shown. Times
+    /// without a value are left out.
+    pub fn shown(&self, comparison: usize, times: &[usize]) -> Vec<(usize, Measured, f64)> {
+        let rank = |&(s, time): &(usize, usize)| match self.whole[s].get(time) {
             Some(Standing::Satisfied) => 0,
             Some(Standing::Inconclusive) => 1,
             _ => 2,
         };
-        let sign = (0..self.whole.len()).min_by_key(rank)?;
-        let m = self.measured.signs[sign].get(comparison)?.get(time)?.as_ref().ok()?;
-        Some((m, self.measured.scale(sign, m)))
+        let best = |time: usize| (0..self.whole.len()).map(|s| (s, time)).min_by_key(rank).map(|(s, _)| s);
+        let mut out = Vec::with_capacity(times.len());
+        for sign in 0..self.whole.len() {
+            let here: Vec<usize> = times.iter().copied().filter(|&time| best(time) == Some(sign)).collect();
+            let scales = self.measured.scales(sign, comparison, &here);
+            let measured = |time: usize| self.measured.signs[sign].get(comparison)?.get(time).ok();
+            let each = here.into_iter().zip(scales).filter_map(|(time, scale)| Some((time, measured(time)?, scale)));
+            out.extend(each);
+        }
+        out.sort_by_key(|(time, ..)| *time);
+        out
     }
 
     /// The standing at a time with the sign that does best.
@@ -212,12 +143,12 @@ impl<'a, 'g> Judged<'a, 'g> {
 }
 
 /// A point of a comparison that a reader can check.
-pub(super) fn witness(setting: &Setting, comparison: &Comparison, time: usize, m: &Measured) -> Witness {
+pub(super) fn witness(setting: &Setting, comparison: &Comparison, time: usize, m: Measured) -> Witness {
     Witness {
         t: setting.times[time],
         formula: comparison.label.clone(),
-        left: m.left.value,
-        right: m.right.value,
+        left: m.left,
+        right: m.right,
         bound: m.difference.error,
         values: setting.describer.values(comparison, time),
     }
@@ -226,16 +157,16 @@ pub(super) fn witness(setting: &Setting, comparison: &Comparison, time: usize, m
 /// Joins neighbouring excluded points with the same reason.
 fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
     let mut out: Vec<Exclusion> = Vec::new();
-    let mut open: Option<String> = None;
+    let mut open: Option<&str> = None;
     for (&t, l) in times.iter().zip(left) {
         match l {
             Left::In => open = None,
             Left::Out(reason) => {
-                match (&open, out.last_mut()) {
-                    (Some(r), Some(last)) if r == reason => last.to = t,
-                    _ => out.push(Exclusion { from: t, to: t, reason: reason.clone() }),
+                match (open, out.last_mut()) {
+                    (Some(r), Some(last)) if r == &**reason => last.to = t,
+                    _ => out.push(Exclusion { from: t, to: t, reason: reason.to_string() }),
                 }
-                open = Some(reason.clone());
+                open = Some(reason);
             }
         }
     }
@@ -291,12 +222,39 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
     Signs { words: Some(words), change: first[0].zip(first[1]) }
 }
 
-/// A violated comparison: where it is, and how far off in units of the size of its terms.
+/// A residual in units of its bound.
+fn ratio(size: f64, bound: f64) -> f64 {
+    if size == 0.0 { 0.0 } else { size / bound }
+}
+
+/// A violated comparison: where it is, and how far off; in units of the size of its terms once that is known.
+#[derive(Clone, Copy)]
 struct Failure {
     size: f64,
     sign: usize,
     comparison: usize,
     time: usize,
+}
+
+/// The failure that is largest against the size of its terms; among equals the earliest, and there the last comparison.
+///
+/// No size is below what is typical along the motion: so sizes are asked for only where a failure may be the largest.
+fn clearest(group: &MeasuredGroup, failures: &[Failure]) -> Option<Failure> {
+    let most = |f: &Failure| f.size / group.floor(f.sign);
+    let exactly = |f: &Failure| Failure { size: f.size / group.scale(f.sign, f.comparison, f.time), ..*f };
+    let first = failures.iter().max_by(|a, b| most(a).total_cmp(&most(b)))?;
+    let least = exactly(first).size;
+    let mut clearest: Option<Failure> = None;
+    for f in failures {
+        if most(f) < clearest.map_or(least, |c| c.size.max(least)) {
+            continue;
+        }
+        let f = exactly(f);
+        if clearest.is_none_or(|c| f.size > c.size || f.size == c.size && f.time == c.time) {
+            clearest = Some(f);
+        }
+    }
+    clearest
 }
 
 /// Weighs a group, all comparisons of which must hold.
@@ -305,14 +263,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let mut evidence = Evidence::default();
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
-    let mut clearest: Option<Failure> = None;
+    let mut failures: Vec<Failure> = Vec::new();
     let mut worst: Option<(usize, usize)> = None;
-    let mut fail = |failure: Failure| {
-        // The clearest failure is the witness; among equals the earliest.
-        if clearest.as_ref().is_none_or(|c| failure.size > c.size) {
-            clearest = Some(failure);
-        }
-    };
+    let mut largest = 0.0;
     let judged = Judged::new(group, setting.precision);
     let standing = &judged.whole;
     let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
@@ -328,7 +281,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     evidence.samples = counted.len();
     if counted.is_empty() {
         let reason = setting.left.iter().find_map(|l| match l {
-            Left::Out(reason) => Some(reason.clone()),
+            Left::Out(reason) => Some(reason.to_string()),
             Left::In => None,
         });
         evidence.reason = Some(reason.unwrap_or_else(|| "no time at which it could be tried".to_owned()));
@@ -346,25 +299,25 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             Standing::NoValue(_) => 3,
         });
         let Some(best) = best else { continue };
-        let c = judged.deciding(best, i);
-        let Ok(m) = &group.signs[best][c][i] else {
+        let c = judged.largest(best, i);
+        let Ok(difference) = group.signs[best][c].difference(i) else {
             if standing[best][i] == Standing::Violated {
                 // A claim of definedness: there is no value to show, the reason is.
-                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain));
-                fail(Failure { size: 0.0, sign: best, comparison: c, time: i });
+                evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain).to_string());
+                failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
             } else if standing[best][i] == Standing::Inconclusive {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
-                    let why = fault(c, i, group.signs[best][c][i].err().unwrap_or(NoValue::Indeterminate));
+                    let why = fault(c, i, group.signs[best][c].difference(i).err().unwrap_or(NoValue::Indeterminate));
                     format!("at t = {:.6}, {why}", setting.times[i])
                 });
             }
             continue;
         };
-        let ratio = |m: f64, b: f64| if m == 0.0 { 0.0 } else { m / b };
-        let (size, bound) = (m.difference.value.abs(), m.difference.error);
-        let worse = evidence.residual.as_ref().is_none_or(|r| ratio(size, bound) > ratio(r.max, r.bound));
+        let (size, bound) = (difference.value.abs(), difference.error);
+        let worse = evidence.residual.is_none() || ratio(size, bound) > largest;
         if worse && !group.definedness {
+            largest = ratio(size, bound);
             evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
             worst = Some((c, i));
         }
@@ -376,12 +329,14 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
                     let unseen = if group.mute[best][c] { ", below which a term of the formula is lost" } else { "" };
                     format!(
                         "at t = {:.6} the two sides differ by {:.2e}, with an error bound of {:.2e}{unseen}",
-                        setting.times[i], m.difference.value, bound
+                        setting.times[i], difference.value, bound
                     )
                 });
             }
             Standing::Violated => {
-                fail(Failure { size: size / group.scale(best, m), sign: best, comparison: c, time: i });
+                let off = |c: usize| group.signs[best][c].difference(i).map_or(0.0, |d| d.value.abs());
+                let failed = |c: usize| Failure { size: off(c), sign: best, comparison: c, time: i };
+                failures.extend(judged.worst(best, i).map(failed));
             }
         }
     }
@@ -389,19 +344,18 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
         // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
         let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
         let c = judged.deciding(wrong, i);
-        if let Ok(m) = &group.signs[wrong][c][i] {
-            let size = m.difference.value.abs() / group.scale(wrong, m);
-            fail(Failure { size, sign: wrong, comparison: c, time: i });
+        if let Ok(difference) = group.signs[wrong][c].difference(i) {
+            failures.push(Failure { size: difference.value.abs(), sign: wrong, comparison: c, time: i });
             evidence.reason = Some("no single sign of ± serves the whole motion".to_owned());
         }
     }
 
+    let clearest = clearest(group, &failures);
     let telling = clearest.as_ref().map(|f| (f.comparison, f.time)).or(worst);
     evidence.series = super::series::residuals(&setting, &judged, telling, false);
     if let Some(f) = clearest {
-        let none = Bounded { value: 0.0, error: 0.0 };
-        let absent = Measured { left: none, right: none, difference: none, magnitude: 0.0 };
-        let m = group.signs[f.sign][f.comparison][f.time].as_ref().unwrap_or(&absent);
+        let absent = Measured { left: 0.0, right: 0.0, difference: Bounded::exact(0.0) };
+        let m = group.signs[f.sign][f.comparison].get(f.time).unwrap_or(absent);
         evidence.witness = Some(witness(&setting, &group.group.comparisons[f.comparison], f.time, m));
         return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
     }

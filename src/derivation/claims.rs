@@ -73,6 +73,7 @@ impl Loader<'_> {
             place: table.text(problems, "place"),
             label: table.text(problems, "label"),
             printed: true,
+            added: false,
             remark: table.text(problems, "remark"),
             symbols: Vec::new(),
             formulas: Vec::new(),
@@ -149,6 +150,9 @@ impl Loader<'_> {
     fn fill(&mut self, claim: &mut Claim, table: &Table<'_, '_>, ids: &[String]) {
         if table.get("printed").is_some() {
             claim.printed = table.boolean(&mut self.problems, "printed").unwrap_or(true);
+        }
+        if table.get("added").is_some() {
+            claim.added = table.boolean(&mut self.problems, "added").unwrap_or(false);
         }
         if let Some(value) = table.get("symbols") {
             let mut scope = claim.scope.clone();

@@ -18,6 +18,7 @@ pub const READING: &[&str] = &[
     "says",
     "remark",
     "printed",
+    "added",
     "symbols",
     "assuming",
     "follows-from",

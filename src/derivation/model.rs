@@ -342,6 +342,8 @@ pub struct Claim {
     pub label: Option<String>,
     /// Whether its formulas are those that the paper prints under the label.
     pub printed: bool,
+    /// Whether the paper does not say it: it was added for comparison, and is not counted among what the paper says.
+    pub added: bool,
     /// What a reader should know.
     pub remark: Option<String>,
     /// Symbols that are declared for this claim only.

@@ -77,6 +77,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "says" => text("The claim in your own words; $…$ around a formula"),
             "remark" => text("What a reader should know, for instance why it fails"),
             "printed" => flag("false: the formulas are a variant of what the paper prints under the label"),
+            "added" => flag("true: the paper does not say it; it was added for comparison"),
             "symbols" => named("symbol", "Symbols for this claim only"),
             "assuming" => formulas("Relations without which the claim does not apply"),
             "follows-from" => ids("Claims, systems and symbols from which it follows"),

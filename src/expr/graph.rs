@@ -86,10 +86,22 @@ pub struct Graph {
     symbols: Vec<SymbolEntry>,
 }
 
+/// The same for a + b and b + a, which are one node.
 fn hash(node: &Node) -> u64 {
     let mut hasher = FastHasher::default();
-    node.hash(&mut hasher);
+    match turned(node) {
+        Some(turned @ Node::Binary(_, a, b)) if a < b => turned.hash(&mut hasher),
+        _ => node.hash(&mut hasher),
+    }
     hasher.finish()
+}
+
+/// The node with its arguments exchanged, where that makes no difference.
+fn turned(node: &Node) -> Option<Node> {
+    match *node {
+        Node::Binary(op @ (Op::Add | Op::Mul | Op::Agm), a, b) => Some(Node::Binary(op, b, a)),
+        _ => None,
+    }
 }
 
 /// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
@@ -177,17 +189,13 @@ impl Graph {
     }
 
     fn intern(&mut self, node: Node) -> Expr {
-        if let Some(e) = self.find(&node) {
-            return e;
-        }
         // a + b and b + a are one node, printed in the order in which it was first written.
-        if let Node::Binary(op @ (Op::Add | Op::Mul | Op::Agm), a, b) = node
-            && let Some(e) = self.find(&Node::Binary(op, b, a))
-        {
+        let (hashed, turned) = (hash(&node), turned(&node));
+        let is_it = |&e: &Expr| self.nodes[e.index()] == node || turned.as_ref() == Some(&self.nodes[e.index()]);
+        if let Some(&e) = self.index.find(hashed, is_it) {
             return e;
         }
         let e = Expr(self.nodes.len() as u32);
-        let hashed = hash(&node);
         self.nodes.push(node);
         let nodes = &self.nodes;
         self.index.insert_unique(hashed, e, |e| hash(&nodes[e.index()]));

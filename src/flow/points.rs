@@ -130,11 +130,6 @@ impl Points {
         Sample::Among(self, at)
     }
 
-    /// The first time alone.
-    pub fn first(&self) -> Points {
-        (self.count > 0).then(|| self.row(0)).into_iter().collect()
-    }
-
     /// All times in their order, to be read in place.
     pub fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
         (0..self.count).map(|at| self.sample(at))
@@ -158,6 +153,25 @@ impl Points {
             }
         }
         Some(lanes)
+    }
+
+    /// The values of a leaf at some times; `None` where one of them has none.
+    #[inline]
+    pub fn lanes_at<const N: usize>(&self, at: [usize; N], leaf: usize) -> Option<BoundedLanes<N>> {
+        let from = at[0];
+        if at.iter().enumerate().all(|(i, &t)| t == from + i) {
+            return self.lanes(from, leaf);
+        }
+        let mut lanes = BoundedLanes::splat(Bounded::exact(0.0));
+        for (i, &t) in at.iter().enumerate() {
+            lanes.set_lane(i, self.get(t, leaf).ok()?);
+        }
+        Some(lanes)
+    }
+
+    /// Whether a leaf has the same value at all times, or none at any.
+    pub fn is_constant(&self, leaf: usize) -> bool {
+        !matches!(self.columns.get(leaf), Some(Column::Known(_) | Column::Partial(_)))
     }
 
     /// Why a leaf has no value at any time; `None` if it has one at some time.

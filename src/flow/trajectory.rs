@@ -302,6 +302,10 @@ impl Branch {
                 out.error.push(FLOOR * *l + 2.0 * b.error + SAFETY * late);
             }
         }
+        // How many steps there would be was not known.
+        for column in [&mut out.coefficients, &mut out.low, &mut out.times, &mut out.error] {
+            column.shrink_to_fit();
+        }
         Ok(out)
     }
 

@@ -1,5 +1,7 @@
 //! Which symbols there are, and what a written symbol refers to.
 
+use std::sync::Arc;
+
 use super::elaborate::Elaborator;
 use super::name;
 use super::parse::{WrittenName, read_name};
@@ -78,13 +80,40 @@ struct Entry {
     rank: usize,
 }
 
+/// A declaration with what it is looked for by: scopes are copied often, and asked very often.
+#[derive(Clone, Debug)]
+struct Filed {
+    digest: u64,
+    symbol: Symbol,
+    entry: Arc<Entry>,
+}
+
+impl std::ops::Deref for Filed {
+    type Target = Entry;
+    fn deref(&self) -> &Entry {
+        &self.entry
+    }
+}
+
+/// A number of a name that is given in pieces; different names have different numbers nearly always (FNV-1a).
+fn digest(pieces: &[&str]) -> u64 {
+    let bytes = pieces.iter().flat_map(|piece| piece.bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+}
+
+/// Whether a name is made of these pieces.
+fn is_made_of(name: &str, pieces: &[&str]) -> bool {
+    let rest = pieces.iter().try_fold(name, |rest, piece| rest.strip_prefix(piece));
+    rest.is_some_and(str::is_empty)
+}
+
 /// The declared symbols. Later declarations hide earlier ones of the same name, so a claim may have symbols of its own.
 #[derive(Clone, Debug)]
 pub struct Scope {
-    entries: Vec<Entry>,
+    entries: Vec<Filed>,
     sign: Leaf,
     /// No longer found by name; formulas read before still mean them.
-    hidden: Vec<Entry>,
+    hidden: Vec<Filed>,
 }
 
 /// What a written symbol refers to.
@@ -196,10 +225,10 @@ impl Scope {
         let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
         // The same name again hides the earlier one.
         let same =
-            |e: &mut Entry| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
-        let hidden: Vec<Entry> = self.entries.extract_if(.., same).collect();
+            |e: &mut Filed| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
+        let hidden: Vec<Filed> = self.entries.extract_if(.., same).collect();
         self.hidden.extend(hidden);
-        self.entries.push(entry);
+        self.entries.push(Filed { digest: digest(&[&entry.name]), symbol, entry: Arc::new(entry) });
         Ok(symbol)
     }
 
@@ -246,7 +275,7 @@ impl Scope {
     }
 
     fn by_symbol(&self, symbol: Symbol) -> Option<&Entry> {
-        self.entries.iter().rev().chain(&self.hidden).find(|e| e.symbol == symbol)
+        self.entries.iter().rev().chain(&self.hidden).find(|e| e.symbol == symbol).map(|e| &**e)
     }
 
     /// The symbol declared under a key, in any spelling of it.
@@ -295,7 +324,8 @@ impl Scope {
 
     /// Whether a name is declared in any form.
     pub(super) fn declares(&self, name: &str) -> bool {
-        self.entries.iter().any(|e| e.name == name)
+        let number = digest(&[name]);
+        self.entries.iter().any(|e| e.digest == number && e.name == name)
     }
 
     /// Whether parentheses with this content behind this symbol are arguments.
@@ -305,7 +335,8 @@ impl Scope {
 
     /// Whether a letter is the time, a state or an observable: then it is no index.
     pub(super) fn is_time_or_moving(&self, letter: &str) -> bool {
-        let named = self.entries.iter().rev().find(|e| e.name == letter && e.sub.is_empty());
+        let number = digest(&[letter]);
+        let named = self.entries.iter().rev().find(|e| e.digest == number && e.name == letter && e.sub.is_empty());
         named.is_some_and(|e| matches!(e.role, Role::Time | Role::State | Role::Observable))
     }
 
@@ -335,8 +366,8 @@ impl Scope {
     /// Whether any symbol of this name, in any style, depends on time; and whether any is a vector or a matrix. With
     /// `lowered`, only symbols that can have a subscript count, and their components are numbers.
     pub(super) fn kinds_of(&self, base: &str, lowered: bool) -> (bool, bool) {
-        let named = |e: &&Entry| name::split(&e.name).1.trim_end_matches('\'') == base && e.role != Role::Time;
-        let fitting = |e: &&Entry| if lowered { e.rank > 0 || !e.sub.is_empty() } else { e.sub.is_empty() };
+        let named = |e: &&Filed| name::split(&e.name).1.trim_end_matches('\'') == base && e.role != Role::Time;
+        let fitting = |e: &&Filed| if lowered { e.rank > 0 || !e.sub.is_empty() } else { e.sub.is_empty() };
         let mut of_name = self.entries.iter().filter(named).filter(fitting);
         let moves = of_name.clone().any(|e| e.moving);
         (moves, of_name.any(|e| !lowered && e.rank > 0))
@@ -345,16 +376,16 @@ impl Scope {
     /// What a written symbol refers to.
     pub(super) fn find(&self, name: &str, sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
         let (style, bare) = name::split(name);
-        self.find_exact(name, sub, arguments).or_else(|| match style {
+        self.find_exact(&[name], sub, arguments).or_else(|| match style {
             // `\boldsymbol\Omega` for a declared vector `\Omega`.
             Some(style) if name::marks_tensor(style) => {
-                self.find_exact(bare, sub, arguments).filter(|f| self.is_tensor(f.symbol))
+                self.find_exact(&[bare], sub, arguments).filter(|f| self.is_tensor(f.symbol))
             }
             Some(_) => None,
             // `m_3` for a component of a declared `{\bf m}`.
             None => {
                 let sub = sub?;
-                let styled = ["bf", "vec"].map(|s| format!("{s}:{bare}"));
+                let styled = [["bf:", bare], ["vec:", bare]];
                 let mut found = styled.iter().filter_map(|n| self.find_exact(n, Some(sub), arguments));
                 found.next().filter(|f| !f.indices.is_empty() && self.is_tensor(f.symbol))
             }
@@ -365,7 +396,8 @@ impl Scope {
         self.by_symbol(symbol).is_some_and(|e| e.rank > 0)
     }
 
-    fn find_exact(&self, name: &str, sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
+    /// What is declared under a name that is given in pieces.
+    fn find_exact(&self, name: &[&str], sub: Option<&[SubItem]>, arguments: Option<&str>) -> Option<Found<'_>> {
         let sub = sub.unwrap_or(&[]);
         let fits = |e: &Entry| -> Option<Vec<SubItem>> {
             if e.sub.is_empty() {
@@ -388,7 +420,8 @@ impl Scope {
             Some(indices)
         };
         let mut best: Option<(usize, &Entry, Vec<SubItem>)> = None;
-        for e in self.entries.iter().rev().filter(|e| e.name == name) {
+        let number = digest(name);
+        for e in self.entries.iter().rev().filter(|e| e.digest == number && is_made_of(&e.name, name)) {
             let literal = match (&e.arguments, arguments) {
                 (Arguments::None, _) => false,
                 (Arguments::Literal(text), Some(given)) if text == given => true,

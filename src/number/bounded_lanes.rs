@@ -34,6 +34,12 @@ impl<const N: usize> BoundedLanes<N> {
         BoundedLanes { value: each.map(|x| x.value), error: each.map(|x| x.error) }
     }
 
+    /// The values of all lanes.
+    #[inline(always)]
+    pub fn values(&self) -> &[f64; N] {
+        &self.value
+    }
+
     /// The number in a lane; lanes are counted from 0 to N − 1.
     #[inline(always)]
     pub fn lane(&self, i: usize) -> Bounded {

@@ -3,6 +3,9 @@
 //! **In:** the account. **Out:** one [`Whole`] for each claim of the file, with its [`Fate`], and the sentence that counts them.
 //! A reader asks which claims stand; thousands of verdicts do not say it. Nothing is judged here: a fate follows from the
 //! verdicts of the readings by the table of [`Fate`].
+//!
+//! What the file adds for comparison is no claim of the paper: such a reading says nothing on the fate of its claim, and a claim
+//! that is added as a whole is told by itself.
 
 use super::numbers::count;
 use super::tally::{Standing, declared};
@@ -25,14 +28,23 @@ pub(super) enum Fate {
     Nowhere,
     /// All hold wherever they apply.
     Stands,
+    /// The paper does not say it.
+    Added,
 }
 
 impl Fate {
     /// In the order in which they are told: what does not stand comes first.
-    pub const ALL: [Fate; 6] = [Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Nowhere, Fate::Stands];
+    pub const ALL: [Fate; 7] =
+        [Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Nowhere, Fate::Stands, Fate::Added];
+    /// In the order of the sentence that counts them, without what is added.
+    pub const TOLD: [Fate; 6] =
+        [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
 
     fn of(readings: &[Reading<'_>]) -> Fate {
-        let any = |standing: Standing| readings.iter().any(|r| r.standing == standing);
+        if !readings.is_empty() && readings.iter().all(|r| r.added) {
+            return Fate::Added;
+        }
+        let any = |standing: Standing| readings.iter().any(|r| !r.added && r.standing == standing);
         match (any(Standing::Holds), any(Standing::Mixed), any(Standing::Fails), any(Standing::Open)) {
             (true, true, _, _) | (true, _, true, _) => Fate::Reading,
             (false, true, _, _) => Fate::Partly,
@@ -52,6 +64,7 @@ impl Fate {
             Fate::Open => "open",
             Fate::Nowhere => "nowhere",
             Fate::Stands => "stand",
+            Fate::Added => "added",
         }
     }
 
@@ -70,6 +83,8 @@ impl Fate {
             (Fate::Nowhere, _) => "apply to none of the motions",
             (Fate::Stands, 1) => "stands",
             (Fate::Stands, _) => "stand",
+            (Fate::Added, 1) => "was added for comparison",
+            (Fate::Added, _) => "were added for comparison",
         }
     }
 
@@ -82,6 +97,7 @@ impl Fate {
             Fate::Open => "The evidence settles no failure, and not everything.",
             Fate::Nowhere => "No motion meets what they assume.",
             Fate::Stands => "They hold on every motion to which they apply, in every reading that was tried.",
+            Fate::Added => "The paper does not say it. It is checked like the rest, to compare with.",
         }
     }
 }
@@ -90,6 +106,8 @@ impl Fate {
 pub(super) struct Reading<'a> {
     pub claim: &'a ClaimAccount,
     pub standing: Standing,
+    /// Whether the paper does not say it.
+    pub added: bool,
 }
 
 /// A claim with all its readings.
@@ -108,9 +126,10 @@ impl Whole<'_> {
         self.readings.iter().any(|r| r.claim.reading.is_some())
     }
 
-    /// Whether every reading is proved for all values.
+    /// Whether every reading of the paper is proved for all values.
     pub fn is_proved(&self) -> bool {
-        self.readings.iter().all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
+        let of_the_paper = |r: &&Reading<'_>| !r.added || self.fate == Fate::Added;
+        self.readings.iter().filter(of_the_paper).all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
     }
 }
 
@@ -118,7 +137,8 @@ impl Whole<'_> {
 pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<Whole<'a>> {
     let mut out: Vec<Whole<'a>> = Vec::new();
     for claim in &account.claims {
-        let reading = Reading { claim, standing: Standing::of(claim) };
+        let added = declared(derivation, claim).is_some_and(|d| d.added);
+        let reading = Reading { claim, standing: Standing::of(claim), added };
         match out.last_mut() {
             Some(whole) if whole.id == claim.id => whole.readings.push(reading),
             _ => {
@@ -137,19 +157,28 @@ pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
 
 /// The sentence that counts: `Of 61 claims 33 stand, 24 depend on how they are read, …`.
 pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
-    let told = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
+    let of = |fate: Fate| wholes.iter().filter(|w| w.fate == fate).count();
     let mut parts: Vec<String> = Vec::new();
-    for fate in told {
-        let n = wholes.iter().filter(|w| w.fate == fate).count();
+    for fate in Fate::TOLD {
+        let n = of(fate);
         if n > 0 {
             parts.push(format!("{n} {}", fate.words(n)));
         }
     }
-    let all = count(wholes.len(), "claim");
-    match parts.as_slice() {
+    let added = of(Fate::Added);
+    let all = count(wholes.len() - added, "claim");
+    let sentence = match parts.as_slice() {
         [] => format!("{all}."),
-        [one] => format!("Of {all} {one}."),
+        [one] => match wholes.iter().find(|w| w.fate != Fate::Added).map(|w| w.fate) {
+            Some(fate) if wholes.len() - added > 1 => format!("All {all} {}.", fate.words(2)),
+            _ => format!("Of {all} {one}."),
+        },
+        [one, last] => format!("Of {all} {one} and {last}."),
         [more @ .., last] => format!("Of {all} {}, and {last}.", more.join(", ")),
+    };
+    match added {
+        0 => sentence,
+        n => format!("{sentence} {n} more {}.", Fate::Added.words(n)),
     }
 }
 
@@ -160,10 +189,10 @@ pub(super) struct Unsaid<'a> {
     pub claims: Vec<&'a ClaimAccount>,
 }
 
-/// Every condition that separates the motions of some claim: those of most claims first.
-pub(super) fn unsaid(account: &Account) -> Vec<Unsaid<'_>> {
-    let mut out: Vec<Unsaid<'_>> = Vec::new();
-    for claim in &account.claims {
+/// Every condition that separates the motions of some claim of the paper: those of most claims first.
+pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<Unsaid<'a>> {
+    let mut out: Vec<Unsaid<'a>> = Vec::new();
+    for claim in account.claims.iter().filter(|c| declared(derivation, c).is_none_or(|d| !d.added)) {
         let Some(explanation) = claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) else {
             continue;
         };
@@ -213,17 +242,19 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         }
         Standing::Holds => match n("holds") {
             1 => "Holds on the one motion to which it applies".to_owned(),
+            2 => "Holds on both motions to which it applies".to_owned(),
             n => format!("Holds on all {n} motions to which it applies"),
         },
         Standing::Fails => match n("fails") {
             1 => "Fails on the one motion to which it applies".to_owned(),
             n if reading.claim.results.iter().any(|r| r.verdict.outcome().word() == "undecided") => {
-                format!("Fails on {n} motions, undecided on others")
+                format!("Fails on {}, undecided on others", count(n, "motion"))
             }
+            2 => "Fails on both motions to which it applies".to_owned(),
             n => format!("Fails on all {n} motions to which it applies"),
         },
-        Standing::Mixed => format!("Holds on {} motions, fails on {}", n("holds"), n("fails")),
-        Standing::Open if n("holds") > 0 => format!("Holds on {} motions, undecided on {}", n("holds"), n("undecided")),
+        Standing::Mixed => format!("Holds on {}, fails on {}", count(n("holds"), "motion"), n("fails")),
+        Standing::Open if n("holds") > 0 => format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided")),
         Standing::Open => format!("Undecided on {}", count(n("undecided"), "motion")),
         Standing::Nowhere => "Applies to none of the motions".to_owned(),
     }
@@ -252,7 +283,7 @@ mod tests {
     fn fate(standings: &[Standing]) -> Fate {
         let account = sample::account();
         let readings: Vec<Reading<'_>> =
-            standings.iter().map(|&standing| Reading { claim: &account.claims[0], standing }).collect();
+            standings.iter().map(|&standing| Reading { claim: &account.claims[0], standing, added: false }).collect();
         Fate::of(&readings)
     }
 
@@ -277,6 +308,17 @@ mod tests {
     }
 
     #[test]
+    fn what_is_added_does_not_count() {
+        let account = sample::account();
+        let reading = |standing, added| Reading { claim: &account.claims[0], standing, added };
+        let fate = |readings: &[Reading<'_>]| Fate::of(readings);
+        assert_eq!(fate(&[reading(Standing::Holds, false), reading(Standing::Fails, true)]), Fate::Stands);
+        assert_eq!(fate(&[reading(Standing::Fails, false), reading(Standing::Holds, true)]), Fate::Fails);
+        assert_eq!(fate(&[reading(Standing::Holds, false), reading(Standing::Fails, false)]), Fate::Reading);
+        assert_eq!(fate(&[reading(Standing::Holds, true), reading(Standing::Fails, true)]), Fate::Added);
+    }
+
+    #[test]
     fn every_claim_is_counted_once() {
         let (derivation, account) = (derivation(), sample::account());
         let wholes = wholes(&derivation, &account);
@@ -285,6 +327,6 @@ mod tests {
         let told: usize = Fate::ALL.iter().map(|f| wholes.iter().filter(|w| w.fate == *f).count()).sum();
         assert_eq!(told, wholes.len());
         let sentence = headline(&wholes);
-        assert!(sentence.starts_with("Of ") && sentence.ends_with('.'), "{sentence}");
+        assert!(sentence.starts_with(['O', 'A']) && sentence.ends_with('.'), "{sentence}");
     }
 }

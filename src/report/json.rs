@@ -95,6 +95,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "says": claim.says,
         "formulas": claim.formulas,
         "kinds": declared.map(|d| d.formulas.iter().map(|f| f.kind.key()).collect::<Vec<_>>()),
+        "added": declared.is_some_and(|d| d.added),
         "place": claim.place,
         "label": declared.and_then(|d| d.label.clone()),
         "assumptions": claim.assumptions,

@@ -31,7 +31,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
         }
         out.push('\n');
     }
-    out.push_str(&unsaid(account));
+    out.push_str(&unsaid(derivation, account));
     out
 }
 
@@ -85,6 +85,9 @@ fn reasons(whole: &Whole<'_>) -> String {
 
 fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     let mut parts = Vec::new();
+    if reading.added && whole.fate != Fate::Added {
+        parts.push("(For comparison)".to_owned());
+    }
     if whole.is_read() {
         parts.push(if reading.claim.reading.is_some() {
             prose(&reading.claim.says)
@@ -100,8 +103,8 @@ fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     parts.join(" ")
 }
 
-fn unsaid(account: &Account) -> String {
-    let found = digest::unsaid(account);
+fn unsaid(derivation: &Derivation, account: &Account) -> String {
+    let found = digest::unsaid(derivation, account);
     if found.is_empty() {
         return String::new();
     }

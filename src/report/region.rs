@@ -7,6 +7,7 @@ use super::markdown::{prose, table};
 use super::numbers::value;
 use super::tally::{glyph, name, says};
 use super::text::{Paint, paragraph};
+use super::wording::unit;
 use crate::check::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
 use crate::check::{Account, ClaimAccount};
 use crate::derivation::{Derivation, FormKind};
@@ -26,7 +27,7 @@ pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
 
 /// A symbol with its range; its name is a formula between dollars.
 fn range(of: &RangeAccount) -> String {
-    let unit = of.unit.as_ref().filter(|u| *u != "1").map(|u| format!(" {u}")).unwrap_or_default();
+    let unit = of.unit.as_ref().filter(|u| *u != "1").map(|u| format!(" {}", unit(u))).unwrap_or_default();
     match of.values {
         Some((from, to)) if from == to => format!("${}={}${unit}", of.name, value(from)),
         Some((from, to)) => format!("${}$ from {} to {}{unit}", of.name, value(from), value(to)),

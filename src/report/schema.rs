@@ -148,6 +148,7 @@ pub fn schema() -> Value {
         ("says", text("The claim in words")),
         ("formulas", texts("As written")),
         ("kinds", kinds),
+        ("added", flag("Whether the paper does not say it: it was added for comparison")),
         ("place", text_or_null("Where it stands in the paper")),
         ("label", text_or_null("The label of its equation")),
         ("assumptions", texts("As written")),

@@ -19,9 +19,6 @@ pub(super) enum Standing {
 }
 
 impl Standing {
-    pub const ALL: [Standing; 5] =
-        [Standing::Holds, Standing::Mixed, Standing::Fails, Standing::Open, Standing::Nowhere];
-
     /// The standing of a claim.
     pub fn of(claim: &ClaimAccount) -> Standing {
         let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word);
@@ -31,22 +28,6 @@ impl Standing {
             (_, false, true) => Standing::Open,
             (true, false, false) => Standing::Holds,
             (false, false, false) => Standing::Nowhere,
-        }
-    }
-
-    /// In words, for the heading of a list of so many claims.
-    pub fn words(self, n: usize) -> &'static str {
-        match (self, n) {
-            (Standing::Holds, 1) => "holds on every trajectory to which it applies",
-            (Standing::Holds, _) => "hold on every trajectory to which they apply",
-            (Standing::Mixed, 1) => "holds on some trajectories and fails on others",
-            (Standing::Mixed, _) => "hold on some trajectories and fail on others",
-            (Standing::Fails, 1) => "fails, and holds nowhere",
-            (Standing::Fails, _) => "fail, and hold nowhere",
-            (Standing::Open, 1) => "is undecided somewhere and fails nowhere",
-            (Standing::Open, _) => "are undecided somewhere and fail nowhere",
-            (Standing::Nowhere, 1) => "applies to none of the trajectories",
-            (Standing::Nowhere, _) => "apply to none of the trajectories",
         }
     }
 }

@@ -7,10 +7,11 @@
 //! syntax trees, so that only commands of the formula language reach LaTeX; a text that is no formula is set as it is,
 //! letter by letter. Letters that plain `pdflatex` does not know are replaced by commands or spelled out.
 
+use super::digest::{self, Fate, Whole};
 use super::numbers::{count, size, time, value};
-use super::tally::{Group, Standing, declared, groups, name, says};
+use super::tally::{Group, declared, groups, name, says};
 use super::wording::{self, Part};
-use crate::check::{Account, ClaimAccount};
+use crate::check::Account;
 use crate::derivation::{Derivation, FormKind};
 use crate::latex::{self, Scope, syntax};
 
@@ -32,7 +33,7 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
     let mut out = PREAMBLE.to_owned();
     out.push_str(&format!("\\section*{{{}}}\n\n", prose(&derivation.title, scope)));
     out.push_str(&format!("What is checked: {}\n\n", prose(&derivation.concerns, scope)));
-    for text in derivation.source.iter().chain(&derivation.remark) {
+    if let Some(text) = &derivation.source {
         out.push_str(&format!("{}\n\n", prose(text, scope)));
     }
     findings(derivation, account, &mut out);
@@ -59,35 +60,76 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
 }
 
 fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
+    let scope = &derivation.scope;
+    let wholes = digest::wholes(derivation, account);
     let s = account.summary();
-    out.push_str("\\subsection*{What was found}\n\n");
+    out.push_str(&format!("\\subsection*{{What was found}}\n\n\\textbf{{{}}}\n\n", escaped(&digest::headline(&wholes))));
+    if let Some(remark) = &derivation.remark {
+        out.push_str(&format!("{}\n\n", prose(remark, scope)));
+    }
     out.push_str(&format!(
-        "{} (each reading counted) on {}. Of the verdicts, {} are that the claim holds, {} that it fails, {} that it does \
-         not apply, {} are undecided; {} differ from what the derivation file expects.\n\n",
+        "Readings counted one by one, these are {} on {}: of the pairs {} hold, {} fail, {} do not apply, {} are undecided; \
+         {} differ from what the derivation file expects.\n\n",
         count(account.claims.len(), "claim"),
-        count(account.trajectories.len(), "trajectory"),
+        count(account.trajectories.len(), "motion"),
         s.holds,
         s.fails,
         s.not_applicable,
         s.undecided,
         s.unexpected
     ));
-    for standing in Standing::ALL {
-        let found: Vec<&ClaimAccount> = account.claims.iter().filter(|c| Standing::of(c) == standing).collect();
+    for fate in Fate::ALL {
+        let found: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate == fate).collect();
         if found.is_empty() {
             continue;
         }
-        out.push_str(&format!(
-            "\\textbf{{{} {}:}}\n\\begin{{itemize}}\n",
-            count(found.len(), "claim"),
-            standing.words(found.len())
-        ));
-        for claim in found {
-            let says = prose(&says(derivation, claim), &derivation.scope);
-            out.push_str(&format!("\\item {}: {says}\n", escaped(&name(claim))));
+        let heading = format!("{} {}", count(found.len(), "claim"), fate.words(found.len()));
+        out.push_str(&format!("\\subsubsection*{{{}}}\n{}\n", escaped(&heading), escaped(fate.meaning())));
+        out.push_str("\\begin{itemize}\n");
+        for whole in found {
+            out.push_str(&whole_in_words(whole, scope));
         }
         out.push_str("\\end{itemize}\n\n");
     }
+    let unsaid = digest::unsaid(derivation, account);
+    if !unsaid.is_empty() {
+        out.push_str("\\subsubsection*{What was left unsaid}\n\\begin{itemize}\n");
+        for u in &unsaid {
+            let claims: Vec<String> = u.claims.iter().map(|c| escaped(&name(c))).collect();
+            out.push_str(&format!("\\item {}: {}\n", prose(&digest::explanation(u.explanation), scope), claims.join(", ")));
+        }
+        out.push_str("\\end{itemize}\n\n");
+    }
+}
+
+/// An item of the list of claims; for one that does not stand, what became of each reading, and why.
+fn whole_in_words(whole: &Whole<'_>, scope: &Scope) -> String {
+    let place = whole.place.map(|p| format!("{}; ", prose(p, scope))).unwrap_or_default();
+    let proved = if whole.fate == Fate::Stands && whole.is_proved() { " Proved for all values." } else { "" };
+    let mut out = format!("\\item {} ({place}{}){proved}\n", prose(&whole.says, scope), escaped(whole.id));
+    if whole.fate == Fate::Stands {
+        return out;
+    }
+    out.push_str("\\begin{itemize}\n");
+    for reading in &whole.readings {
+        let mut parts = Vec::new();
+        if reading.added && whole.fate != Fate::Added {
+            parts.push("(For comparison)".to_owned());
+        }
+        if reading.claim.reading.is_some() {
+            parts.push(prose(&reading.claim.says, scope));
+        } else if whole.is_read() {
+            parts.push("As it stands.".to_owned());
+        }
+        let condition = digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c, scope))).unwrap_or_default();
+        parts.push(format!("\\textbf{{{}}}{condition}.", escaped(&digest::verdict(reading))));
+        if let Some(remark) = &reading.claim.remark {
+            parts.push(format!("\\emph{{{}}}", prose(remark, scope)));
+        }
+        out.push_str(&format!("\\item {}\n", parts.join(" ")));
+    }
+    out.push_str("\\end{itemize}\n");
+    out
 }
 
 fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
@@ -378,9 +420,10 @@ fn sign(c: char) -> String {
         '…' => r"\ldots{}".into(),
         'ᵀ' => "$^T$".into(),
         '⁻' => "$^{-}$".into(),
-        '₁' => "$_1$".into(),
-        '₂' => "$_2$".into(),
-        '₃' => "$_3$".into(),
+        '₀'..='₉' => format!("$_{}$", u32::from(c) - u32::from('₀')),
+        'ᵢ' => "$_i$".into(),
+        'ⱼ' => "$_j$".into(),
+        'ₖ' => "$_k$".into(),
         '\u{a0}' | '\u{2009}' | '\u{202f}' => "~".into(),
         'ℝ' => r"$\mathbb{R}$".into(),
         // Spelled out, so that nothing is lost and nothing stops the compiler.

@@ -31,6 +31,30 @@ pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
     out
 }
 
+/// A unit as it is printed: `kg m^2/s` with raised digits.
+pub(super) fn unit(text: &str) -> String {
+    let mut out = String::new();
+    let mut raised = false;
+    for c in text.chars() {
+        match c {
+            '^' => {
+                raised = true;
+                continue;
+            }
+            '-' if raised => out.push('⁻'),
+            c if raised && c.is_ascii_digit() => {
+                let at = usize::from(c as u8 - b'0');
+                out.extend("⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(at));
+            }
+            c => {
+                raised = false;
+                out.push(c);
+            }
+        }
+    }
+    out
+}
+
 /// What a comparison is called.
 #[derive(Debug, PartialEq)]
 pub(super) struct Label<'a> {

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { inflateSync } from "node:zlib";
 import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 
@@ -35,6 +36,19 @@ async function visit(options, url, work) {
   }
   check(seen.errors.length === 0, `the console stays silent: ${seen.errors.join("; ")}`);
   check(seen.requests.length === 0, `nothing is fetched: ${seen.requests.join(", ")}`);
+}
+
+/** The data of a page, unpacked by other means than the page's own. */
+function dataOf(html) {
+  const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
+  const text = /<script type="text\/plain" id="\/data">([^<]*)<\/script>/.exec(html)[1], bytes = [];
+  for (const chunk of text.match(/.{1,5}/g)) {
+    const word = [...chunk.padEnd(5, "|")].reduce((sum, c) => sum * 85n + BigInt(digits.indexOf(c)), 0n);
+    const four = Buffer.alloc(4);
+    four.writeUInt32BE(Number(word));
+    bytes.push(four.subarray(0, chunk.length - 1));
+  }
+  return JSON.parse(inflateSync(Buffer.concat(bytes)).toString());
 }
 
 const visibleText = page => page.evaluate(() => document.body.innerText);
@@ -136,19 +150,24 @@ for (const id of fs.readdirSync(reports).sort()) {
     if (failing) {
       const address = `#${failing.name}@${failing.trajectory}`;
       await page.goto(url + address);
-      await page.waitForTimeout(50);
       const detail = page.locator("tr.here + tr.pair");
+      await detail.locator("svg").nth(1).waitFor();
       check(await detail.isVisible(), `${id}: an address opens its pair: ${address}`);
       check(await detail.locator("svg").count() === 2, `${id}: a pair has two drawings`);
       check(await detail.locator("svg title").count() === 2, `${id}: drawings have titles`);
       const lines = await detail.locator("polyline").evaluateAll(l => l.map(p => p.getAttribute("points")));
       check(lines.every(l => l.length > 0 && !/NaN|Infinity/.test(l)), `${id}: curves have finite points`);
+      const enough = Math.min(30, failing.samples);
+      check(lines[0].split(" ").length >= enough, `${id}: a curve has ${lines[0].split(" ").length} points of ${failing.samples} samples`);
+      await detail.locator("details summary").click();
+      await detail.locator("details tbody tr").first().waitFor();
+      check(await detail.locator("details tbody tr").count() === lines[0].split(" ").length, `${id}: the points of a curve are there as numbers`);
       const pasted = await detail.locator("pre").innerText();
       check(pasted.includes(`left = ${failing.witness.left}`), `${id}: the witness is there in full`);
       opened = address;
     }
     // What is looked for, and what is tried at events, is drawn as what it is.
-    const data = await page.evaluate(() => JSON.parse(document.getElementById("/data").textContent));
+    const data = dataOf(fs.readFileSync(file, "utf8"));
     const motions = json.trajectories.map(t => t.id);
     const drawn = (name, some) => Object.entries(data.pairs[name] ?? {}).find(([, pair]) => pair[0] && some(pair[0]));
     const kinds = { sought: ["Looked for: ", c => c[10] === 0, Object.keys(data.pairs)], events: ["each time", () => true, Object.keys(data.events)] };
@@ -156,8 +175,8 @@ for (const id of fs.readdirSync(reports).sort()) {
       const name = names.find(n => drawn(n, some));
       if (!name) continue;
       await page.goto(`${url}#${name}@${motions[drawn(name, some)[0]]}`);
-      await page.waitForTimeout(50);
       const detail = page.locator("tr.here + tr.pair");
+      await detail.locator("svg").nth(1).waitFor();
       check((await detail.innerText()).includes(words), `${id}: ${name} says what is drawn (${kind})`);
       check(await detail.locator("svg").count() === 2, `${id}: ${name} has two drawings (${kind})`);
       if (kind === "events") check(await detail.locator("line.when").count() >= 2, `${id}: the events of ${name} are marked`);
@@ -205,7 +224,7 @@ for (const id of fs.readdirSync(reports).sort()) {
     check(width <= 360, `${id}: on a phone the page is ${width} wide`);
     if (opened) {
       await page.goto(url + opened);
-      await page.waitForTimeout(50);
+      await page.locator("tr.here + tr.pair svg").nth(1).waitFor();
       const drawing = await page.locator("tr.here + tr.pair svg").first().boundingBox();
       check(drawing.width <= 360, `${id}: on a phone a drawing is ${drawing.width} wide`);
     }

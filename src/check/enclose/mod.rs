@@ -160,7 +160,7 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
         let sampled = |comparison: &Comparison, time: f64| {
             let at = program.position(comparison)?;
             let values = request.stage.values(t, time);
-            program.measure(&[values].into_iter().collect(), 1.0).get(at)?.first()?.as_ref().ok().map(|m| m.difference)
+            program.measure((&[values].into_iter().collect(), 1), 1.0).get(at)?.difference(0).ok()
         };
         claim::strengthen(prepared.claim, parts, &mut along, &sampled, verdict)
             .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;

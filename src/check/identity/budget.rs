@@ -44,53 +44,150 @@ fn charge(units: u64) {
     }
 }
 
-/// A rational number.
+/// A rational number. Most that occur are small, and are computed with words.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Coefficient(pub(super) BigRational);
+pub(super) struct Coefficient(Value);
 
-fn words(r: &BigRational) -> u64 {
+/// Small wherever it can be: every number is written in one way.
+#[derive(Clone, Debug, PartialEq)]
+enum Value {
+    /// Numerator and denominator in lowest terms, the denominator positive, the numerator above −2⁶³.
+    Small(i64, i64),
+    Large(Box<BigRational>),
+}
+
+impl From<BigRational> for Coefficient {
+    fn from(r: BigRational) -> Coefficient {
+        let small = |n: &BigInt| i64::try_from(n).ok().filter(|&n| n != i64::MIN);
+        match (small(r.numer()), small(r.denom())) {
+            (Some(n), Some(d)) => Coefficient(Value::Small(n, d)),
+            _ => Coefficient(Value::Large(Box::new(r))),
+        }
+    }
+}
+
+/// n/d of coprime n and d > 0, where both are small.
+fn small(n: i128, d: i128) -> Option<Coefficient> {
+    let n = i64::try_from(n).ok().filter(|&n| n != i64::MIN)?;
+    Some(Coefficient(Value::Small(n, i64::try_from(d).ok()?)))
+}
+
+fn common_divisor(a: i64, b: i64) -> i64 {
+    let (mut a, mut b) = (a.unsigned_abs(), b.unsigned_abs());
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    // Of two numbers below 2⁶³ one of which is not 0.
+    (a as i64).max(1)
+}
+
+/// a/b + c/d, where that stays small.
+fn small_sum((a, b): (i64, i64), (c, d): (i64, i64)) -> Option<Coefficient> {
+    if b == 1 && d == 1 {
+        return small(i128::from(a) + i128::from(c), 1);
+    }
+    let wide = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    let (n, d) = (wide(a, d) + wide(c, b), wide(b, d));
+    let (n, d) = (i64::try_from(n).ok()?, i64::try_from(d).ok()?);
+    if n == i64::MIN {
+        return None;
+    }
+    let k = common_divisor(n, d);
+    small(i128::from(n / k), i128::from(d / k))
+}
+
+/// a/b · c/d, where that stays small.
+fn small_product((a, b): (i64, i64), (c, d): (i64, i64)) -> Option<Coefficient> {
+    let (k, l) = (common_divisor(a, d), common_divisor(c, b));
+    let wide = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    let (n, d) = (wide(a / k, c / l), wide(b / l, d / k));
+    small(n, d)
+}
+
+impl Coefficient {
+    /// The number.
+    pub(super) fn big(&self) -> BigRational {
+        match &self.0 {
+            Value::Small(n, d) => BigRational::new_raw(BigInt::from(*n), BigInt::from(*d)),
+            Value::Large(r) => (**r).clone(),
+        }
+    }
+
+    fn small(&self) -> Option<(i64, i64)> {
+        match self.0 {
+            Value::Small(n, d) => Some((n, d)),
+            Value::Large(_) => None,
+        }
+    }
+}
+
+fn words(c: &Coefficient) -> u64 {
     let of = |n: &BigInt| n.bits() / 64 + 1;
-    of(r.numer()) + of(r.denom()) - 1
+    match &c.0 {
+        Value::Small(..) => 1,
+        Value::Large(r) => of(r.numer()) + of(r.denom()) - 1,
+    }
 }
 
 fn charge_for(a: &Coefficient, b: &Coefficient) {
-    charge(words(&a.0).saturating_mul(words(&b.0)));
+    charge(words(a).saturating_mul(words(b)));
 }
 
 macro_rules! counted {
-    ($($trait:ident $name:ident;)*) => {
+    ($($trait:ident $name:ident $small:expr;)*) => {
         $( impl $trait for Coefficient {
             type Output = Coefficient;
             fn $name(self, other: Coefficient) -> Coefficient {
                 charge_for(&self, &other);
-                Coefficient(self.0.$name(other.0))
+                if let (Some(a), Some(b)) = (self.small(), other.small())
+                    && let Some(found) = $small(a, b)
+                {
+                    return found;
+                }
+                Coefficient::from(self.big().$name(other.big()))
             }
         } )*
     };
 }
 
-counted! { Add add; Sub sub; Mul mul; Div div; }
+counted! {
+    Add add small_sum;
+    Sub sub |a, (c, d): (i64, i64)| small_sum(a, (-c, d));
+    Mul mul small_product;
+    // Division by 0 is that of the large numbers.
+    Div div |a, (c, d): (i64, i64)| if c == 0 { None } else { small_quotient(a, (c, d)) };
+}
+
+/// (a/b) / (c/d) for c ≠ 0, where that stays small.
+fn small_quotient((a, b): (i64, i64), (c, d): (i64, i64)) -> Option<Coefficient> {
+    // a/b · d/c with the sign of c in the numerator.
+    let (c, d) = if c < 0 { (-c, -d) } else { (c, d) };
+    small_product((a, b), (d, c))
+}
 
 impl Neg for Coefficient {
     type Output = Coefficient;
     fn neg(self) -> Coefficient {
-        Coefficient(-self.0)
+        match self.0 {
+            Value::Small(n, d) => Coefficient(Value::Small(-n, d)),
+            Value::Large(r) => Coefficient::from(-*r),
+        }
     }
 }
 
 impl Zero for Coefficient {
     fn zero() -> Coefficient {
-        Coefficient(BigRational::zero())
+        Coefficient(Value::Small(0, 1))
     }
     fn is_zero(&self) -> bool {
         charge(1);
-        self.0.is_zero()
+        matches!(self.0, Value::Small(0, _))
     }
 }
 
 impl One for Coefficient {
     fn one() -> Coefficient {
-        Coefficient(BigRational::one())
+        Coefficient(Value::Small(1, 1))
     }
 }
 
@@ -99,7 +196,7 @@ mod tests {
     use super::*;
 
     fn power(n: u32) -> Coefficient {
-        let three = Coefficient(BigRational::from_integer(BigInt::from(3)));
+        let three = Coefficient::from(BigRational::from_integer(BigInt::from(3)));
         (0..n).fold(Coefficient::one(), |a, _| a * three.clone())
     }
 
@@ -120,6 +217,34 @@ mod tests {
         assert_eq!(work(20), 20);
         assert!(work(1000) > 10_000, "{}", work(1000));
         assert_eq!(work(1000), work(1000));
+    }
+
+    #[test]
+    fn small_numbers_are_computed_like_large_ones() {
+        let whole: Vec<i64> =
+            vec![0, 1, -1, 2, -3, 6, 12, 35, i64::MAX, -i64::MAX, i64::MAX - 1, 1 << 62, -(1 << 62), 3 << 40, 1 << 32];
+        let mut all = Vec::new();
+        for &n in &whole {
+            for &d in whole.iter().filter(|&&d| d != 0) {
+                all.push(BigRational::new(BigInt::from(n), BigInt::from(d)));
+            }
+        }
+        all.push(BigRational::new(BigInt::from(i64::MIN), BigInt::from(3)));
+        let of = |r: &BigRational| Coefficient::from(r.clone());
+        for a in &all {
+            assert_eq!(of(a).big(), *a);
+            assert_eq!(-of(a), of(&-a.clone()));
+            assert_eq!(Zero::is_zero(&of(a)), a.is_zero());
+            for b in &all {
+                assert_eq!(of(a) + of(b), of(&(a + b)), "{a} + {b}");
+                assert_eq!(of(a) - of(b), of(&(a - b)), "{a} - {b}");
+                assert_eq!(of(a) * of(b), of(&(a * b)), "{a} * {b}");
+                if !b.is_zero() {
+                    assert_eq!(of(a) / of(b), of(&(a / b)), "{a} / {b}");
+                }
+            }
+        }
+        assert!(catch_unwind(|| of(&all[1]) / Coefficient::zero()).is_err());
     }
 
     #[test]

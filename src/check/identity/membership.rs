@@ -341,7 +341,7 @@ impl Search<'_> {
 
 impl System {
     fn constant(&self, r: &Rational) -> Poly {
-        Poly::constant(Coefficient(big(r)), self.variables.len(), MonomialOrder::GRevLex)
+        Poly::constant(Coefficient::from(big(r)), self.variables.len(), MonomialOrder::GRevLex)
     }
 
     fn expand(&self, graph: &Graph, e: Expr, most_terms: usize) -> Result<Poly, NoCertificate> {
@@ -441,12 +441,15 @@ fn is_basis(relations: &[Poly]) -> bool {
 }
 
 fn big(r: &Rational) -> BigRational {
+    if let Ok(n) = i64::try_from(r.clone()) {
+        return BigRational::from_integer(BigInt::from(n));
+    }
     let integer = |text: String| text.parse::<BigInt>().unwrap_or_default();
     BigRational::new(integer(r.numerator().to_string()), integer(r.denominator().to_string()))
 }
 
 fn map(p: &Poly, f: impl Fn(&BigRational) -> BigRational) -> Poly {
-    let terms = p.terms.iter().map(|(m, c)| (m.clone(), Coefficient(f(&c.0)))).collect();
+    let terms = p.terms.iter().map(|(m, c)| (m.clone(), Coefficient::from(f(&c.big())))).collect();
     Poly { terms, nvars: p.nvars, order: p.order.clone() }
 }
 
@@ -455,7 +458,7 @@ fn denominators<'p>(polynomials: impl Iterator<Item = &'p Poly>) -> BigInt {
     let mut all = BigRational::one();
     for (_, c) in polynomials.flat_map(|p| &p.terms) {
         // lcm(a, b) = a·(b / gcd(a, b)): the denominator of b/a in lowest terms is a/gcd(a, b).
-        let quotient = BigRational::new(c.0.denom().clone(), all.numer().clone());
+        let quotient = BigRational::new(c.big().denom().clone(), all.numer().clone());
         all = BigRational::from_integer(all.numer() * quotient.numer());
     }
     all.numer().clone()
@@ -470,7 +473,7 @@ fn integral(p: &Poly) -> Poly {
 /// k with p = k·q; 1 for 0.
 fn ratio(p: &Poly, q: &Poly) -> BigRational {
     match (p.terms.first(), q.terms.first()) {
-        (Some((_, a)), Some((_, b))) => &a.0 / &b.0,
+        (Some((_, a)), Some((_, b))) => a.big() / b.big(),
         _ => BigRational::one(),
     }
 }
@@ -479,15 +482,15 @@ fn ratio(p: &Poly, q: &Poly) -> BigRational {
 fn python(p: &Poly, names: &[String]) -> String {
     let mut out = String::new();
     for (m, c) in &p.terms {
-        let coefficient = c.0.numer();
-        let negative = *coefficient < BigInt::zero();
+        let coefficient = c.big().numer().clone();
+        let negative = coefficient < BigInt::zero();
         out.push_str(match (out.is_empty(), negative) {
             (true, false) => "",
             (true, true) => "-",
             (false, false) => " + ",
             (false, true) => " - ",
         });
-        let size = if negative { -coefficient } else { coefficient.clone() };
+        let size = if negative { -coefficient } else { coefficient };
         let mut parts = Vec::new();
         for (name, &k) in names.iter().zip(m.exps()).filter(|(_, k)| **k > 0) {
             parts.push(if k == 1 { name.clone() } else { format!("{name}**{k}") });

@@ -7,28 +7,18 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::linear::Combinations;
 use super::lower::Generator;
 use super::outcome::Reason;
 use super::prove::Lowered;
 use super::sign::Facts;
-use crate::expr::{Expr, FastMap, Leaf};
+use super::structure::Structure;
+use crate::expr::Expr;
 
 /// Questions of one graph that no order of solving settled.
 #[derive(Clone, Debug, Default)]
 pub struct Memory {
     open: Vec<(Asked, Reason)>,
     pub(super) structure: Rc<RefCell<Structure>>,
-}
-
-/// What is known of the expressions of one graph by how they are written.
-#[derive(Debug, Default)]
-pub(super) struct Structure {
-    pub(super) combinations: Combinations,
-    /// Expression → numerator.
-    pub(super) tops: FastMap<Expr, Expr>,
-    /// Coefficients as a polynomial in a leaf.
-    pub(super) powers: FastMap<(Expr, Leaf), Option<Vec<Expr>>>,
 }
 
 /// Everything that decides what solving can do.

@@ -4,11 +4,12 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::lower::{Generator, Generators};
-use super::memory::Structure;
+use super::sign::Known;
+use super::structure::Structure;
+use super::values::Values;
 use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::number::{Draws, Finite, FiniteField, NoValue};
-use crate::tape::{Slots, Tape};
 
 /// What random evaluation says of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,22 +25,28 @@ pub(super) enum Sight {
 /// Coefficients of a polynomial in one leaf, and those above that vanish at the random points.
 pub(super) type InPowers = (Vec<Expr>, Vec<Expr>);
 
+/// One of the points.
+#[derive(Clone, Default)]
+struct Place {
+    leaves: FastMap<Leaf, Finite>,
+    values: Values<Finite>,
+}
+
 /// A random point of the space of leaves, kept so that all expressions are seen at the same points.
 pub(super) struct Probe {
     pub(super) field: FiniteField,
     draws: Draws,
-    /// One map for each point.
-    points: Vec<FastMap<Leaf, Finite>>,
+    points: Vec<Place>,
     /// What was seen: the points stay, so it does not change.
     sights: FastMap<Expr, Sight>,
     /// What does not depend on points.
     pub(super) structure: Rc<RefCell<Structure>>,
     /// Equation and unknown → its coefficients, and the leading ones that vanish; `None` where it cannot be solved for.
-    pub(super) solvable: FastMap<(Expr, Leaf), Option<InPowers>>,
+    pub(super) solvable: FastMap<(Expr, Leaf), Option<Rc<InPowers>>>,
     /// The terms of sums of squares, see the solver.
     pub(super) squares: FastMap<Expr, Option<Vec<Expr>>>,
-    /// Whether an expression is known to be ≠ 0 from the facts of the problem.
-    pub(super) nonzero: FastMap<Expr, bool>,
+    /// What the facts of the problem say of signs.
+    pub(super) signs: FastMap<Expr, Known>,
 }
 
 /// Number of points at which [`Probe::sight`] must see 0.
@@ -56,10 +63,10 @@ impl Probe {
         Probe {
             field,
             draws,
-            points: vec![FastMap::default(); TRIES],
+            points: vec![Place::default(); TRIES],
             sights: FastMap::default(),
             structure,
-            nonzero: FastMap::default(),
+            signs: FastMap::default(),
             squares: FastMap::default(),
             solvable: FastMap::default(),
         }
@@ -67,22 +74,38 @@ impl Probe {
 
     /// The value of a leaf at a point: on the circle for cosine and sine, ±1 for a sign, random otherwise.
     fn leaf(&mut self, generators: &Generators, point: usize, leaf: Leaf) -> Finite {
-        if let Some(&v) = self.points[point].get(&leaf) {
+        if let Some(&v) = self.points[point].leaves.get(&leaf) {
             return v;
         }
-        let f = self.field.clone();
         if let Some((c, s)) = generators.circle(leaf) {
-            let (cosine, sine) = on_circle(&f, &mut self.draws);
-            self.points[point].insert(c, cosine);
-            self.points[point].insert(s, sine);
+            let (cosine, sine) = on_circle(&self.field, &mut self.draws);
+            self.points[point].leaves.insert(c, cosine);
+            self.points[point].leaves.insert(s, sine);
             return if leaf == c { cosine } else { sine };
         }
         let v = match generators.get(leaf) {
-            Some(Generator::Sign) => f.integer(if self.draws.bits() & 1 == 0 { 1 } else { -1 }),
-            _ => f.draw_element(&mut self.draws),
+            Some(Generator::Sign) => self.field.integer(if self.draws.bits() & 1 == 0 { 1 } else { -1 }),
+            _ => self.field.draw_element(&mut self.draws),
         };
-        self.points[point].insert(leaf, v);
+        self.points[point].leaves.insert(leaf, v);
         v
+    }
+
+    /// The value of an expression at one of the points. What it shares with others is computed once.
+    fn value(&mut self, graph: &Graph, generators: &Generators, point: usize, e: Expr) -> Result<Finite, NoValue> {
+        if let Some(known) = self.points[point].values.of(e) {
+            return known;
+        }
+        let new = self.points[point].values.missing(graph, &[e]);
+        // Leaves in the order of the graph: the numbers drawn for them depend on it.
+        for &node in &new {
+            if let Node::Leaf(leaf) = *graph.node(node) {
+                let value = self.leaf(generators, point, leaf);
+                self.points[point].values.set(node, Ok(value));
+            }
+        }
+        self.points[point].values.compute(&self.field, graph, &new);
+        self.points[point].values.of(e).unwrap_or(Err(NoValue::Unsupported))
     }
 
     /// Values of the expressions at one of the points.
@@ -94,23 +117,17 @@ impl Probe {
         exprs: &[Expr],
     ) -> Vec<Result<Finite, NoValue>> {
         let leaves = graph.leaves(exprs.iter().copied());
-        let Ok(tape) = Tape::compile(graph, &leaves, exprs) else {
-            return vec![Err(NoValue::Unsupported); exprs.len()];
-        };
-        let field = self.field.clone();
-        let mut slots: Slots<Finite> = tape.slots(&field);
-        for (i, &leaf) in leaves.iter().enumerate() {
-            slots.set(i, Ok(self.leaf(generators, point, leaf)));
+        for leaf in leaves {
+            self.leaf(generators, point, leaf);
         }
-        tape.run(&field, &mut slots);
-        (0..exprs.len()).map(|i| tape.output(i, &slots).copied()).collect()
+        exprs.iter().map(|&e| self.value(graph, generators, point, e)).collect()
     }
 
     /// Whether an expression has a value ≠ 0 at every point at which the roots in it exist, and at some.
     pub(super) fn never_vanishes(&mut self, graph: &Graph, generators: &Generators, e: Expr) -> bool {
         let mut seen = false;
         for point in 0..TRIES {
-            match self.values(graph, generators, point, &[e])[0] {
+            match self.value(graph, generators, point, e) {
                 Ok(v) if !v.is_zero() => seen = true,
                 Err(NoValue::Indeterminate) => {}
                 _ => return false,
@@ -133,23 +150,17 @@ impl Probe {
         if let Node::Constant(_) = graph.node(e) {
             return if graph.is_zero(e) { Sight::Zero } else { Sight::Nonzero };
         }
-        let leaves = graph.leaves([e]);
-        let Ok(tape) = Tape::compile(graph, &leaves, &[e]) else { return Sight::Nowhere };
-        let field = self.field.clone();
-        let mut slots: Slots<Finite> = tape.slots(&field);
-        let signed = leaves.iter().any(|&l| generators.get(l) == Some(&Generator::Sign));
-        let enough = if signed { POINTS_WITH_SIGNS } else { POINTS };
-        let mut zeros = 0;
+        let (mut zeros, mut enough) = (0, None);
         for point in 0..TRIES {
-            for (i, &leaf) in leaves.iter().enumerate() {
-                slots.set(i, Ok(self.leaf(generators, point, leaf)));
-            }
-            tape.run(&field, &mut slots);
-            match tape.output(0, &slots) {
+            match self.value(graph, generators, point, e) {
                 Ok(v) if !v.is_zero() => return Sight::Nonzero,
                 Ok(_) => zeros += 1,
-                Err(_) => {}
+                Err(_) => continue,
             }
+            let enough = *enough.get_or_insert_with(|| {
+                let signed = graph.leaves([e]).iter().any(|&l| generators.get(l) == Some(&Generator::Sign));
+                if signed { POINTS_WITH_SIGNS } else { POINTS }
+            });
             if zeros == enough {
                 return Sight::Zero;
             }

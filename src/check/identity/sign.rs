@@ -1,7 +1,7 @@
 //! What is known of the signs of lowered expressions.
 
 use super::lower::{Generator, Generators};
-use crate::expr::FastSet;
+use crate::expr::{FastMap, FastSet};
 use crate::expr::{Expr, Graph, Node, Op, Rational};
 
 /// Facts about lowered expressions, and what follows from them by structure.
@@ -51,16 +51,61 @@ impl Facts {
 
     /// Signs of a node and everything below it, wherever it has a value.
     pub(super) fn sign(&self, graph: &Graph, generators: &Generators, e: Expr) -> Known {
-        let order = graph.reachable([e]);
-        let mut known = crate::expr::FastMap::with_capacity_and_hasher(order.len(), Default::default());
-        for node in order {
-            let mut k = self.step(graph, generators, node, &known);
+        self.sign_after(graph, generators, e, &mut FastMap::default())
+    }
+
+    /// The same, after others: `known` holds what these facts say of nodes, and grows.
+    pub(super) fn sign_after(
+        &self,
+        graph: &Graph,
+        generators: &Generators,
+        e: Expr,
+        known: &mut FastMap<Expr, Known>,
+    ) -> Known {
+        if let Some(&k) = known.get(&e) {
+            return k;
+        }
+        self.look_below(graph, generators, [e], known);
+        known.get(&e).copied().unwrap_or_default()
+    }
+
+    /// What would be known of an expression if the facts said nothing of it but that it is not positive.
+    pub(super) fn sign_by_parts(
+        &self,
+        graph: &Graph,
+        generators: &Generators,
+        e: Expr,
+        known: &mut FastMap<Expr, Known>,
+    ) -> Known {
+        self.look_below(graph, generators, graph.node(e).children(), known);
+        let mut k = self.step(graph, generators, e, known);
+        k.not_positive |= self.not_positive.contains(&e);
+        k
+    }
+
+    fn look_below(
+        &self,
+        graph: &Graph,
+        generators: &Generators,
+        roots: impl IntoIterator<Item = Expr>,
+        known: &mut FastMap<Expr, Known>,
+    ) {
+        let (mut open, mut new): (Vec<Expr>, Vec<Expr>) = (roots.into_iter().collect(), Vec::new());
+        while let Some(e) = open.pop() {
+            known.entry(e).or_insert_with(|| {
+                new.push(e);
+                open.extend(graph.node(e).children());
+                Known::default()
+            });
+        }
+        new.sort_unstable();
+        for node in new {
+            let mut k = self.step(graph, generators, node, known);
             k.not_negative |= self.positive.contains(&node) || self.not_negative.contains(&node);
             k.not_positive |= self.not_positive.contains(&node);
             k.nonzero |= self.positive.contains(&node) || self.nonzero.contains(&node);
             known.insert(node, k);
         }
-        known.get(&e).copied().unwrap_or_default()
     }
 
     fn step(
@@ -68,7 +113,7 @@ impl Facts {
         graph: &Graph,
         generators: &Generators,
         node: Expr,
-        known: &crate::expr::FastMap<Expr, Known>,
+        known: &FastMap<Expr, Known>,
     ) -> Known {
         let at = |e: Expr| known.get(&e).copied().unwrap_or_default();
         match *graph.node(node) {

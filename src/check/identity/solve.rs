@@ -15,12 +15,14 @@
 mod reduce;
 
 use super::lower::{Generator, Generators};
-use super::polynomial::{coefficients, factors, fraction, product};
+use super::polynomial::{factors, product};
 use super::probe::{InPowers, Probe, Sight};
-use super::sign::Facts;
+use super::sign::{Facts, Known};
+use super::structure::{Extent, Powers};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use crate::expr::{FastMap, FastSet};
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// One case of the resolution.
 #[derive(Clone, Default)]
@@ -99,7 +101,6 @@ pub(super) struct Solver<'a> {
 }
 
 const MOST_CASES: usize = 16;
-const HIGHEST: usize = 8;
 
 /// An equation that is not yet used.
 #[derive(Clone, Copy)]
@@ -128,13 +129,37 @@ struct Candidate {
     rank: (u8, u8, usize, u8, u8, usize, usize),
     equation: usize,
     unknown: Leaf,
-    coefficients: Vec<Expr>,
-    vanishing: Vec<Expr>,
+    /// Coefficients, and those above that vanish.
+    powers: Rc<InPowers>,
 }
 
 /// The expression with all definitions inserted.
 pub(super) fn insert_definitions(graph: &mut Graph, map: &FastMap<Leaf, Expr>, e: Expr) -> Expr {
-    graph.substitute(e, |_, leaf| map.get(&leaf).copied())
+    let order = graph.reachable([e]);
+    let mut image: FastMap<Expr, Expr> = FastMap::default();
+    for node in order {
+        // What does not depend on a defined leaf stays what it is.
+        let new = match *graph.node(node) {
+            Node::Leaf(leaf) => match map.get(&leaf) {
+                Some(&value) => value,
+                None => continue,
+            },
+            Node::Unary(op, a) => match image.get(&a) {
+                Some(&a) => graph.unary(op, a),
+                None => continue,
+            },
+            Node::Binary(op, a, b) => match (image.get(&a), image.get(&b)) {
+                (None, None) => continue,
+                (p, q) => {
+                    let (a, b) = (p.copied().unwrap_or(a), q.copied().unwrap_or(b));
+                    graph.binary(op, a, b)
+                }
+            },
+            Node::Constant(_) | Node::Pi => continue,
+        };
+        image.insert(node, new);
+    }
+    image.get(&e).copied().unwrap_or(e)
 }
 
 /// Definitions with later ones inserted into earlier ones.
@@ -263,15 +288,7 @@ impl Solver<'_> {
         let mut split = None;
         let mut seen = FastSet::default();
         while let Some(one) = pending.pop() {
-            let known = self.probe.structure.borrow().tops.get(&one.e).copied();
-            let top = match known {
-                Some(top) => top,
-                None => {
-                    let (top, _) = fraction(self.graph, one.e);
-                    self.probe.structure.borrow_mut().tops.insert(one.e, top);
-                    top
-                }
-            };
+            let (top, _) = self.probe.structure.borrow_mut().fraction(self.graph, one.e);
             if !seen.insert(top) {
                 continue;
             }
@@ -329,12 +346,11 @@ impl Solver<'_> {
 
     /// Whether an expression is known to be ≠ 0.
     fn is_known(&mut self, e: Expr) -> bool {
-        if let Some(&known) = self.probe.nonzero.get(&e) {
-            return known;
-        }
-        let known = self.facts.sign(self.graph, self.generators, e).nonzero;
-        self.probe.nonzero.insert(e, known);
-        known
+        self.sign(e).nonzero
+    }
+
+    fn sign(&mut self, e: Expr) -> Known {
+        self.facts.sign_after(self.graph, self.generators, e, &mut self.probe.signs)
     }
 
     /// Whether it is known from what is given.
@@ -386,15 +402,17 @@ impl Solver<'_> {
     fn candidates(&mut self, case: &Case, equation: usize) -> Vec<Candidate> {
         let Pending { e, derived, from, .. } = case.pending[equation];
         let mut out = Vec::new();
-        let size = self.graph.reachable([e]).len();
+        let extent = self.extent(e);
+        let size = extent.size;
         let mut leaves: Vec<(u8, Leaf)> =
-            self.graph.leaves([e]).into_iter().filter_map(|l| Some((self.class(l)?, l))).collect();
+            extent.leaves.iter().filter_map(|&l| Some((self.class(l)?, l))).collect();
         leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
         for (class, unknown) in leaves {
             if out.iter().any(|c: &Candidate| c.class < class) {
                 break;
             }
-            let Some((all, vanishing)) = self.in_powers(e, unknown) else { continue };
+            let Some(powers) = self.in_powers(e, unknown) else { continue };
+            let all = &powers.0;
             let Some(&pivot) = all.last() else { continue };
             let quality = if self.graph.as_constant(pivot).is_some() {
                 0
@@ -422,20 +440,20 @@ impl Solver<'_> {
                 },
                 equation,
                 unknown,
-                coefficients: all,
-                vanishing,
+                powers,
             });
         }
         out
     }
 
     /// Coefficients of an equation of degree 1 or 2 in an unknown, and those above that vanish at the random points.
-    fn in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<InPowers> {
+    fn in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<Rc<InPowers>> {
         if let Some(known) = self.probe.solvable.get(&(e, unknown)) {
             return known.clone();
         }
         let mut found = None;
-        if let Some(mut all) = self.written_in_powers(e, unknown) {
+        if let Some(all) = self.written_in_powers(e, unknown) {
+            let mut all = all.to_vec();
             let mut vanishing = Vec::new();
             while let Some(&last) = all.last()
                 && all.len() > 1
@@ -445,27 +463,27 @@ impl Solver<'_> {
                 all.pop();
             }
             if all.len() == 2 || all.len() == 3 {
-                found = Some((all, vanishing));
+                found = Some(Rc::new((all, vanishing)));
             }
         }
         self.probe.solvable.insert((e, unknown), found.clone());
         found
     }
 
-    fn written_in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<Vec<Expr>> {
-        if let Some(known) = self.probe.structure.borrow().powers.get(&(e, unknown)) {
-            return known.clone();
-        }
-        let found = coefficients(self.graph, e, unknown, HIGHEST);
-        self.probe.structure.borrow_mut().powers.insert((e, unknown), found.clone());
-        found
+    fn written_in_powers(&mut self, e: Expr, unknown: Leaf) -> Option<Powers> {
+        self.probe.structure.borrow_mut().powers(self.graph, e, unknown)
+    }
+
+    fn extent(&mut self, e: Expr) -> Rc<Extent> {
+        self.probe.structure.borrow_mut().extent(self.graph, e)
     }
 
     /// Solves one equation for one unknown and inserts the result everywhere.
     fn define(&mut self, case: &mut Case, candidate: Candidate) {
-        let Candidate { equation, unknown, coefficients, vanishing, .. } = candidate;
+        let Candidate { equation, unknown, powers, .. } = candidate;
+        let (coefficients, vanishing) = &*powers;
         let from = case.pending.remove(equation).from;
-        case.out.taken_as_zero.extend(vanishing.into_iter().filter(|&e| !self.graph.is_zero(e)));
+        case.out.taken_as_zero.extend(vanishing.iter().copied().filter(|&e| !self.graph.is_zero(e)));
         let value = match *coefficients.as_slice() {
             [b, a] => {
                 self.pivot(case, a);
@@ -494,11 +512,12 @@ impl Solver<'_> {
             case.pending.push(Pending { e, plain: e, derived: false, from: case.inserted.len() - 1 });
         }
         for p in &mut case.pending {
-            if self.graph.leaves([p.e]).contains(&unknown) {
+            let mut structure = self.probe.structure.borrow_mut();
+            if structure.depends(self.graph, p.e, unknown) {
                 case.inserted[p.from].insert(number);
                 case.inserted[p.from].extend(&needs);
+                p.e = structure.replaced(self.graph, p.e, unknown, value);
             }
-            p.e = self.graph.substitute(p.e, |_, leaf| (leaf == unknown).then_some(value));
         }
     }
 

@@ -44,6 +44,7 @@ use subdivide::{Division, Judge, MOST_CELLS, subdivide};
 
 impl Judge for Question {
     type Scratch = Scratch;
+    const TOGETHER: usize = 16;
 
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         Question::judge(self, cell, scratch)

@@ -311,6 +311,11 @@ pub(super) fn ranges<'s>(
         slots.set(i, Ok(Decorated::all_of(*side)));
     }
     tape.run(&(), slots);
+    found(tape, slots)
+}
+
+/// The outputs of a tape that was run on a box; `None` where one has a value nowhere on it.
+pub(super) fn found<'s>(tape: &'s Tape, slots: &'s Slots<Decorated>) -> impl Iterator<Item = Range> + 's {
     (0..tape.output_count()).map(|k| match tape.output(k, slots) {
         Ok(value) => Some(*value),
         Err(NoValue::OutOfDomain) => None,

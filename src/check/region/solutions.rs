@@ -22,6 +22,7 @@
 //! [Moore, Kearfott & Cloud 2009, Theorem 8.2]: https://doi.org/10.1137/1.9780898717716
 //! [Neumaier 1990, Theorem 5.1.8]: https://doi.org/10.1017/CBO9780511526473
 
+use std::cell::OnceCell;
 use std::collections::VecDeque;
 
 use nalgebra::DMatrix;
@@ -29,13 +30,13 @@ use nalgebra::DMatrix;
 use super::account::{RegionAccount, RegionWitness, SolutionAccount};
 use super::faults;
 use super::question::{Insertion, Part, Question};
-use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, ranges};
+use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, found};
 use super::subdivide::{Division, Judge};
 use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Statement};
 use crate::number::{Decorated, Interval, Scalar};
-use crate::tape::{Slots, Tape};
+use crate::tape::{Instruction, Slots, Tape};
 
 /// Most parts of the box that are looked at for one value of the parameters, where these do not vary.
 const MOST_PARTS: usize = 20_000;
@@ -61,10 +62,69 @@ pub(super) struct Solver {
     names: Vec<String>,
     parameters: usize,
     /// F.
-    values: Tape,
+    values: Map,
     /// F′, by rows; none where a derivative cannot be written.
-    slopes: Option<Tape>,
+    slopes: Option<Map>,
     unique: bool,
+}
+
+/// Functions of parameters and unknowns. For one cell of parameters they are evaluated on many parts of the box: what depends
+/// on the parameters alone is computed once.
+struct Map {
+    tape: Tape,
+    /// Number of parameters: the first inputs.
+    parameters: usize,
+    /// What depends on no unknown.
+    standing: Vec<Instruction>,
+    /// What depends on one.
+    moving: Vec<Instruction>,
+}
+
+impl Map {
+    fn new(tape: Tape, parameters: usize) -> Map {
+        let mut moves: Vec<bool> = (0..tape.slot_count()).map(|i| (parameters..tape.inputs().len()).contains(&i)).collect();
+        let (mut standing, mut moving) = (Vec::new(), Vec::new());
+        for step in tape.instructions() {
+            let of = moves[step.a as usize] || moves[step.b as usize];
+            moves[step.out as usize] = of;
+            if of { &mut moving } else { &mut standing }.push(*step);
+        }
+        Map { tape, parameters, standing, moving }
+    }
+
+    /// Memory for one cell of parameters; that of another cell is used again.
+    fn begin(&self, p: &[Interval], slots: &mut Option<Slots<Decorated>>) {
+        let slots = slots.get_or_insert_with(|| self.tape.slots::<Decorated>(&()));
+        for (i, side) in p.iter().enumerate() {
+            slots.set(i, Ok(Decorated::all_of(*side)));
+        }
+        self.tape.run_some(&(), slots, &self.standing);
+    }
+
+    /// The ranges on a part of the box; `None` where one of the functions has a value nowhere on it, or the cell is not begun.
+    fn on(&self, x: &[Interval], slots: &mut Option<Slots<Decorated>>) -> Option<Vec<Decorated>> {
+        let slots = slots.as_mut()?;
+        for (i, side) in x.iter().enumerate() {
+            slots.set(self.parameters + i, Ok(Decorated::all_of(*side)));
+        }
+        self.tape.run_some(&(), slots, &self.moving);
+        found(&self.tape, slots).collect::<Option<Vec<Decorated>>>()
+    }
+}
+
+/// What is known of F on a part of the box: each is computed when it is first asked for.
+#[derive(Default)]
+struct Look {
+    x: Vec<Interval>,
+    value: OnceCell<Option<Value>>,
+    slopes: OnceCell<Option<Vec<Decorated>>>,
+    image: OnceCell<Option<Vec<Interval>>>,
+}
+
+impl Look {
+    fn at(x: Vec<Interval>) -> Look {
+        Look { x, ..Look::default() }
+    }
 }
 
 /// The memory of judging.
@@ -132,7 +192,8 @@ impl Solver {
                 }
             }
         }
-        let values = Tape::compile(graph, &leaves, &equations)?;
+        let parameters = question.signs.variables.len();
+        let values = Map::new(Tape::compile(graph, &leaves, &equations)?, parameters);
         let mut rows = Some(Vec::new());
         for &f in &equations {
             for unknown in &unknowns {
@@ -143,8 +204,8 @@ impl Solver {
             }
         }
         let slopes = rows.and_then(|rows| Tape::compile(graph, &leaves, &rows).ok());
+        let slopes = slopes.map(|tape| Map::new(tape, parameters));
         let names = unknowns.iter().map(|u| graph.leaf_latex(u.leaf)).collect();
-        let parameters = question.signs.variables.len();
         Ok(Solver { question, conditions, relations, unknowns, names, parameters, values, slopes, unique })
     }
 
@@ -153,39 +214,53 @@ impl Solver {
         MOST_CELLS
     }
 
-    fn run(&self, slopes: bool, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Option<Vec<Decorated>> {
-        let (tape, slots) = match (slopes, &self.slopes) {
-            (false, _) => (&self.values, &mut scratch.values),
-            (true, Some(tape)) => (tape, &mut scratch.slopes),
-            (true, None) => return Some(vec![Decorated::UNKNOWN; self.unknowns.len().pow(2)]),
-        };
-        let slots = slots.get_or_insert_with(|| tape.slots::<Decorated>(&()));
-        ranges(tape, p.iter().chain(x), slots).collect()
+    /// Takes up a cell of parameters.
+    fn begin(&self, p: &[Interval], scratch: &mut Scratch) {
+        self.values.begin(p, &mut scratch.values);
+        if let Some(slopes) = &self.slopes {
+            slopes.begin(p, &mut scratch.slopes);
+        }
     }
 
     /// F on a box; `None` where it has a value nowhere on it.
-    fn value(&self, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Option<Value> {
-        let found = self.run(false, p, x, scratch)?;
+    fn value(&self, x: &[Interval], scratch: &mut Scratch) -> Option<Value> {
+        let found = self.values.on(x, &mut scratch.values)?;
         let continuous = found.iter().all(Decorated::is_continuous);
         Some(Value { ranges: found.iter().map(Decorated::range).collect(), continuous })
     }
 
+    fn value_on<'l>(&self, look: &'l Look, scratch: &mut Scratch) -> Option<&'l Value> {
+        look.value.get_or_init(|| self.value(&look.x, scratch)).as_ref()
+    }
+
+    fn slopes_on<'l>(&self, look: &'l Look, scratch: &mut Scratch) -> Option<&'l Vec<Decorated>> {
+        let found = || match &self.slopes {
+            Some(slopes) => slopes.on(&look.x, &mut scratch.slopes),
+            None => Some(vec![Decorated::UNKNOWN; self.unknowns.len().pow(2)]),
+        };
+        look.slopes.get_or_init(found).as_ref()
+    }
+
     /// Krawczyk's operator on a box on which F is continuously differentiable; `None` where that is not known of it.
-    fn krawczyk(&self, p: &[Interval], v: &[Interval], scratch: &mut Scratch) -> Option<Vec<Interval>> {
+    fn krawczyk<'l>(&self, look: &'l Look, scratch: &mut Scratch) -> Option<&'l Vec<Interval>> {
+        look.image.get_or_init(|| self.image(look, scratch)).as_ref()
+    }
+
+    fn image(&self, look: &Look, scratch: &mut Scratch) -> Option<Vec<Interval>> {
+        let v = &look.x;
         let n = v.len();
-        if !self.value(p, v, scratch)?.continuous {
+        if !self.value_on(look, scratch)?.continuous {
             return None;
         }
-        let slopes = self.run(true, p, v, scratch)?;
+        let slopes = self.slopes_on(look, scratch)?;
         if !slopes.iter().all(Decorated::is_continuous) {
             return None;
         }
         let slopes: Vec<Interval> = slopes.iter().map(Decorated::range).collect();
-        let centre = DMatrix::from_fn(n, n, |i, k| slopes[n * i + k].mid());
-        let inverse = centre.try_inverse().filter(|c| c.iter().all(|x| x.is_finite()))?;
+        let inverse = inverse(n, &slopes)?;
         let y: Vec<Interval> = v.iter().map(|side| Interval::point(side.mid())).collect();
-        let at = self.value(p, &y, scratch)?.ranges;
-        let c = |i: usize, k: usize| Interval::point(inverse[(i, k)]);
+        let at = self.value(&y, scratch)?.ranges;
+        let c = |i: usize, k: usize| Interval::point(inverse[n * i + k]);
         let mut out = Vec::with_capacity(n);
         for i in 0..n {
             let mut sum = y[i];
@@ -206,6 +281,9 @@ impl Solver {
 
     /// How the other relations stand on a box.
     fn conditions(&self, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Truth {
+        if self.relations.is_empty() {
+            return Truth::True;
+        }
         let cell = Cell::inside(p.iter().chain(x).copied().collect());
         self.conditions.begin(&mut scratch.conditions);
         let mut out = Truth::True;
@@ -236,10 +314,12 @@ impl Solver {
     }
 
     /// A zero in a box or next to it, if it can be verified.
-    fn verify(&self, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Option<Zero> {
-        let larger: Vec<Interval> = x.iter().map(|side| side.widened(LARGER, f64::MIN_POSITIVE)).collect();
-        for v in [larger.as_slice(), x] {
-            let Some(mut enclosure) = self.krawczyk(p, v, scratch) else { continue };
+    fn verify(&self, p: &[Interval], look: &Look, scratch: &mut Scratch) -> Option<Zero> {
+        let x = &look.x;
+        let larger = Look::at(x.iter().map(|side| side.widened(LARGER, f64::MIN_POSITIVE)).collect());
+        for of in [&larger, look] {
+            let v = &of.x;
+            let Some(mut enclosure) = self.krawczyk(of, scratch).cloned() else { continue };
             if faults::no_inclusion() {
                 let both: Option<Vec<Interval>> = enclosure.iter().zip(x).map(|(k, x)| k.intersection(*x)).collect();
                 let Some(both) = both else { continue };
@@ -247,9 +327,9 @@ impl Solver {
             } else if !v.iter().zip(&enclosure).all(|(v, k)| v.encloses_strictly(*k)) {
                 continue;
             }
-            let neighbourhood = v.to_vec();
+            let neighbourhood = v.clone();
             for _ in 0..MOST_ITERATIONS {
-                let Some(next) = self.krawczyk(p, &enclosure, scratch) else { break };
+                let Some(next) = self.image(&Look::at(enclosure.clone()), scratch) else { break };
                 let both: Option<Vec<Interval>> =
                     next.iter().zip(&enclosure).map(|(a, b)| a.intersection(*b)).collect();
                 match both {
@@ -259,29 +339,30 @@ impl Solver {
             }
             let mut counts = self.counts(p, &enclosure, scratch);
             if counts == Truth::Open
-                && let Some(at) = self.on_border(p, &enclosure, scratch)
+                && let Some(at) = self.on_border(&enclosure, scratch)
             {
                 counts = self.conditions(p, &at, scratch);
                 enclosure = at;
             }
             return Some(Zero { neighbourhood, enclosure, counts });
         }
-        self.crossing(p, x, scratch)
+        self.crossing(p, look, scratch)
     }
 
     /// The zero of one function of one unknown that is strictly monotone on a part of the box, and has opposite signs at its
     /// ends, or is 0 there (Bolzano's theorem).
-    fn crossing(&self, p: &[Interval], x: &[Interval], scratch: &mut Scratch) -> Option<Zero> {
-        let ([only], [unknown]) = (x, &self.unknowns[..]) else { return None };
+    fn crossing(&self, p: &[Interval], look: &Look, scratch: &mut Scratch) -> Option<Zero> {
+        let x = &look.x;
+        let ([only], [unknown]) = (&x[..], &self.unknowns[..]) else { return None };
         let inside = only.intersection(unknown.inner)?;
-        if !self.value(p, x, scratch)?.continuous {
+        if !self.value_on(look, scratch)?.continuous {
             return None;
         }
-        let slope = self.run(true, p, x, scratch)?.first().filter(|s| s.is_defined()).map(Decorated::range)?;
+        let slope = self.slopes_on(look, scratch)?.first().filter(|s| s.is_defined()).map(Decorated::range)?;
         if slope.contains(0.0) {
             return None;
         }
-        let mut at = |end: f64| Some(*self.value(p, &[Interval::point(end)], scratch)?.ranges.first()?);
+        let mut at = |end: f64| Some(*self.value(&[Interval::point(end)], scratch)?.ranges.first()?);
         let (low, high) = (at(inside.lo())?, at(inside.hi())?);
         // At a face that two parts share both could take a zero for theirs: there the sign must be strict. At an end of the box
         // it need not be.
@@ -296,18 +377,18 @@ impl Solver {
     }
 
     /// The point of an enclosure that lies on the border of the box, if F is 0 there exactly.
-    fn on_border(&self, p: &[Interval], enclosure: &[Interval], scratch: &mut Scratch) -> Option<Vec<Interval>> {
+    fn on_border(&self, enclosure: &[Interval], scratch: &mut Scratch) -> Option<Vec<Interval>> {
         let snapped = |(unknown, side): (&Variable, &Interval)| {
             let ends = [(unknown.outer.lo(), unknown.inner.lo()), (unknown.outer.hi(), unknown.inner.hi())];
             let at = ends.iter().find(|(a, b)| a == b && side.contains(*a)).map_or(side.mid(), |(a, _)| *a);
             unknown.inner.contains(at).then(|| Interval::point(at))
         };
         let at: Vec<Interval> = self.unknowns.iter().zip(enclosure).map(snapped).collect::<Option<_>>()?;
-        self.is_zero_at(p, &at, scratch).then_some(at)
+        self.is_zero_at(&at, scratch).then_some(at)
     }
 
-    fn is_zero_at(&self, p: &[Interval], at: &[Interval], scratch: &mut Scratch) -> bool {
-        let value = self.value(p, at, scratch);
+    fn is_zero_at(&self, at: &[Interval], scratch: &mut Scratch) -> bool {
+        let value = self.value(at, scratch);
         value.is_some_and(|v| v.continuous && v.ranges.iter().all(|r| r.lo() == 0.0 && r.hi() == 0.0))
     }
 
@@ -319,18 +400,18 @@ impl Solver {
         let points = [Interval::lo, Interval::mid, Interval::hi];
         for point in points {
             let at: Vec<Interval> = inside.iter().map(|side| Interval::point(point(side))).collect();
-            if self.is_zero_at(p, &at, scratch) && self.conditions(p, &at, scratch) == Truth::True {
+            if self.is_zero_at(&at, scratch) && self.conditions(p, &at, scratch) == Truth::True {
                 return true;
             }
         }
         let [only] = inside[..] else { return false };
-        if !self.value(p, &inside, scratch).is_some_and(|v| v.continuous)
+        if !self.value(&inside, scratch).is_some_and(|v| v.continuous)
             || self.conditions(p, &inside, scratch) != Truth::True
         {
             return false;
         }
         let mut sign = |at: f64| {
-            let value = self.value(p, &[Interval::point(at)], scratch)?;
+            let value = self.value(&[Interval::point(at)], scratch)?;
             let [range] = value.ranges[..] else { return None };
             if range.lo() > 0.0 { Some(true) } else { (range.hi() < 0.0).then_some(false) }
         };
@@ -339,11 +420,12 @@ impl Solver {
 
     /// Looks for all solutions, for every value of the parameters in a cell.
     fn search(&self, p: &[Interval], most: usize, scratch: &mut Scratch) -> Found {
+        self.begin(p, scratch);
         let mut found = Found::default();
         let mut open: VecDeque<Vec<Interval>> = VecDeque::new();
         open.push_back(self.unknowns.iter().map(|u| u.outer).collect());
         let mut looked = 0;
-        while let Some(mut x) = open.pop_front() {
+        while let Some(x) = open.pop_front() {
             if looked >= most {
                 found.left.push(x);
                 found.left.extend(open);
@@ -354,7 +436,7 @@ impl Solver {
                 // For parameters in a cell a zero wanders through many parts: all that are left, in one.
                 let join = |a: &[Interval], b: &[Interval]| a.iter().zip(b).map(|(a, b)| a.hull(*b)).collect();
                 let all = open.iter().fold(x.clone(), |all: Vec<Interval>, part| join(&all, part));
-                if let Some(zero) = self.verify(p, &all, scratch)
+                if let Some(zero) = self.verify(p, &Look::at(all.clone()), scratch)
                     && zero.neighbourhood.iter().zip(&all).all(|(n, side)| n.contains_interval(*side))
                 {
                     found.add(zero);
@@ -365,30 +447,30 @@ impl Solver {
             if found.zeros.iter().any(inside) {
                 continue;
             }
-            let Some(value) = self.value(p, &x, scratch) else { continue };
-            if value.ranges.iter().any(|r| !r.contains(0.0)) || self.conditions(p, &x, scratch) == Truth::False {
+            let look = Look::at(x);
+            let Some(value) = self.value_on(&look, scratch) else { continue };
+            if value.ranges.iter().any(|r| !r.contains(0.0)) || self.conditions(p, &look.x, scratch) == Truth::False {
                 continue;
             }
-            if let Some(zero) = self.verify(p, &x, scratch) {
-                let covered = zero.neighbourhood.iter().zip(&x).all(|(n, side)| n.contains_interval(*side));
+            if let Some(zero) = self.verify(p, &look, scratch) {
+                let covered = zero.neighbourhood.iter().zip(&look.x).all(|(n, side)| n.contains_interval(*side));
                 found.add(zero);
                 if covered {
                     continue;
                 }
             }
-            if let Some(image) = self.krawczyk(p, &x, scratch) {
-                let both: Option<Vec<Interval>> = image.iter().zip(&x).map(|(a, b)| a.intersection(*b)).collect();
-                match both {
-                    Some(both) => x = both,
-                    None => continue,
-                }
-            }
+            let x = match self.krawczyk(&look, scratch) {
+                Some(image) => image.iter().zip(&look.x).map(|(a, b)| a.intersection(*b)).collect(),
+                None => Some(look.x),
+            };
+            let Some(x) = x else { continue };
             match bisected(&x, &self.unknowns) {
                 Some(halves) => open.extend(halves),
                 None => found.left.push(x),
             }
         }
-        found.seen = found.left.iter().any(|x| self.seen(p, x, scratch));
+        // That there is one says nothing of whether there is only one.
+        found.seen = !self.unique && found.left.iter().any(|x| self.seen(p, x, scratch));
         found
     }
 
@@ -475,6 +557,18 @@ impl Found {
     }
 }
 
+/// The inverse of the matrix of the middles, by rows; `None` where there is none.
+fn inverse(n: usize, slopes: &[Interval]) -> Option<Vec<f64>> {
+    let found = match slopes {
+        [only] => (only.mid() != 0.0).then(|| vec![1.0 / only.mid()])?,
+        _ => {
+            let inverse = DMatrix::from_fn(n, n, |i, k| slopes[n * i + k].mid()).try_inverse()?;
+            (0..n).flat_map(|i| (0..n).map(move |k| (i, k))).map(|at| inverse[at]).collect()
+        }
+    };
+    found.iter().all(|x| x.is_finite()).then_some(found)
+}
+
 /// The halves of a box along the side that is longest as a part of its range.
 fn bisected(x: &[Interval], unknowns: &[Variable]) -> Option<[Vec<Interval>; 2]> {
     let part = |i: usize| x[i].width() / unknowns[i].outer.width();
@@ -495,6 +589,8 @@ fn bisected(x: &[Interval], unknowns: &[Variable]) -> Option<[Vec<Interval>; 2]>
 
 impl Judge for Solver {
     type Scratch = Scratch;
+    // A search in itself.
+    const TOGETHER: usize = 1;
 
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.question.signs.begin(&mut scratch.signs);

@@ -29,6 +29,8 @@ const POINTS_UNTIL: u32 = 14;
 pub(super) trait Judge: Sync {
     /// Memory for judging.
     type Scratch: Default + Send;
+    /// So many cells are worth a thread.
+    const TOGETHER: usize;
     /// What is known of a cell.
     fn judge(&self, cell: &Cell, scratch: &mut Self::Scratch) -> Part;
 }
@@ -152,7 +154,7 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
         let looked = depth <= POINTS_UNTIL;
         let judged: Vec<(Part, Option<(Cell, Part)>)> = generation
             .par_iter()
-            .with_min_len(16)
+            .with_min_len(J::TOGETHER)
             .map_init(J::Scratch::default, |scratch, piece| {
                 let part = judge.judge(&Cell::inside(piece.sides.clone()), scratch);
                 let wanted = match part {

@@ -96,7 +96,7 @@ impl Ask<'_> {
 
     fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
         let program = self.program(k, course)?;
-        let trial = Trial { graph: &self.derivation.graph, claim, program, course };
+        let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
         let verdict = one_pair(self.derivation, &trial, None);
         match verdict.outcome() {
             // Times without a value are not times at which it is met.
@@ -119,7 +119,7 @@ fn is_refuted(program: &Program, points: &Points) -> bool {
     if !program.assumptions.is_empty() || program.at.is_some() || program.is_branching() {
         return false;
     }
-    let measured = program.measure(points, 1.0);
+    let measured = program.measure((points, points.len()), 1.0);
     let mut first = 0;
     for (how, group) in &program.groups {
         let of = &measured[first.min(measured.len())..(first + group.comparisons.len()).min(measured.len())];
@@ -129,13 +129,10 @@ fn is_refuted(program: &Program, points: &Points) -> bool {
         }
         for point in 0..points.len() {
             // Where one of them has no value, none counts.
-            let all =
-                of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.get(point)?.as_ref().ok()?)));
+            let all = of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.difference(point).ok()?)));
             let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
             // With a size of 0 nothing is small: what is violated then is so for every size.
-            let violated = |(kind, m): &(_, &crate::check::weigh::Measured)| {
-                judge(*kind, m.difference, 0.0, 0.0) == Standing::Violated
-            };
+            let violated = |(kind, difference): &(_, _)| judge(*kind, *difference, 0.0, 0.0) == Standing::Violated;
             if all.iter().any(violated) {
                 return true;
             }

@@ -110,6 +110,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         reading: None,
         says: String::new(),
         parent_says: None,
+        added: false,
         place: None,
         label: None,
         remark: None,

@@ -121,7 +121,7 @@ impl Probes {
                 let wanted = open(dropped, t) && dropped.claim.trajectories.contains(&t);
                 let program = self.programs.get(count + d)?.get(start_of[t]).filter(|_| wanted)?;
                 let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
-                let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course };
+                let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
                 let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
                 Some(recall.without(derivation, asked, t, || one_pair(derivation, &trial, gradients)))
             };

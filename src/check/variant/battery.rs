@@ -5,8 +5,11 @@
 
 use super::generate::ClaimVariants;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, NoValue};
+use crate::number::{Bounded, BoundedLanes, NoValue};
 use crate::tape::{Slots, Tape};
+
+/// Points that are evaluated at once.
+pub(super) const LANES: usize = 4;
 
 /// A number with its error bound, or the reason why there is none.
 pub(super) type Value = Result<Bounded, NoValue>;
@@ -58,6 +61,20 @@ impl Battery {
         Some(Battery { tape, chosen, own, sizes, altered, sign })
     }
 
+    /// The same for those of the chosen variants that are kept, which are fewer; inputs stay as they are.
+    pub fn part(&self, claim: &ClaimVariants, keep: impl Fn(usize) -> bool) -> Battery {
+        let first = self.altered.first().copied().unwrap_or(self.tape.output_count());
+        let mut outputs: Vec<usize> = (0..first).collect();
+        let (mut chosen, mut altered) = (Vec::new(), Vec::new());
+        for (&v, &at) in self.chosen.iter().zip(&self.altered).filter(|(v, _)| keep(**v)) {
+            chosen.push(v);
+            altered.push(outputs.len());
+            outputs.extend(at..at + claim.variants[v].altered.len());
+        }
+        let (own, sizes) = (self.own.clone(), self.sizes.clone());
+        Battery { tape: self.tape.part(&outputs), chosen, own, sizes, altered, sign: self.sign }
+    }
+
     /// What must be known, in the order of the inputs; the sign of ± among them.
     pub fn leaves(&self) -> &[Leaf] {
         self.tape.inputs()
@@ -90,6 +107,76 @@ impl Battery {
         let values = (0..self.tape.output_count()).map(|i| self.tape.output(i, slots).copied()).collect();
         Outputs { battery: self, values }
     }
+
+    /// Evaluates at several points at once, with what [`Battery::at`] gives for each of them: `value` is that of an input at
+    /// a point.
+    pub fn at_each(
+        &self,
+        count: usize,
+        value: impl Fn(usize, usize) -> Value,
+        sign: f64,
+        memory: &mut Memory,
+    ) -> Vec<Outputs<'_>> {
+        let slots = &mut memory.lanes;
+        let mut out: Vec<Outputs> = Vec::with_capacity(count);
+        let mut first = 0;
+        while first < count {
+            let here = (count - first).min(LANES);
+            // A block that is not full has its last point several times.
+            let point = |lane: usize| first + lane.min(here - 1);
+            for i in 0..self.leaves().len() {
+                let mut lanes = BoundedLanes::splat(Bounded::exact(sign));
+                let mut missing = None;
+                for lane in (0..LANES).filter(|_| self.sign != Some(i)) {
+                    match value(i, point(lane)) {
+                        Ok(x) => lanes.set_lane(lane, x),
+                        Err(reason) => missing = Some(reason),
+                    }
+                }
+                slots.set(i, missing.map_or(Ok(lanes), Err));
+            }
+            self.tape.run(&(), slots);
+            let outputs = || (0..self.tape.output_count()).map(|o| self.tape.output(o, slots));
+            for lane in 0..here {
+                let values = outputs().map(|o| o.map(|lanes| lanes.lane(lane))).collect();
+                out.push(Outputs { battery: self, values });
+            }
+            // Where a lane has no value, the block has none: its points are looked at one by one.
+            let missing: Vec<usize> = outputs().enumerate().filter(|(_, o)| o.is_err()).map(|(at, _)| at).collect();
+            if !missing.is_empty() {
+                if memory.part.as_ref().is_none_or(|(of, ..)| *of != missing) {
+                    let tape = self.tape.part(&missing);
+                    let slots = tape.slots(&());
+                    memory.part = Some((missing.clone(), tape, slots));
+                }
+                let Some((_, tape, slots)) = &mut memory.part else { return out };
+                for (lane, outputs) in out[first..].iter_mut().enumerate() {
+                    for i in 0..self.leaves().len() {
+                        let exact = (self.sign == Some(i)).then(|| Ok(Bounded::exact(sign)));
+                        slots.set(i, exact.unwrap_or_else(|| value(i, first + lane)));
+                    }
+                    tape.run(&(), slots);
+                    for (k, &at) in missing.iter().enumerate() {
+                        outputs.values[at] = tape.output(k, slots).copied();
+                    }
+                }
+            }
+            first += here;
+        }
+        out
+    }
+
+    /// The memory for evaluations at several points.
+    pub fn memory(&self) -> Memory {
+        Memory { lanes: self.tape.slots(&()), part: None }
+    }
+}
+
+/// The memory for evaluations at several points.
+pub(super) struct Memory {
+    lanes: Slots<BoundedLanes<LANES>>,
+    /// Outputs that had no value in a block, and the program for them alone.
+    part: Option<(Vec<usize>, Tape, Slots<Bounded>)>,
 }
 
 impl Outputs<'_> {

@@ -10,7 +10,7 @@
 
 use super::battery::{Battery, Outputs};
 use super::generate::{ClaimVariants, Manner, Part, Variant};
-use super::point::{self, Point, assumes_equations, draw};
+use super::point::{self, Ground, Point, assumes_equations};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{FastSet, Graph};
 use crate::latex::RelationKind;
@@ -99,7 +99,7 @@ impl ClaimVariants {
         // A constant may be any function of the parameters: of it, assumptions say nothing here.
         let relation = |v: &Variant| self.formulas[v.formula].manner == Manner::Relation;
         if defined && assumes_equations(claim) && self.variants.iter().any(relation) {
-            let assumed = look(point::Manner { defined: true, assumed: true, steady: false });
+            let assumed = look(point::Manner { defined: true, assumed: true });
             for ((variant, sight), assumed) in self.variants.iter().zip(&mut out).zip(assumed) {
                 if *sight == Sight::New && relation(variant) {
                     *sight = assumed;
@@ -128,11 +128,13 @@ impl ClaimVariants {
         battery: &Battery,
         manner: point::Manner,
     ) -> Vec<Sight> {
-        let free = draw(derivation, claim, graph, battery, manner);
+        let ground = Ground::new(derivation, claim, graph, battery, manner);
+        let free = ground.as_ref().map_or_else(Vec::new, |ground| ground.draw(false));
         // A factor made of parameters makes no difference, and a constant may be any function of them: so they stay what they are.
-        let fixed = draw(derivation, claim, graph, battery, point::Manner { steady: true, ..manner });
+        let steady = ground.filter(Ground::has_parameters).map(|ground| ground.draw(true));
+        let fixed = steady.as_ref().unwrap_or(&free);
         let mut seen: FastSet<(usize, Fingerprint)> = FastSet::default();
-        (0..self.variants.len()).map(|v| self.sight(v, &free, &fixed, &mut seen)).collect()
+        (0..self.variants.len()).map(|v| self.sight(v, &free, fixed, &mut seen)).collect()
     }
 
     fn sight(&self, v: usize, free: &[Point], fixed: &[Point], seen: &mut FastSet<(usize, Fingerprint)>) -> Sight {

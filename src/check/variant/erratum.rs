@@ -104,9 +104,7 @@ fn is_absent(pair: &PairAccount) -> bool {
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
     pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &[Course]) -> Result<(), CheckError> {
-        let mut candidates: Vec<Candidate> = Vec::new();
-        let mut motions: Vec<Vec<usize>> = Vec::new();
-        for (k, account) in accounts.iter_mut().enumerate() {
+        let of_claim = |(k, account): (usize, &mut ClaimAccount)| {
             let asked = asked(account);
             let column = |id: &str| self.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
             let on: Vec<usize> = account
@@ -115,17 +113,20 @@ impl Search<'_> {
                 .zip(asked)
                 .filter_map(|(p, asked)| column(&p.trajectory).filter(|_| asked))
                 .collect();
+            let mut candidates = Vec::new();
             if !on.is_empty() {
                 let mut erratum = Erratum::default();
                 let absent = account.results.iter().any(is_absent);
-                candidates.extend(self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum));
+                candidates = self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum);
                 if let Some(variants) = &mut account.variants {
                     variants.erratum = Some(erratum);
                 }
             }
-            motions.push(on);
-        }
-        self.confirm(accounts, candidates, &motions, courses)
+            (candidates, on)
+        };
+        let found: Vec<_> = accounts.par_iter_mut().enumerate().with_max_len(1).map(of_claim).collect();
+        let (candidates, motions): (Vec<Vec<Candidate>>, Vec<Vec<usize>>) = found.into_iter().unzip();
+        self.confirm(accounts, candidates.into_iter().flatten().collect(), &motions, courses)
     }
 
     /// What passes at the points at which the claim was tried.
@@ -272,7 +273,7 @@ impl Search<'_> {
                 let precision = claim.precision;
                 let points: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
                 let evidence = Evidence { points: &points, first_counts: false, precision, one_sign_throughout: false };
-                let found = rejection::rejected(graph, &group, *start, sign, known, &placed, &evidence);
+                let found = rejection::rejected(&group, &placed, &evidence);
                 left.retain(|&v| !found.variants[v]);
             }
             out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree.clone())));
@@ -389,7 +390,7 @@ impl Search<'_> {
             let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
                 let program = programs.get(self.start_of[self.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
-                    let trial = Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course };
+                    let trial = Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course, shown: false };
                     matches!(one_pair(scratch, &trial, None).outcome(), Outcome::Holds(_))
                 })
             };

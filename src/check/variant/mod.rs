@@ -213,9 +213,8 @@ impl Altered {
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
     pub fn weigh(&self, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
-        let order = rejection::spread(course.times.len());
-        let kept = order.iter().take(KEPT);
-        out.kept = kept.map(|&i| (course.times[i], course.points.row(i))).collect();
+        let kept = rejection::spread(course.times.len(), KEPT);
+        out.kept = kept.into_iter().map(|i| (course.times[i], course.points.row(i))).collect();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
                 Some(found) => self.rejections(k, start, course, found).unwrap_or_default(),
@@ -269,15 +268,13 @@ impl Altered {
         if points.is_empty() {
             return None;
         }
-        let graph = &self.graphs[k / TOGETHER];
         let evidence = Evidence {
             points: &points,
             first_counts: matches!(outcome, Outcome::Fails(_)),
             precision: claim.precision,
             one_sign_throughout: claim.branches_throughout,
         };
-        let sign = claim.scope.branch_sign();
-        let rejections = rejection::rejected(graph, &self.claims[k], start, sign, &self.known, placed, &evidence);
+        let rejections = rejection::rejected(&self.claims[k], placed, &evidence);
         own.truncate(KEPT);
         Some((Some(rejections), own))
     }
@@ -295,9 +292,9 @@ impl Altered {
         courses: &[Course],
     ) -> Result<(), CheckError> {
         let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
-        for (k, (account, variants)) in accounts.iter_mut().zip(&self.claims).enumerate() {
+        accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &tried));
-        }
+        });
         let Places { claimed, tried, starts, start_of } = *places;
         erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }
             .offer(accounts, courses)

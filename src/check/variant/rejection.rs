@@ -8,9 +8,9 @@
 //! are left go on. So what is reported as not rejected is so at these times; what is reported as rejected is rejected.
 
 use super::super::comparison::{Standing, judge};
-use super::battery::{Battery, Outputs};
+use super::battery::{Battery, LANES, Outputs};
 use super::generate::ClaimVariants;
-use crate::expr::{Graph, Leaf};
+use crate::expr::Leaf;
 use crate::flow::Sample;
 use crate::number::NoValue;
 
@@ -44,6 +44,16 @@ impl Placed {
         let value = |i: &Option<usize>| i.map_or(Err(NoValue::Indeterminate), |i| point.get(i));
         self.battery.at(self.inputs.iter().map(value), sign, slots)
     }
+
+    /// The outputs at several points: all at once where that pays.
+    fn at_each(&self, points: &[Sample], sign: f64) -> Vec<Outputs<'_>> {
+        if points.len() < LANES {
+            let mut slots = self.battery.slots();
+            return points.iter().map(|point| self.at(*point, sign, &mut slots)).collect();
+        }
+        let value = |i: usize, p: usize| self.inputs[i].map_or(Err(NoValue::Indeterminate), |i| points[p].get(i));
+        self.battery.at_each(points.len(), value, sign, &mut self.battery.memory())
+    }
 }
 
 /// What is found out about one variant on one motion.
@@ -71,21 +81,26 @@ pub(super) struct Evidence<'a> {
     pub one_sign_throughout: bool,
 }
 
-/// Positions 0 … n − 1 in an order in which every beginning is spread over the whole.
-pub(super) fn spread(n: usize) -> Vec<usize> {
+/// At most `most` of the positions 0 … n − 1, in an order in which every beginning is spread over the whole.
+pub(super) fn spread(n: usize, most: usize) -> Vec<usize> {
     let mut seen = vec![false; n];
-    let mut out = Vec::with_capacity(n);
+    let wanted = most.min(n);
+    let mut out = Vec::with_capacity(wanted);
     // Not from the start: many things vanish there.
     let mut at = 0.5;
     // The golden section fills the interval evenly; what it leaves out comes last, in order.
     for _ in 0..2 * n {
+        if out.len() == wanted {
+            return out;
+        }
         let i = ((at * n as f64) as usize).min(n.saturating_sub(1));
-        if n > 0 && !std::mem::replace(&mut seen[i], true) {
+        if !std::mem::replace(&mut seen[i], true) {
             out.push(i);
         }
-        at = (at + 0.618_033_988_749_894_9) % 1.0;
+        at += 0.618_033_988_749_894_9;
+        at -= if at >= 1.0 { 1.0 } else { 0.0 };
     }
-    out.extend((0..n).filter(|&i| !seen[i]));
+    out.extend((0..n).filter(|&i| !seen[i]).take(wanted - out.len()));
     out
 }
 
@@ -99,41 +114,37 @@ pub(in super::super) struct Rejections {
 }
 
 /// Which of the variants are rejected. The first of the points are used in any case.
-pub(super) fn rejected(
-    graph: &Graph,
-    claim: &ClaimVariants,
-    start: usize,
-    sign: Leaf,
-    known: &[Leaf],
-    whole: &Placed,
-    evidence: &Evidence,
-) -> Rejections {
+pub(super) fn rejected(claim: &ClaimVariants, whole: &Placed, evidence: &Evidence) -> Rejections {
     let mut formulas = vec![false; claim.formulas.len()];
     let mut records = vec![Record::default(); claim.variants.len()];
-    let mut order = spread(evidence.points.len());
+    let mut order = spread(evidence.points.len(), MOST_TIMES);
     // Where the print fails most clearly comes first.
-    if evidence.first_counts
-        && let Some(at) = order.iter().position(|&i| i == 0)
-    {
-        order[..=at].rotate_right(1);
+    if evidence.first_counts {
+        match order.iter().position(|&i| i == 0) {
+            Some(at) => order[..=at].rotate_right(1),
+            None => {
+                order.rotate_right(1);
+                order.first_mut().into_iter().for_each(|first| *first = 0);
+            }
+        }
     }
-    let mut next = order.iter().take(MOST_TIMES);
+    let mut next = order.iter();
     let mut smaller: Option<Placed> = None;
     for round in ROUNDS {
         let placed = smaller.as_ref().unwrap_or(whole);
-        let times: Vec<usize> = next.by_ref().take(round).copied().collect();
-        if times.is_empty() {
+        let points: Vec<Sample> = next.by_ref().take(round).map(|&i| evidence.points[i]).collect();
+        if points.is_empty() {
             break;
         }
-        try_at(claim, placed, &times, evidence, &mut records, &mut formulas);
-        let left: Vec<usize> =
-            placed.battery.chosen.iter().copied().filter(|&v| !records[v].is_rejected(evidence)).collect();
-        if left.is_empty() {
+        try_at(claim, placed, &points, evidence, &mut records, &mut formulas);
+        let left = |v: usize| !records[v].is_rejected(evidence);
+        let count = placed.battery.chosen.iter().filter(|v| left(**v)).count();
+        if count == 0 {
             break;
         }
         // A smaller tape pays when it is much smaller.
-        if left.len() * 3 < placed.battery.chosen.len() * 2 {
-            smaller = Battery::new(graph, claim, start, left, sign).map(|b| Placed::new(b, known));
+        if count * 3 < placed.battery.chosen.len() * 2 {
+            smaller = Some(Placed { battery: placed.battery.part(claim, left), inputs: placed.inputs.clone() });
         }
     }
     let variants = records.iter().map(|r| r.is_rejected(evidence) || r.has_no_value()).collect();
@@ -152,65 +163,71 @@ impl Record {
 fn try_at(
     claim: &ClaimVariants,
     placed: &Placed,
-    times: &[usize],
+    points: &[Sample],
     evidence: &Evidence,
     records: &mut [Record],
     formulas: &mut [bool],
 ) {
     let battery = &placed.battery;
-    let mut slots = battery.slots();
-    for &time in times {
-        let point = evidence.points[time];
-        let plus = placed.at(point, 1.0, &mut slots);
-        let minus = battery.has_sign().then(|| placed.at(point, -1.0, &mut slots));
-        // How the parts of each formula stand as printed, for each sign.
-        let stand = |o: &Outputs, f: usize, p: usize, difference| match difference {
-            Ok(d) => judge(claim.formulas[f].parts[p].kind, d, o.size(f, p), evidence.precision),
-            Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
-            Err(_) => Standing::Inconclusive,
-        };
-        let own = |o: &Outputs, f: usize| -> Vec<Standing> {
-            (0..claim.formulas[f].parts.len()).map(|p| stand(o, f, p, o.own(f, p))).collect()
-        };
-        let printed: Vec<[Vec<Standing>; 2]> = (0..claim.formulas.len())
-            .map(|f| {
-                let first = own(&plus, f);
-                let second = minus.as_ref().map_or_else(|| first.clone(), |m| own(m, f));
-                [first, second]
-            })
-            .collect();
-        for (violated, signs) in formulas.iter_mut().zip(&printed) {
-            *violated |= signs.iter().all(|s| s.contains(&Standing::Violated));
+    let plus = placed.at_each(points, 1.0);
+    let minus = battery.has_sign().then(|| placed.at_each(points, -1.0));
+    let stand = |o: &Outputs, f: usize, p: usize, difference| match difference {
+        Ok(d) => judge(claim.formulas[f].parts[p].kind, d, o.size(f, p), evidence.precision),
+        Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
+        Err(_) => Standing::Inconclusive,
+    };
+    // How the parts of each formula stand as printed, for each sign: those of one formula one after the other.
+    let mut printed: Vec<[Standing; 2]> = Vec::new();
+    let starts: Vec<usize> = claim
+        .formulas
+        .iter()
+        .scan(0, |sum, formula| Some(std::mem::replace(sum, *sum + formula.parts.len())))
+        .collect();
+    let of = |f: usize| starts[f]..starts[f] + claim.formulas[f].parts.len();
+    let mut speaks = vec![false; claim.formulas.len()];
+    for (at, plus) in plus.iter().enumerate() {
+        let minus = minus.as_ref().map(|all| &all[at]);
+        printed.clear();
+        for (f, formula) in claim.formulas.iter().enumerate() {
+            printed.extend((0..formula.parts.len()).map(|p| {
+                let first = stand(plus, f, p, plus.own(f, p));
+                [first, minus.map_or(first, |m| stand(m, f, p, m.own(f, p)))]
+            }));
+            let signs = |what: &dyn Fn(usize) -> bool| [what(0), what(1)];
+            let violated = signs(&|s| printed[of(f)].iter().any(|p| p[s] == Standing::Violated));
+            formulas[f] |= violated == [true; 2];
+            let valued = signs(&|s| printed[of(f)].iter().all(|p| !matches!(p[s], Standing::NoValue(_))));
+            speaks[f] = valued.contains(&true);
         }
-        let speaks = |f: usize| printed[f].iter().any(|s| s.iter().all(|p| !matches!(p, Standing::NoValue(_))));
         for (position, &v) in battery.chosen.iter().enumerate() {
             let variant = &claim.variants[v];
             let f = variant.formula;
-            if !speaks(f) {
+            let record = &mut records[v];
+            // What is rejected stays so.
+            if !speaks[f] || record.is_rejected(evidence) {
                 continue;
             }
-            let record = &mut records[v];
             record.tried += 1;
-            let mut violated = [false; 2];
-            let mut valued = false;
-            for (s, outputs) in [Some(&plus), minus.as_ref().or(Some(&plus))].into_iter().flatten().enumerate() {
+            let one = |s: usize, outputs: &Outputs| {
                 let mut standing = Standing::Satisfied;
                 if claim.formulas[f].branching {
                     // With this sign the unaltered parts must be true, too.
-                    for (p, own) in printed[f][s].iter().enumerate() {
+                    for (p, own) in printed[of(f)].iter().enumerate() {
                         if variant.altered.iter().all(|(a, _)| *a != p) {
-                            standing = standing.and(*own);
+                            standing = standing.and(own[s]);
                         }
                     }
                 }
                 for (n, (p, _)) in variant.altered.iter().enumerate() {
                     standing = standing.and(stand(outputs, f, *p, outputs.altered(position, n)));
                 }
-                valued |= !matches!(standing, Standing::NoValue(_));
-                violated[s] = standing == Standing::Violated;
-            }
+                standing
+            };
+            let first = one(0, plus);
+            let standings = [first, minus.map_or(first, |minus| one(1, minus))];
+            let violated = standings.map(|s| s == Standing::Violated);
             // Where one sign gives no value at all, the other decides.
-            record.valued += usize::from(valued);
+            record.valued += usize::from(standings.iter().any(|s| !matches!(s, Standing::NoValue(_))));
             record.both |= violated == [true; 2];
             for (all, now) in record.violated.iter_mut().zip(violated) {
                 *all |= now;

@@ -8,7 +8,7 @@ mod scripts;
 mod symbol;
 mod value;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::parse;
@@ -16,7 +16,7 @@ use super::scope::Scope;
 use super::syntax::{Chain, Name, Node, NodeKind, Target};
 use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name};
 use crate::diag::Problem;
-use crate::expr::{Expr, Graph, Shape, Tensor};
+use crate::expr::{Expr, FastMap, Graph, Shape, Tensor};
 use value::Value;
 
 type Elaborated<T> = Result<T, Box<Problem>>;
@@ -50,7 +50,7 @@ pub(super) struct Elaborator<'a> {
     /// Indices that stand in places of a name, as in `I_{(n-k)}`, on the left side: a term may do without them.
     loose: BTreeSet<Name>,
     /// Which indices a node sums over, by the address of the node.
-    sums: HashMap<*const Node, Vec<Name>>,
+    sums: FastMap<*const Node, Vec<Name>>,
     work: usize,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Elaborator<'a> {
             extents: BTreeMap::new(),
             fixed: BTreeSet::new(),
             loose: BTreeSet::new(),
-            sums: HashMap::new(),
+            sums: FastMap::default(),
             work: 0,
         }
     }

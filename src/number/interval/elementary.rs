@@ -84,10 +84,10 @@ fn half_turns(a: Interval, shift: f64) -> Option<(f64, f64)> {
 
 /// Sine or cosine, whose extremes lie at (k + shift)·π.
 fn wave(f: impl Fn(f64) -> f64, a: Interval, shift: f64, exact: (f64, f64)) -> Interval {
-    let ends = at(&f, a.lo, exact).hull(at(&f, a.hi, exact));
     if a.is_point() {
-        return ends.within(-1.0, 1.0);
+        return at(&f, a.lo, exact).within(-1.0, 1.0);
     }
+    let ends = at(&f, a.lo, exact).hull(at(&f, a.hi, exact));
     let everything = Interval { lo: -1.0, hi: 1.0 };
     let Some((first, last)) = half_turns(a, shift).filter(|(first, last)| last - first < 1.5) else {
         return everything;

@@ -8,7 +8,7 @@ use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
-use super::text::{condition, display, formula, identifier, label, plain, prose, reason};
+use super::text::{bare, condition, display, formula, identifier, label, prose, reason};
 use super::{region, support};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
@@ -350,8 +350,8 @@ fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
 /// `NAME = VALUE; …` as lines that can be pasted.
 fn assignments(point: &str) -> String {
     let line = |part: &str| match part.split_once(" = ") {
-        Some((name, value)) => format!("{} = {}\n", identifier(name), plain(value)),
-        None => format!("{}\n", plain(part)),
+        Some((name, value)) => format!("{} = {}\n", identifier(name), bare(value)),
+        None => format!("{}\n", bare(part)),
     };
     point.split("; ").map(line).collect()
 }

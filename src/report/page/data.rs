@@ -1,9 +1,9 @@
-//! The curves of all pairs, packed for the script.
+//! The curves of all pairs, for the script.
 //!
-//! A page may have thousands of pairs. Each of its curves is some twenty samples; a value takes two characters: its place
-//! between the least and the largest value, in 1/7225 of the way (85 characters that need no escape, squared), and the
-//! logarithm of a residual or bound one. That is finer than a line is thick. Equal texts are stored once. Numbers that a
-//! reader may want exactly (worst residual, witness) are stored as numbers.
+//! A page may have thousands of pairs. Each of its curves is some sixty samples; a value takes two characters: its place
+//! between the least and the largest value, in one of a thousand steps, and of residuals and bounds the logarithm. That is
+//! finer than a line is thick. Equal texts are stored once. Numbers that a reader may want exactly (worst residual, witness)
+//! are stored as numbers. The whole is [packed](super::packed).
 
 use std::collections::HashMap;
 
@@ -11,24 +11,25 @@ use serde_json::{Value, json};
 
 use super::super::tally::{declared, name};
 use super::claims::assigned;
+use super::packed::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 use crate::derivation::Derivation;
 
-/// Digits of the packed values.
-const DIGITS: &[u8; 85] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
-/// Steps between the least and the largest value.
-const STEPS: f64 = 7224.0;
+/// Values of the second character.
+const FINE: usize = 12;
+/// Steps between the least and the largest value, and one more for what is not finite.
+const STEPS: usize = DIGITS.len() * FINE;
 
 /// Shortest text that is worth a place of its own among the strings.
 const WORTH: usize = 5;
 
-/// The data as JSON that may stand inside a script element.
+/// The data as JSON.
 ///
 /// `pairs` is by claim, then by the position of the trajectory. A pair is `[curves, worst, witness, excluded]`, each null
 /// where there is none; curves are `[formula, samples, [least, largest], [first, last], [lowest, highest decade], t, left,
-/// right, residual, bound, limit]`. The limit is 0 where the relation is looked for at some time, and null where it is no
+/// right, residual, bound, limit]`, where a right side of null is the same as the left. The limit is 0 where the relation is looked for at some time, and null where it is no
 /// equation. A witness is `[formula, t, left, right, bound, names, values…]`, with one name in each line. `events` gives the
 /// equation at which a claim is tried: its samples are events.
 ///
@@ -54,13 +55,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
     let strings = share([&mut events, &mut claims]);
     let time = derivation.scope.time().map(|l| l.symbol);
     let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    inert(&json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims }).to_string())
-}
-
-/// JSON that cannot end the element that it stands in: that takes `</script` or `<!--`, which only texts can contain.
-fn inert(json: &str) -> String {
-    let safe = json.replace("</s", "<\\/s").replace("</S", "<\\/S").replace("<!", "\\u003c!");
-    safe.replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+    json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims }).to_string()
 }
 
 /// Takes the texts that occur several times out of the maps; what is left in their place is their position in what is returned,
@@ -149,14 +144,15 @@ fn short(x: f64) -> Value {
 
 fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value) -> Value {
     let points = &series.points;
-    let column = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
-    let (t, left, right) = (column(&|p| p.t), column(&|p| p.left), column(&|p| p.right));
+    let values = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
+    let (t, left, right) = (values(&|p| p.t), values(&|p| p.left), values(&|p| p.right));
     let span = span.unwrap_or((t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0)));
     let range = extent(left.iter().chain(&right).copied());
-    let (residual, bound) = (column(&|p| pxfm::f_log10(p.residual)), column(&|p| pxfm::f_log10(p.bound)));
+    let (residual, bound) = (values(&|p| pxfm::f_log10(p.residual)), values(&|p| pxfm::f_log10(p.bound)));
     let (low, high) = extent(residual.iter().chain(&bound).copied());
     let decades = (low.floor(), high.ceil());
-    let (l, r) = (wide(&left, range), wide(&right, range));
+    let (l, r) = (column(&left, range), column(&right, range));
+    let r = (r != l).then_some(r);
     let limit = points.iter().map(|p| p.limit).fold(f64::INFINITY, f64::min);
     json!([
         formula,
@@ -164,11 +160,11 @@ fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value) -> Value
         [short(range.0), short(range.1)],
         [exact(span.0), exact(span.1)],
         [short(decades.0), short(decades.1)],
-        wide(&t, span),
+        column(&t, span),
         l,
         r,
-        narrow(&residual, decades),
-        narrow(&bound, decades),
+        column(&residual, decades),
+        column(&bound, decades),
         match (series.sought, series.equation) {
             (true, _) => 0.into(),
             (false, true) => short(limit),
@@ -185,29 +181,16 @@ fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     if low <= high { (low, high) } else { (0.0, 0.0) }
 }
 
-/// One character for each value: 0 for one that is not finite (the logarithm of 0), the others spread over the range.
-fn narrow(values: &[f64], (low, high): (f64, f64)) -> String {
+/// Two characters for each value, first those of all values that say most: alike stands beside alike, and packs well. What is
+/// not finite (the logarithm of 0) is 0, the others are spread over the range.
+fn column(values: &[f64], (low, high): (f64, f64)) -> String {
     let width = if high > low { high - low } else { 1.0 };
-    let digit = |x: &f64| match x.is_finite() {
-        true => 1 + (((x - low) / width).clamp(0.0, 1.0) * (DIGITS.len() - 2) as f64).round() as usize,
+    let step = |x: &f64| match x.is_finite() {
+        true => 1 + (((x - low) / width).clamp(0.0, 1.0) * (STEPS - 2) as f64).round() as usize,
         false => 0,
     };
-    values.iter().map(|x| DIGITS.get(digit(x)).map_or('0', |d| char::from(*d))).collect()
-}
-
-/// Two characters for each value.
-fn wide(values: &[f64], (low, high): (f64, f64)) -> String {
-    let base = DIGITS.len();
-    let width = if high > low { high - low } else { 1.0 };
-    let mut out = String::with_capacity(2 * values.len());
-    for x in values {
-        let share = if x.is_finite() { ((x - low) / width).clamp(0.0, 1.0) } else { 0.0 };
-        let step = (share * STEPS).round() as usize;
-        for digit in [step / base, step % base] {
-            out.push(char::from(DIGITS.get(digit).copied().unwrap_or(b'0')));
-        }
-    }
-    out
+    let coarse = values.iter().map(|x| digit(step(x) / FINE));
+    coarse.chain(values.iter().map(|x| digit(step(x) % FINE))).collect()
 }
 
 #[cfg(test)]
@@ -230,21 +213,11 @@ mod tests {
     }
 
     #[test]
-    fn no_text_ends_the_element() {
-        let texts = ["</script>", "</SCRIPT>", "<!--<script>", "<math></math>", "\u{2028}"];
-        let out = inert(&json!(texts).to_string());
-        for bad in ["</s", "</S", "<!", "\u{2028}"] {
-            assert!(!out.contains(bad), "{out}");
-        }
-        assert_eq!(serde_json::from_str::<Vec<String>>(&out).unwrap(), texts);
-    }
-
-    #[test]
     fn values_are_packed_in_order_and_reach_both_ends() {
-        assert_eq!(wide(&[0.0, 1.0], (0.0, 1.0)), "00||");
-        assert_eq!(wide(&[5.0, 5.0], (5.0, 5.0)), "0000");
-        assert_eq!(wide(&[f64::NAN], (0.0, 1.0)), "00");
-        let packed = wide(&[0.25, 0.5], (0.0, 1.0));
-        assert!(packed[..2] < packed[2..]);
+        assert_eq!(column(&[0.0, 1.0], (0.0, 1.0)), "0|1B");
+        assert_eq!(column(&[5.0, 5.0], (5.0, 5.0)), "0011");
+        assert_eq!(column(&[f64::NAN, f64::NEG_INFINITY], (0.0, 1.0)), "0000");
+        let packed = column(&[0.25, 0.5], (0.0, 1.0));
+        assert!(packed[..1] < packed[1..2], "{packed}");
     }
 }

@@ -14,13 +14,12 @@ use crate::latex::Scope;
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     let wholes = digest::wholes(derivation, account);
     let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
-    let told = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
     html! {
         section id="/findings" {
             h2 { "What was found" }
             p.headline { (digest::headline(&wholes)) }
             ul.counts aria-label="What became of the claims" {
-                @for fate in told {
+                @for fate in Fate::TOLD {
                     @let n = of(fate).len();
                     @if n > 0 {
                         li class=(fate.key()) { a href={ "#/found/" (fate.key()) } { b { (n) } " " (fate.words(n)) } }
@@ -29,6 +28,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
             }
             @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
             (counted(account))
+            (in_order(&wholes))
             @for fate in Fate::ALL {
                 @let found = of(fate);
                 @if !found.is_empty() {
@@ -54,6 +54,47 @@ fn counted(account: &Account) -> Markup {
                 0 => { "Every verdict is as the derivation file expects." },
                 1 => { strong.alarm { "One verdict is not as the derivation file expects." } },
                 n => { strong.alarm { (n) " verdicts are not as the derivation file expects." } },
+            }
+        }
+    }
+}
+
+/// Every claim of the paper in its order, with the shape of its fate: a map of the paper, at one glance.
+fn in_order(wholes: &[Whole<'_>]) -> Markup {
+    let class = |whole: &Whole<'_>| match whole.fate {
+        Fate::Stands if whole.is_proved() => "h p",
+        Fate::Stands => "h",
+        Fate::Reading => "r",
+        Fate::Partly => "m",
+        Fate::Fails => "f",
+        Fate::Open => "u",
+        Fate::Nowhere | Fate::Added => "n",
+    };
+    let words = [
+        ("h p", "stands, proved for all values"),
+        ("h", "stands"),
+        ("r", "depends on how it is read"),
+        ("m", "holds on some motions only"),
+        ("f", "does not hold"),
+        ("u", "is not settled"),
+        ("n", "applies to no motion"),
+    ];
+    let told: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate != Fate::Added).collect();
+    html! {
+        h3 id="/order" { "The claims in their order" }
+        ul.legend aria-label="Shapes" {
+            @for (c, text) in words.iter().filter(|(c, _)| told.iter().any(|w| class(w) == *c)) {
+                li { span class={ "mark " (c) } aria-hidden="true" {} " " (text) }
+            }
+        }
+        ol.order {
+            @for whole in told {
+                @let stands = whole.fate == Fate::Stands;
+                li {
+                    span class={ "mark " (class(whole)) } aria-hidden="true" {}
+                    @if stands { a href={ "#" (whole.id) } { (whole.id) } } @else { a href={ "#/why/" (whole.id) } { (whole.id) } }
+                    span.unseen { ", " (whole.fate.words(1)) }
+                }
             }
         }
     }
@@ -102,7 +143,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
     let scope = &derivation.scope;
     html! {
         @for whole in found {
-            div.whole {
+            div.whole id={ "/why/" (whole.id) } {
                 p {
                     b { (prose(&whole.says, scope)) } " "
                     span.quiet {
@@ -114,6 +155,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
                     @for reading in &whole.readings {
                         li {
                             (mark(reading)) " "
+                            @if reading.added && whole.fate != Fate::Added { span.added { "for comparison" } " " }
                             @if whole.is_read() {
                                 @if reading.claim.reading.is_some() { (prose(&reading.claim.says, scope)) }
                                 @else { "As it stands:" }
@@ -137,7 +179,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
 
 /// The conditions that claims do not name and need.
 fn unsaid(derivation: &Derivation, account: &Account) -> Markup {
-    let unsaid = digest::unsaid(account);
+    let unsaid = digest::unsaid(derivation, account);
     html! {
         @if !unsaid.is_empty() {
             h3 id="/found/unsaid" { "What was left unsaid" }

@@ -113,6 +113,7 @@ fn legend() -> Markup {
         ("h", "holds at all samples"),
         ("h w", "holds, but many altered formulas would, too"),
         ("f", "fails"),
+        ("f e", "fails, certified"),
         ("n", "does not apply"),
         ("u", "undecided"),
         ("f x", "not as expected"),

@@ -16,6 +16,7 @@ mod data;
 mod findings;
 mod matrix;
 mod motions;
+mod packed;
 mod reasons;
 mod region;
 mod support;
@@ -73,7 +74,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             }
             body {
                 (body)
-                script type="application/json" id="/data" { (PreEscaped(data::json(derivation, account))) }
+                script type="text/plain" id="/data" { (PreEscaped(packed::packed(&data::json(derivation, account)))) }
                 script { (PreEscaped(SCRIPT)) }
             }
         }

@@ -122,7 +122,7 @@ fn integrals(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) 
                 "First integrals, largest change since the start: "
                 @for (i, (claim, r)) in kept.iter().enumerate() {
                     @if i > 0 { "; " }
-                    a href={ "#" (claim) } { (claim) } " " (size(r.max)) " (bound " (size(r.bound)) ")"
+                    a href={ "#" (claim) } { (claim) } " " span.one { (size(r.max)) " (bound " (size(r.bound)) ")" }
                 }
                 "."
             }
@@ -168,7 +168,7 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
         (PictureKind::Curve, [x, y]) => (x.clone(), y.clone()),
         _ => (format!("{time_name}{time_unit}"), units.join(", ")),
     };
-    let words = plot::Words { title: &title, describe: &describe, across: &across, up: &up };
+    let words = plot::Words { title: &title, describe: &describe, across: &across, up: &up, axes: &names };
     let svg = match picture.kind {
         PictureKind::Sphere => plot::sphere(&account.lines, &words),
         _ => plot::plane(&account.lines, &words),
@@ -180,6 +180,11 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
                     (PreEscaped(svg))
                     figcaption {
                         (prose(&picture.says, scope))
+                        @if picture.kind == PictureKind::Sphere {
+                            " (faint: the far side"
+                            @if picture.levels.is_some() { "; thin: level sets; dashed: those through saddles" }
+                            ")"
+                        }
                         @if picture.kind == PictureKind::Time && picture.show.len() > 1 {
                             ": "
                             @for (k, w) in picture.show.iter().enumerate() {

@@ -4,7 +4,7 @@
 //! full, refuted is hatched, undecided is ruled, and where the claim does not apply the paper is left as it is. The lines are
 //! lines, not patterns that are referred to: the page refers to nothing.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::super::region;
@@ -30,7 +30,7 @@ pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {
                 "."
             }
             @for note in region::notes(of) { p.quiet { (prose(&note, scope)) "." } }
-            @if let Some(map) = &of.map { (figure(claim, of, map)) }
+            @if let Some(map) = &of.map { (figure(claim, of, map, scope)) }
         }
     }
 }
@@ -96,7 +96,7 @@ fn path(map: &RegionMap, parts: &[Part], class: &str) -> String {
     out
 }
 
-fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
+fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap, scope: &Scope) -> Markup {
     let (Some(across), Some(up)) = (of.ranges.get(map.axes.0), of.ranges.get(map.axes.1)) else { return html! {} };
     let name = name(claim);
     let (left, top, side) = BOARD;
@@ -124,6 +124,8 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
         tick(up, 1.0),
         shown.iter().map(say).collect::<Vec<_>>().join(", "),
     );
+    // The shares of the box stand above; those of the squares are for those who do not see them.
+    let caption = format!("${}$ to the right, ${}$ upwards{more}.", across.name, up.name);
     let text = |x: f64, y: f64, anchor: &str, words: String| {
         html! { text x=(x) y=(y) text-anchor=(anchor) { (words) } }
     };
@@ -156,7 +158,7 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap) -> Markup {
                     (text(x + 16.0, 463.0, "start", (*word).to_owned()))
                 }
             }
-            figcaption { (PreEscaped(super::super::mathml::escaped(&describe))) }
+            figcaption { (prose(&caption, scope)) }
         }
     }
 }

@@ -1,7 +1,6 @@
 "use strict";
 (() => {
 const byId = id => document.getElementById(id);
-const data = JSON.parse(byId("/data").textContent);
 const form = byId("/filters"), table = document.querySelector(".matrix");
 const rows = [...table.tBodies[0].rows], heads = [...table.tHead.rows[0].cells].slice(1);
 const names = rows.map(r => r.cells[0].textContent), motions = heads.map(h => h.textContent);
@@ -101,6 +100,14 @@ function go() {
 }
 addEventListener("hashchange", go);
 
+// What a cell is, for those who point at it.
+table.addEventListener("mouseover", e => {
+  const cell = e.target.closest("tbody td, tbody th");
+  if (!cell || cell.title) return;
+  const name = names[rows.indexOf(cell.parentNode)], a = cell.querySelector("a");
+  if (a) cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${a.textContent}` : name;
+});
+
 // ---- keys in the matrix: one stop, arrows inside ----
 const cells = () => rows.filter(r => !r.hidden).map(r => [...r.cells].slice(1).filter(c => !c.hidden));
 for (const a of table.querySelectorAll("tbody td a")) a.tabIndex = -1;
@@ -128,17 +135,27 @@ table.addEventListener("keydown", e => {
 });
 
 // ---- the curves of a pair ----
-const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|";
-const value = new Map([...DIGITS].map((c, i) => [c, i]));
+const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%()*+,-./:;=?@[]^_{|", FINE = 12;
+const digit = new Map([...DIGITS].map((c, i) => [c, i]));
+// The data are packed: base 85 of a zlib stream of JSON. They are not unpacked before a curve is asked for.
+let data, ready;
+const unpacked = () => ready ||= (async () => {
+  const text = byId("/data").textContent, bytes = new Uint8Array(Math.floor(text.length * 4 / 5));
+  for (let i = 0, at = 0; i < text.length; i += 5, at += 4) {
+    let word = 0;
+    for (let k = 0; k < 5; k++) word = word * 85 + (i + k < text.length ? digit.get(text[i + k]) : 84);
+    for (let k = 0; k < 4 && at + k < bytes.length; k++) bytes[at + k] = Math.floor(word / 256 ** (3 - k)) % 256;
+  }
+  data = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+})();
 const stored = x => Array.isArray(x) ? x.map(stored).join("") : typeof x === "number" ? data.strings[x] : x;
 const unpack = (packed, low, high) => {
-  const text = stored(packed), out = [];
-  for (let i = 0; i + 1 < text.length; i += 2)
-    out.push(low + (high - low) * (value.get(text[i]) * DIGITS.length + value.get(text[i + 1])) / 7224);
-  return out;
+  const text = stored(packed), n = text.length / 2, steps = DIGITS.length * FINE - 2;
+  return Array.from({ length: n }, (_, i) => {
+    const step = digit.get(text[i]) * FINE + digit.get(text[n + i]);
+    return step ? low + (high - low) * (step - 1) / steps : -Infinity;
+  });
 };
-const unpackLog = (packed, low, high) => [...stored(packed)].map(c =>
-  value.get(c) ? low + (high - low) * (value.get(c) - 1) / (DIGITS.length - 2) : -Infinity);
 const pairOf = place => {
   const n = numbers(place);
   return n && (data.pairs[names[n[0]]] || {})[n[1]];
@@ -193,16 +210,24 @@ const grey = (p, stretches, time) => {
 function open(row) {
   const next = row.nextElementSibling;
   if (next && next.classList.contains("pair")) return;
-  const pair = pairOf(row.id) || [];
   const detail = document.createElement("tr");
   detail.className = "pair";
   const box = element(detail, "td", { colspan: row.cells.length });
   row.after(detail);
-  const link = element(element(box, "p"), "a", { href: "#/trajectory/" + motions[numbers(row.id)[1]] });
-  link.textContent = "The trajectory";
-  if (pair[0]) curves(box, pair, addressOf(row.id));
-  else element(box, "p", { class: "quiet" }, "No curve: two sides were not compared at more than one time. The row above says what was found, and how.");
-  if (pair[2]) witness(box, pair[2]);
+  const [i, j] = numbers(row.id), head = element(box, "p");
+  element(head, "a", { href: "#" + names[i] }, names[i]);
+  head.append(" on ");
+  element(head, "a", { href: "#/trajectory/" + motions[j] }, motions[j]);
+  head.append(": ");
+  element(head, "b", {}, rows[i].cells[j + 1].textContent.replace("not-applicable", "does not apply"));
+  head.append(".");
+  unpacked().then(() => {
+    const pair = pairOf(row.id) || [];
+    if (pair[0]) curves(box, pair, addressOf(row.id));
+    else element(box, "p", { class: "quiet" }, "No curve: two sides were not compared at more than one time. The row above says what was found, and how.");
+    if (pair[2]) witness(box, pair[2]);
+    if (row.classList.contains("here")) row.scrollIntoView({ block: "start" });
+  }, () => element(box, "p", { class: "quiet" }, "This browser cannot unpack the curves. The numbers are in report.json."));
 }
 // A line through samples; events are points, each with its time marked below.
 const line = (p, xs, ys, name) => add(p.svg, "polyline", { class: "curve " + name, points: xs.map((x, i) => p.X(x).toFixed(1) + "," + p.Y(ys[i]).toFixed(1)).join(" ") });
@@ -217,7 +242,7 @@ function curves(box, [packed, w, found, left_out], id) {
   const t = unpack(at, ...span), time = [...span], sought = pass === 0;
   const event = data.events[id.slice(0, id.lastIndexOf("@"))], draw = event === undefined ? line : points;
   for (const [a, b] of left_out || []) { time[0] = Math.min(time[0], a); time[1] = Math.max(time[1], b); }
-  const d = unpackLog(residuals, ...decades), b = unpackLog(bounds, ...decades);
+  const d = unpack(residuals, ...decades), b = unpack(bounds, ...decades);
   const head = element(box, "p", {}, sought ? "Looked for: " : "Compared: ");
   head.insertAdjacentHTML("beforeend", stored(formula));
   if (event !== undefined) head.insertAdjacentHTML("beforeend", ", each time " + stored(event) + ".");
@@ -229,12 +254,12 @@ function curves(box, [packed, w, found, left_out], id) {
   if (!all.length) all.push(-16, 0);
   let bottom = Math.floor(Math.min(...all) - .3), top = Math.ceil(Math.max(...all, bottom + 2) + .3);
   const every = Math.max(1, Math.ceil((top - bottom) / 7)), ticks = [];
-  for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "1e" + e]);
+  for (let e = Math.ceil(bottom / every) * every; e <= top; e += every) ticks.push([e, "10" + [...String(e)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("")]);
   let figure = element(box, "figure");
   const what = event === undefined ? "samples" : "events";
   const worst = !w ? "" : sought ? `The sides come closest at t = ${shown(w[0])}: ${shown(w[1])} apart, error bound ${shown(w[2])}.`
     : `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.`;
-  const drawn = `${t.length} of ${samples} ${what} are drawn`;
+  const drawn = `${t.length} of ${samples} ${what} are drawn${stored(formula).includes("±") ? ", with the sign of ± that does best at each" : ""}`;
   const when = event !== undefined ? ` Upright lines mark the events: t = ${t.map(shown).join(", ")}.` : times.length ? ` The upright line marks where it was found, t = ${shown(times[0])}.` : "";
   const p = frame(figure, "Residual of " + id, `${drawn}, on a logarithmic scale. ${worst}${when}`, time, [bottom, top], ticks, sought ? "distance" : "residual");
   grey(p, left_out, time);
@@ -248,14 +273,32 @@ function curves(box, [packed, w, found, left_out], id) {
     : `Residual (${one}) and its error bound (${two})` + (pass ? "; an equation passes where the residual is below its bound and the bound below the dotted line, the precision asked for." : ".");
   element(figure, "figcaption", {}, `${rule} ${worst}${when}${left_out ? " Grey: times left out." : ""} ${drawn}.`);
   figure = element(box, "figure");
-  const l = unpack(lefts, low, high), r = unpack(rights, low, high);
+  const l = unpack(lefts, low, high), r = rights === null ? l : unpack(rights, low, high);
   const pad = (high - low) * .06 || Math.abs(high) * .1 || 1, range = [low - pad, high + pad];
   const q = frame(figure, "Both sides of " + id, `The left side (${one}), the right side (${two}).`, time, range, nice(range[0], range[1], 5).map(y => [y, shown(y)]), "both sides");
   grey(q, left_out, time);
   marked(q, times);
   draw(q, t, l, "left");
   draw(q, t, r, "right");
-  element(figure, "figcaption", {}, `Left side (${one}) and right side (${two})` + (lefts === rights ? ": they agree to the width of the line." : "."));
+  element(figure, "figcaption", {}, `Left side (${one}) and right side (${two})` + (l === r ? ": they agree to the width of the line." : "."));
+  numbersOf(box, t, l, r, d, b, what);
+}
+// What is drawn, for those who do not see it.
+function numbersOf(box, t, l, r, d, b, what) {
+  const more = element(box, "details");
+  element(more, "summary", {}, `The ${what} that are drawn, as numbers`);
+  more.addEventListener("toggle", () => {
+    if (more.lastChild.tagName === "DIV") return;
+    const scroll = element(more, "div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Numbers of the curves" }), table = element(scroll, "table");
+    const head = element(element(table, "thead"), "tr"), body = element(table, "tbody");
+    for (const name of ["t", "left side", "right side", "residual", "error bound"]) element(head, "th", { scope: "col" }, name);
+    const short = x => shown(+x.toPrecision(3)), power = x => Number.isFinite(x) ? (10 ** x).toExponential(1).replace("e+", "e") : "0";
+    t.forEach((x, i) => {
+      const row = element(body, "tr");
+      for (const text of [short(x), short(l[i]), short(r[i]), power(d[i]), power(b[i])]) element(row, "td", { class: "number" }, text);
+    });
+    element(more, "p", { class: "quiet" }, "As finely as they are drawn: a thousandth of the height and width.");
+  });
 }
 function witness(box, [label, t, left, right, bound, names, ...values]) {
   const p = element(box, "p", {}, `At t = ${t} the left side is ${left}, the right side ${right}, with an error bound of ${bound}: `);
@@ -266,13 +309,15 @@ function witness(box, [label, t, left, right, bound, names, ...values]) {
 // Rows get a link to their curves when their table is opened.
 document.addEventListener("toggle", e => {
   if (!e.target.open || !e.target.matches(".verdicts")) return;
-  for (const row of e.target.querySelectorAll("tbody tr[id]")) {
-    if (!pairOf(row.id) || row.dataset.linked) continue;
-    row.dataset.linked = "1";
-    const cell = row.cells[row.cells.length - 1];
-    cell.append(" ");
-    element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + addressOf(row.id) }, "curves");
-  }
+  unpacked().then(() => {
+    for (const row of e.target.querySelectorAll("tbody tr[id]")) {
+      if (!pairOf(row.id) || row.dataset.linked) continue;
+      row.dataset.linked = "1";
+      const cell = row.cells[row.cells.length - 1];
+      cell.append(" ");
+      element(cell, "a", { href: "#" + row.id, "aria-label": "Curves and numbers of " + addressOf(row.id) }, "curves");
+    }
+  }, () => {});
 }, true);
 
 form.hidden = false;

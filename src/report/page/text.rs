@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
 use super::super::wording::{self, Part};
+pub(super) use super::super::wording::unit;
 use crate::latex::Scope;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
@@ -54,8 +55,17 @@ pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
     }
 }
 
-/// A text that is no formula, without the signs that only LaTeX needs.
+/// A text that is no formula, without the signs that only LaTeX needs, its indices below the line.
 pub(super) fn plain(text: &str) -> String {
+    scripts(&commandless(text)).replace(['{', '}', '\u{2063}'], "")
+}
+
+/// The same in letters that can be pasted into a program.
+pub(super) fn bare(text: &str) -> String {
+    commandless(text).replace(['{', '}', '\u{2063}'], "")
+}
+
+fn commandless(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(at) = rest.find('\\') {
@@ -73,7 +83,44 @@ pub(super) fn plain(text: &str) -> String {
         rest = after;
     }
     out.push_str(rest);
-    out.replace(['{', '}', '\u{2063}'], "")
+    out
+}
+
+/// Indices and exponents as letters below and above the line, where there are such letters for all of an index.
+fn scripts(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(['_', '^']) {
+        let (before, tail) = rest.split_at(at);
+        let (mark, tail) = tail.split_at(1);
+        out.push_str(before);
+        let (index, after) = match tail.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
+            Some((index, after)) => (index, after),
+            None => tail.split_at(tail.chars().next().map_or(0, char::len_utf8)),
+        };
+        let letters: Option<String> = index.chars().map(if mark == "_" { lowered } else { raised }).collect();
+        match letters.filter(|l| !l.is_empty()) {
+            Some(letters) => out.push_str(&letters),
+            None => {
+                out.push_str(mark);
+                out.push_str(index);
+            }
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+/// The letter below the line.
+fn lowered(c: char) -> Option<char> {
+    const LOW: [(&str, &str); 2] = [("0123456789+-=()", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎"), ("aehijklmnoprstuvx", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")];
+    LOW.iter().find_map(|(plain, low)| low.chars().nth(plain.chars().position(|p| p == c)?))
+}
+
+/// The letter above the line.
+fn raised(c: char) -> Option<char> {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾".chars().nth("0123456789+-=()".chars().position(|p| p == c)?)
 }
 
 /// A condition of a proof: an expression, its relation to zero, and perhaps words.
@@ -107,30 +154,6 @@ pub(super) fn display(text: &str, scope: &Scope) -> Markup {
         },
         None => html! { div.formula tabindex="0" role="group" aria-label="formula" { code { (text) } } },
     }
-}
-
-/// A unit as it is printed: `kg m^2/s` with raised digits.
-pub(super) fn unit(text: &str) -> String {
-    let mut out = String::new();
-    let mut raised = false;
-    for c in text.chars() {
-        match c {
-            '^' => {
-                raised = true;
-                continue;
-            }
-            '-' if raised => out.push('⁻'),
-            c if raised && c.is_ascii_digit() => {
-                let at = usize::from(c as u8 - b'0');
-                out.extend("⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(at));
-            }
-            c => {
-                raised = false;
-                out.push(c);
-            }
-        }
-    }
-    out
 }
 
 /// A LaTeX name as a word that can be pasted into a program: `\dot{R}_{11}` becomes `R_11_dot`.
@@ -181,6 +204,21 @@ mod tests {
             ("t", "t"),
         ] {
             assert_eq!(identifier(name), word, "{name}");
+        }
+    }
+
+    #[test]
+    fn indices_are_below_the_line() {
+        for (text, shown) in [
+            (r"I_1", "I₁"),
+            (r"{\bf m}_{12}", "m₁₂"),
+            (r"I_1^2+m_i", "I₁²+mᵢ"),
+            (r"x_Q", "x_Q"),
+            (r"\theta", "θ"),
+            ("x_", "x_"),
+            ("", ""),
+        ] {
+            assert_eq!(plain(text), shown);
         }
     }
 

@@ -30,6 +30,8 @@ pub(super) struct Words<'a> {
     pub across: &'a str,
     /// What goes up.
     pub up: &'a str,
+    /// The axes of a sphere.
+    pub axes: &'a [String],
 }
 
 /// Colours that stand for classes of the page.
@@ -40,10 +42,11 @@ fn colour(kind: LineKind) -> RGBColor {
         LineKind::Hidden => RGBColor(1, 2, 0),
         LineKind::Level => RGBColor(1, 2, 1),
         LineKind::Separatrix => RGBColor(1, 2, 2),
+        LineKind::Axis(..) => BLACK,
     }
 }
 
-const CLASSES: [(&str, &str); 14] = [
+const CLASSES: [(&str, &str); 15] = [
     ("#010000", "c0"),
     ("#010001", "c1"),
     ("#010002", "c2"),
@@ -58,9 +61,11 @@ const CLASSES: [(&str, &str); 14] = [
     ("#000000", "axis"),
     ("#020000", "grid"),
     ("#030000", "rim"),
+    ("#040000", "pole"),
 ];
 const GRID: RGBColor = RGBColor(2, 0, 0);
 const RIM: RGBColor = RGBColor(3, 0, 0);
+const AXIS: RGBColor = RGBColor(4, 0, 0);
 
 /// A picture with axes.
 pub(super) fn plane(lines: &[Line], words: &Words<'_>) -> Option<String> {
@@ -136,10 +141,10 @@ fn tick(x: f64) -> String {
 /// A picture on a sphere: the rim, what is behind, level sets, and the motion.
 pub(super) fn sphere(lines: &[Line], words: &Words<'_>) -> Option<String> {
     let mut out = String::new();
-    draw_sphere(&mut out, lines).ok().map(|()| finished(&out, words))
+    draw_sphere(&mut out, lines, words).ok().map(|()| finished(&out, words))
 }
 
-fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
+fn draw_sphere(out: &mut String, lines: &[Line], words: &Words<'_>) -> Drawn {
     let area = SVGBackend::with_string(out, ROUND).into_drawing_area();
     let (half, radius) = (f64::from(ROUND.0) / 2.0, f64::from(ROUND.0) * 0.48);
     let place = |&(x, y): &(f64, f64)| ((half + radius * x).round() as i32, (half - radius * y).round() as i32);
@@ -147,6 +152,13 @@ fn draw_sphere(out: &mut String, lines: &[Line]) -> Drawn {
     for line in lines {
         let points: Vec<(i32, i32)> = line.points.iter().map(place).collect();
         let style = colour(line.kind);
+        if let (LineKind::Axis(k, positive), Some(&(x, y))) = (line.kind, points.first()) {
+            let sign = if positive { "" } else { "−" };
+            let name = words.axes.get(k).map_or("", String::as_str);
+            area.draw(&Circle::new((x, y), 7, AXIS.filled()))?;
+            area.draw(&Text::new(format!("{sign}{name}"), (x + 14, y - LETTERS as i32 / 2), ("sans-serif", LETTERS)))?;
+            continue;
+        }
         let at_rest = points.iter().all(|p| Some(p) == points.first());
         if let (true, Some(&point)) = (at_rest, points.first()) {
             area.draw(&Circle::new(point, 16, style.filled()))?;
@@ -303,7 +315,7 @@ fn finished(svg: &str, words: &Words<'_>) -> String {
 mod tests {
     use super::*;
 
-    const WORDS: Words<'_> = Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x" };
+    const WORDS: Words<'_> = Words { title: "<t>", describe: "d & d", across: "t (s)", up: "x", axes: &[] };
 
     #[test]
     fn a_line_keeps_its_shape_with_fewer_points() {

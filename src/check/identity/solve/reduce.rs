@@ -3,9 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{Candidate, Case, HIGHEST, Next, Solver};
+use super::{Candidate, Case, Next, Solver};
 use crate::check::identity::linear::{Monomial, expression};
-use crate::check::identity::polynomial::{coefficients, factors, product};
+use crate::check::identity::polynomial::{factors, product};
 use crate::check::identity::probe::Sight;
 use crate::expr::{Expr, Leaf, Node, Op, Rational};
 
@@ -18,6 +18,11 @@ impl Solver<'_> {
         if let Some(terms) = self.written_squares(e).or_else(|| self.terms_of_one_sign(e)) {
             self.probe.squares.insert(e, Some(terms.clone()));
             return Some(terms);
+        }
+        // A sum of squares has one sign wherever it has a value.
+        if self.probe.structure.borrow_mut().has_both_signs(self.graph, e) {
+            self.probe.squares.insert(e, None);
+            return None;
         }
         let sum = self.probe.structure.borrow_mut().combinations.of(self.graph, e);
         let positive = sum.values().next().is_some_and(|q| *q > Rational::ZERO);
@@ -51,7 +56,7 @@ impl Solver<'_> {
         let signs: Vec<(bool, bool)> = terms
             .iter()
             .map(|&(e, minus)| {
-                let known = self.facts.sign(self.graph, self.generators, e);
+                let known = self.sign(e);
                 let pair = (known.not_negative, known.not_positive);
                 if minus { (pair.1, pair.0) } else { pair }
             })
@@ -91,16 +96,16 @@ impl Solver<'_> {
     /// An equation in cosine and sine of one argument, reduced to one of them where that is possible.
     pub(super) fn on_circle(&mut self, case: &mut Case, e: Expr) -> Expr {
         let pairs: BTreeSet<(Leaf, Leaf)> =
-            self.graph.leaves([e]).into_iter().filter_map(|l| self.generators.circle(l)).collect();
+            self.extent(e).leaves.iter().filter_map(|&l| self.generators.circle(l)).collect();
         let mut e = e;
         for (c, s) in pairs {
-            let leaves = self.graph.leaves([e]);
-            if !(leaves.contains(&c) && leaves.contains(&s)) {
+            let extent = self.extent(e);
+            if !(extent.leaves.contains(&c) && extent.leaves.contains(&s)) {
                 continue;
             }
             let mut kept = None;
             for (keep, reduce) in [(c, s), (s, c)] {
-                let Some(all) = coefficients(self.graph, e, reduce, HIGHEST) else { continue };
+                let Some(all) = self.written_in_powers(e, reduce) else { continue };
                 if all.len() < 3 {
                     continue;
                 }
@@ -147,14 +152,15 @@ impl Solver<'_> {
 
     /// x and q where an equation is x·q = 0 with more than two powers of x: it can be solved for x no other way.
     pub(super) fn without_leaf(&mut self, e: Expr) -> Option<Vec<Expr>> {
-        if self.graph.reachable([e]).len() > 40 {
+        let extent = self.extent(e);
+        if extent.size > 40 {
             return None;
         }
-        for leaf in self.graph.leaves([e]) {
+        for &leaf in &extent.leaves {
             if self.class(leaf).is_none() {
                 continue;
             }
-            let Some(all) = coefficients(self.graph, e, leaf, HIGHEST).filter(|all| all.len() > 3) else { continue };
+            let Some(all) = self.written_in_powers(e, leaf).filter(|all| all.len() > 3) else { continue };
             if !self.graph.is_zero(all[0]) {
                 continue;
             }
@@ -177,14 +183,14 @@ impl Solver<'_> {
 
     /// An equation x·q(x) = 0, seen as such only by random points, is two cases.
     pub(super) fn zero_root(&mut self, case: &mut Case, candidate: &Candidate) -> Option<Next> {
-        let all = &candidate.coefficients;
+        let (all, vanishing) = &*candidate.powers;
         let lowest = *all.first()?;
         let e = case.pending[candidate.equation].e;
         let x = self.graph.leaf(candidate.unknown);
         if e == x || self.probe.sight(self.graph, self.generators, lowest) != Sight::Zero {
             return None;
         }
-        case.out.taken_as_zero.extend(candidate.vanishing.iter().copied());
+        case.out.taken_as_zero.extend(vanishing.iter().copied());
         if !self.graph.is_zero(lowest) {
             case.out.taken_as_zero.push(lowest);
         }
