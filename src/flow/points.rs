@@ -194,10 +194,14 @@ impl Points {
 
     /// Adds the values of a leaf at `N` further times, or why it has none at any of them.
     pub(super) fn push_lanes<const N: usize>(&mut self, leaf: usize, lanes: Result<BoundedLanes<N>, NoValue>) {
-        match (self.columns.get_mut(leaf), lanes) {
+        match (self.columns.get_mut(leaf), &lanes) {
             (Some(Column::Known(all)), Ok(lanes)) => all.extend((0..N).map(|i| lanes.lane(i))),
+            (Some(Column::Same(Ok(same))), Ok(lanes)) if self.count > 0 && lanes.is(*same) => {}
             (Some(column), lanes) => {
-                (0..N).for_each(|i| column.push(self.count + i, self.room, lanes.map(|lanes| lanes.lane(i))));
+                for i in 0..N {
+                    let x = lanes.as_ref().map(|lanes| lanes.lane(i)).map_err(|&reason| reason);
+                    column.push(self.count + i, self.room, x);
+                }
             }
             (None, _) => {}
         }
