@@ -130,11 +130,12 @@ impl Trajectory {
     /// The values of a state at several times at once: the same operations, time by time, none of which waits for those of
     /// another time.
     pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
-        let mut steps = [([0.0; ORDER + 1].as_slice(), 0.0); N];
+        let mut steps = [(&[0.0; ORDER + 1], 0.0); N];
         for (step, place) in steps.iter_mut().zip(places) {
             let branch = self.branch(place.backward);
             let at = place.step * self.dimension + state;
-            match branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)) {
+            // Of a known length, so that the loop below need not look at it.
+            match branch.coefficients.get(at * (ORDER + 1)..).and_then(<[f64]>::first_chunk) {
                 Some(c) => *step = (c, branch.low[at]),
                 None => return places.map(|place| self.value(place, state)),
             }

@@ -46,6 +46,13 @@ impl<const N: usize> BoundedLanes<N> {
         Bounded { value: self.value[i], error: self.error[i] }
     }
 
+    /// Whether every lane holds this number, bit for bit.
+    #[inline]
+    pub fn is(&self, x: Bounded) -> bool {
+        let bits = |lanes: &[f64; N], x: f64| lanes.iter().fold(0, |all, lane| all | lane.to_bits() ^ x.to_bits());
+        bits(&self.value, x.value) | bits(&self.error, x.error) == 0
+    }
+
     /// Puts a number into a lane.
     #[inline(always)]
     pub fn set_lane(&mut self, i: usize, x: Bounded) {
@@ -266,6 +273,16 @@ impl<const N: usize> Number for BoundedLanes<N> {
 mod tests {
     use super::*;
     use crate::number::Draws;
+
+    #[test]
+    fn zeros_with_another_sign_are_other_numbers() {
+        let mut lanes = BoundedLanes::<4>::splat(Bounded::new(0.0, 1e-3));
+        assert!(
+            lanes.is(Bounded::new(0.0, 1e-3)) && !lanes.is(Bounded::new(-0.0, 1e-3)) && !lanes.is(Bounded::exact(0.0))
+        );
+        lanes.set_lane(3, Bounded::new(-0.0, 1e-3));
+        assert!(!lanes.is(Bounded::new(0.0, 1e-3)));
+    }
 
     #[test]
     fn each_lane_is_what_one_point_is() {

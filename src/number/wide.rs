@@ -1,13 +1,13 @@
 //! The operations of [`BoundedLanes`] in the widest registers of the processor.
 //!
-//! **In:** the steps of a program over lanes. **Out:** their results. **Guaranteed:** every lane is what [`Bounded`] computes,
-//! bit for bit, on every processor: the same operations of IEEE 754 in the same order, however many of them are made at once,
-//! and no fused ones.
+//! **In:** the steps of a program over lanes. **Out:** their results. **Guaranteed:** every lane is, bit for bit, what
+//! [`Bounded`](super::Bounded) computes, on every processor: the same operations of IEEE 754 in the same order, however many
+//! of them are made at once, and no fused ones.
 //!
-//! **Why so:** a result is written first and doubted afterwards. A finite error bound says that the value is finite too and
-//! that every lane was in the domain; where that cannot be said of the whole block, the operation is made again lane by lane,
-//! and what comes out then counts. So the common case is free of branches, and there is one place that says why something
-//! has no value.
+//! **Why so:** a result is written first and doubted afterwards. An error bound that is finite says that the value is, too;
+//! what else an operation asks of its arguments is noted on the way. Where this does not hold in the whole block, the operation
+//! is made again lane by lane, and what comes out then counts. So the common case is free of branches, and there is one place
+//! that says why something has no value.
 
 use super::bounded::{DOWN, TINY, U, UP};
 use super::operation::{Apply, run_each};
@@ -383,6 +383,9 @@ mod tests {
             };
             let (a, b) = (series(), series());
             let sum = BoundedLanes::convolution(&a, &b);
+            let narrow = Convolution(&a, &b).with_simd(pulp::Scalar::new());
+            let finite = sum.value.iter().chain(&sum.error).all(|x| x.is_finite());
+            assert!(!finite || narrow.is_none_or(|narrow| narrow == sum), "{a:?} {b:?}");
             let plain = |x: &[BoundedLanes<8>]| x.iter().map(|x| Lanes(x.value)).collect::<Vec<Lanes<8>>>();
             let values = Lanes::convolution(&plain(&a), &plain(&b));
             for i in 0..8 {
@@ -419,6 +422,11 @@ mod tests {
                 let mut other = values[2];
                 let reason = op.apply(&(), &mut other, &values[0], &values[1]).err();
                 assert_eq!(missing[2], reason, "{op:?} of {a:?} and {b:?}");
+                // What a processor without wide registers does.
+                let mut narrow = values[2];
+                if together(pulp::Scalar::new(), op, &mut narrow, &values[0], &values[1]) {
+                    assert!(reason.is_none() && narrow == values[2], "{op:?} of {a:?} and {b:?}");
+                }
                 for i in 0..N {
                     let mut x = Bounded::exact(0.0);
                     let one = op.apply(&(), &mut x, &a[i], &b[i]);
