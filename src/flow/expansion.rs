@@ -8,13 +8,12 @@
 
 use super::angle::AngleBenches;
 use super::core::Core;
+use super::cover::BLOCK;
 use super::motion::Point;
 use super::points::Points;
 use super::program::{Bench, Program};
 use crate::number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
 
-/// How many times are looked at together.
-const BLOCK: usize = 8;
 /// How many blocks of times in a row may be at branch points before times are looked at one by one.
 const PATIENCE: usize = 3;
 
@@ -133,7 +132,7 @@ impl Expansion {
 
     /// Adds the leaves at several times; `false`, and nothing added, where that must be done one by one.
     fn block(&self, core: &Core, memory: &mut Memory, times: &[f64; BLOCK], out: &mut Points) -> bool {
-        let turns = times.map(|t| core.turns(&self.program, t, &mut memory.angles));
+        let turns = core.turns_of_block(&self.program, times, &mut memory.angles);
         let bench = memory.lanes.get_or_insert_with(|| self.program.bench(core, self.degree));
         self.program.run_lanes(core, bench, times, &turns);
         if self.program.may_be_at_branch_point(bench) {

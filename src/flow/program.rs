@@ -191,8 +191,8 @@ impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
     fn state(&self, trajectory: &Trajectory, i: usize) -> B {
-        match self.places {
-            Some(places) => B::of(places.map(|place| trajectory.bounded(place, i))),
+        match &self.places {
+            Some(places) => B::of(trajectory.bounded_values(places, i)),
             None => B::INVALID,
         }
     }

@@ -97,7 +97,7 @@ impl Fate {
             Fate::Open => "The evidence settles no failure, and not everything.",
             Fate::Nowhere => "No motion meets what they assume.",
             Fate::Stands => "They hold on every motion to which they apply, in every reading that was tried.",
-            Fate::Added => "The paper does not say it; it shows where what the paper says ends.",
+            Fate::Added => "The paper does not say it. It is checked like the rest, to compare with.",
         }
     }
 }
@@ -169,7 +169,11 @@ pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
     let all = count(wholes.len() - added, "claim");
     let sentence = match parts.as_slice() {
         [] => format!("{all}."),
-        [one] => format!("Of {all} {one}."),
+        [one] => match wholes.iter().find(|w| w.fate != Fate::Added).map(|w| w.fate) {
+            Some(fate) if wholes.len() - added > 1 => format!("All {all} {}.", fate.words(2)),
+            _ => format!("Of {all} {one}."),
+        },
+        [one, last] => format!("Of {all} {one} and {last}."),
         [more @ .., last] => format!("Of {all} {}, and {last}.", more.join(", ")),
     };
     match added {
@@ -244,13 +248,13 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         Standing::Fails => match n("fails") {
             1 => "Fails on the one motion to which it applies".to_owned(),
             n if reading.claim.results.iter().any(|r| r.verdict.outcome().word() == "undecided") => {
-                format!("Fails on {n} motions, undecided on others")
+                format!("Fails on {}, undecided on others", count(n, "motion"))
             }
             2 => "Fails on both motions to which it applies".to_owned(),
             n => format!("Fails on all {n} motions to which it applies"),
         },
-        Standing::Mixed => format!("Holds on {} motions, fails on {}", n("holds"), n("fails")),
-        Standing::Open if n("holds") > 0 => format!("Holds on {} motions, undecided on {}", n("holds"), n("undecided")),
+        Standing::Mixed => format!("Holds on {}, fails on {}", count(n("holds"), "motion"), n("fails")),
+        Standing::Open if n("holds") > 0 => format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided")),
         Standing::Open => format!("Undecided on {}", count(n("undecided"), "motion")),
         Standing::Nowhere => "Applies to none of the motions".to_owned(),
     }
@@ -323,6 +327,6 @@ mod tests {
         let told: usize = Fate::ALL.iter().map(|f| wholes.iter().filter(|w| w.fate == *f).count()).sum();
         assert_eq!(told, wholes.len());
         let sentence = headline(&wholes);
-        assert!(sentence.starts_with("Of ") && sentence.ends_with('.'), "{sentence}");
+        assert!(sentence.starts_with(['O', 'A']) && sentence.ends_with('.'), "{sentence}");
     }
 }

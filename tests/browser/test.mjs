@@ -160,6 +160,7 @@ for (const id of fs.readdirSync(reports).sort()) {
       const enough = Math.min(30, failing.samples);
       check(lines[0].split(" ").length >= enough, `${id}: a curve has ${lines[0].split(" ").length} points of ${failing.samples} samples`);
       await detail.locator("details summary").click();
+      await detail.locator("details tbody tr").first().waitFor();
       check(await detail.locator("details tbody tr").count() === lines[0].split(" ").length, `${id}: the points of a curve are there as numbers`);
       const pasted = await detail.locator("pre").innerText();
       check(pasted.includes(`left = ${failing.witness.left}`), `${id}: the witness is there in full`);

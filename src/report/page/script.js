@@ -259,7 +259,7 @@ function curves(box, [packed, w, found, left_out], id) {
   const what = event === undefined ? "samples" : "events";
   const worst = !w ? "" : sought ? `The sides come closest at t = ${shown(w[0])}: ${shown(w[1])} apart, error bound ${shown(w[2])}.`
     : `The worst point, in units of its bound, is at t = ${shown(w[0])}: residual ${shown(w[1])}, bound ${shown(w[2])}.`;
-  const drawn = `${t.length} of ${samples} ${what} are drawn`;
+  const drawn = `${t.length} of ${samples} ${what} are drawn${stored(formula).includes("±") ? ", with the sign of ± that does best at each" : ""}`;
   const when = event !== undefined ? ` Upright lines mark the events: t = ${t.map(shown).join(", ")}.` : times.length ? ` The upright line marks where it was found, t = ${shown(times[0])}.` : "";
   const p = frame(figure, "Residual of " + id, `${drawn}, on a logarithmic scale. ${worst}${when}`, time, [bottom, top], ticks, sought ? "distance" : "residual");
   grey(p, left_out, time);
