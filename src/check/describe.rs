@@ -37,7 +37,17 @@ impl<'a> Describer<'a> {
     /// A describer of these points.
     pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
         let Trial { graph, claim, program, course, shown } = *trial;
-        Describer { graph, claim, program, leaves: course.leaves, times, points, shown, slots: RefCell::default(), said: RefCell::default() }
+        Describer {
+            graph,
+            claim,
+            program,
+            leaves: course.leaves,
+            times,
+            points,
+            shown,
+            slots: RefCell::default(),
+            said: RefCell::default(),
+        }
     }
 
     /// How the claim is weighed at the points, of which those count that are left.
@@ -90,9 +100,8 @@ impl<'a> Describer<'a> {
                 let b = slots.value(step.b as usize).value;
                 match step.op.arity() {
                     1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)).into(),
-                    _ => {
-                        format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b)).into()
-                    }
+                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b))
+                        .into(),
                 }
             }
             Some(Fault::Constant) | None => bare(),

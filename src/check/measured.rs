@@ -140,7 +140,11 @@ pub(super) struct Asked<'a> {
 
 /// Which of so many points are looked at for what is typical.
 fn samples(count: usize) -> Vec<usize> {
-    if count <= TYPICAL { (0..count).collect() } else { (0..TYPICAL).map(|k| k * (count - 1) / (TYPICAL - 1)).collect() }
+    if count <= TYPICAL {
+        (0..count).collect()
+    } else {
+        (0..TYPICAL).map(|k| k * (count - 1) / (TYPICAL - 1)).collect()
+    }
 }
 
 impl Asked<'_> {
@@ -270,7 +274,8 @@ impl<'a> MeasuredGroup<'a> {
                 return false;
             }
             let mut known = series.differences().map(|d| d.contains_zero());
-            let (Some(first), last) = (known.next(), series.differences().next_back().is_some_and(|d| d.contains_zero()))
+            let (Some(first), last) =
+                (known.next(), series.differences().next_back().is_some_and(|d| d.contains_zero()))
             else {
                 return false;
             };
@@ -438,5 +443,49 @@ fn sizes<'a>(program: &'a Program, points: &Arc<Points>, sign: f64) -> Sizes<'a>
             let (slots, typical) = (RefCell::new(None), OnceCell::new());
             Sizes::Asked(Rc::new(Asked { part, points: Arc::clone(points), sign, slots, typical }))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::part::Block;
+
+    fn at(value: f64) -> Measured {
+        Measured { left: value + 1.0, right: 1.0, difference: Bounded::new(value, 1e-15) }
+    }
+
+    #[test]
+    fn a_column_remembers_where_it_has_no_value() {
+        let mut series = Series::with_capacity(20);
+        series.push(Ok(at(0.5)));
+        let block = |x: f64| Block::splat(Bounded::exact(x));
+        let sides = [block(3.0), block(1.0), block(2.0)];
+        series.push_block(Ok([&sides[0], &sides[1], &sides[2]]), 5);
+        series.push(Err(NoValue::Indeterminate));
+        series.push_block(Ok([&sides[0], &sides[1], &sides[2]]), 6);
+        series.push_block(Err(NoValue::OutOfDomain), 7);
+        let two = || Ok(Measured { left: 3.0, right: 1.0, difference: Bounded::exact(2.0) });
+        let (lost, none) = (Err(NoValue::Indeterminate), Err(NoValue::OutOfDomain));
+        let all = [Ok(at(0.5)), two(), two(), two(), lost, two(), two(), none];
+        assert_eq!((0..series.len()).map(|i| series.get(i)).collect::<Vec<_>>(), all);
+        assert_eq!(series.get(8), none, "beyond the end");
+        assert_eq!(series.differences().count(), 6);
+    }
+
+    #[test]
+    fn what_is_typical_is_seen_at_few_samples_and_at_all_where_these_do_not_count() {
+        assert_eq!(samples(3), [0, 1, 2]);
+        let many = samples(1000);
+        assert_eq!((many.len(), many[0], many[TYPICAL - 1]), (TYPICAL, 0, 999));
+        assert_eq!(median(vec![5.0, 1.0, 9.0]), 5.0);
+        assert_eq!(median(Vec::new()), 0.0);
+        let mut series = Series::with_capacity(4);
+        for m in [Err(NoValue::OutOfDomain), Ok(at(0.0)), Ok(at(1.0)), Err(NoValue::OutOfDomain)] {
+            series.push(m);
+        }
+        let sizes = Sizes::Known(Rc::new(vec![vec![100.0, 2.0, 3.0, 100.0]]));
+        assert_eq!(sizes.some(0, &series), [2.0, 3.0]);
+        assert_eq!((sizes.at(0, 3), sizes.at(0, 4), sizes.at(1, 0)), (Some(100.0), None, None));
     }
 }

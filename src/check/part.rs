@@ -11,7 +11,7 @@ use std::ops::Range;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, BoundedLanes};
-use crate::tape::{Instruction, Slots, Tape};
+use crate::tape::{Needed, Slots, Tape};
 
 /// Points that are evaluated at once.
 pub(super) const BLOCK: usize = 8;
@@ -71,12 +71,10 @@ pub(super) struct Evaluation<'a> {
     sign: f64,
     /// The outputs that are asked for.
     outputs: Range<usize>,
-    /// The instructions that they need.
-    needed: Vec<Instruction>,
-    /// The inputs that are not the same at all points.
+    /// What they need.
+    needed: Needed,
+    /// The inputs among that that are not the same at all points.
     changing: Vec<usize>,
-    /// The instructions that depend on them.
-    varying: Vec<Instruction>,
     /// For every output, whether something that it depends on has no value at any of the points.
     never: Vec<bool>,
     block: Option<Slots<Block>>,
@@ -90,9 +88,11 @@ impl<'a> Evaluation<'a> {
         let absent: Vec<bool> = inputs.iter().map(|&at| points.absent(at).is_some()).collect();
         let never = tape.depends(&absent);
         let changes: Vec<bool> = inputs.iter().map(|&at| !points.is_constant(at)).collect();
-        let changing = (0..inputs.len()).filter(|&i| changes[i]).collect();
-        let (needed, varying) = tape.needed(outputs.clone(), &changes);
-        Evaluation { part, points, sign, outputs, needed, changing, varying, never, block: None, single: None }
+        let mut needed = tape.needed(outputs.clone(), &changes);
+        // The sign of ± is set by itself.
+        needed.inputs.retain(|&i| i < inputs.len());
+        let changing = needed.inputs.iter().copied().filter(|&i| changes[i]).collect();
+        Evaluation { part, points, sign, outputs, needed, changing, never, block: None, single: None }
     }
 
     /// Evaluates at a point.
@@ -104,16 +104,16 @@ impl<'a> Evaluation<'a> {
                 for &i in &self.changing {
                     slots.set(i, sample.get(inputs[i]));
                 }
-                tape.run_some(&(), slots, &self.varying);
+                tape.run_some(&(), slots, &self.needed.varying);
                 slots
             }
             none => {
                 let mut slots = tape.slots(&());
-                for (i, &at) in inputs.iter().enumerate() {
-                    slots.set(i, sample.get(at));
+                for &i in &self.needed.inputs {
+                    slots.set(i, sample.get(inputs[i]));
                 }
                 slots.set(inputs.len(), Ok(Bounded::exact(self.sign)));
-                tape.run_some(&(), &mut slots, &self.needed);
+                tape.run_some(&(), &mut slots, &self.needed.instructions);
                 none.insert(slots)
             }
         }
@@ -131,20 +131,111 @@ impl<'a> Evaluation<'a> {
                 for &i in &self.changing {
                     slots.set(i, lanes(i)?);
                 }
-                tape.run_some(&(), slots, &self.varying);
+                tape.run_some(&(), slots, &self.needed.varying);
             }
             none => {
                 let mut slots = tape.slots::<Block>(&());
-                for i in 0..inputs.len() {
+                for &i in &self.needed.inputs {
                     slots.set(i, lanes(i)?);
                 }
                 slots.set(inputs.len(), Ok(Block::splat(Bounded::exact(self.sign))));
-                tape.run_some(&(), &mut slots, &self.needed);
+                tape.run_some(&(), &mut slots, &self.needed.instructions);
                 *none = Some(slots);
             }
         }
         let slots = self.block.as_ref()?;
         let valued = |o: usize| self.never[o] || tape.output(o, slots).is_ok();
         self.outputs.clone().all(valued).then_some(slots)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Op, Shape};
+    use crate::number::NoValue;
+
+    /// A graph with the leaves a, b, c, d and the sign, and some expressions of them.
+    fn expressions() -> (Graph, Vec<Leaf>, Leaf, Vec<Expr>) {
+        let mut graph = Graph::default();
+        let mut leaf = |name: &str| {
+            let symbol = graph.declare(name, Shape::scalar(), false);
+            Leaf { symbol, component: 0, rate: 0, instant: None }
+        };
+        let leaves: Vec<Leaf> = ["a", "b", "c", "d"].map(&mut leaf).to_vec();
+        let sign = leaf("s");
+        let [a, b, c, d, s] = [0, 1, 2, 3, 4].map(|i| graph.leaf(*leaves.get(i).unwrap_or(&sign)));
+        let constant = graph.unary(Op::Sqrt, a);
+        let moving = graph.mul(constant, b);
+        let branch = graph.mul(s, moving);
+        let partial = graph.div(moving, c);
+        let sum = graph.add(partial, branch);
+        let never = graph.add(d, moving);
+        (graph, leaves, sign, vec![constant, moving, branch, partial, sum, never])
+    }
+
+    /// a is constant, b changes, c has no value at one time, and vanishes at another; d never has one.
+    fn points() -> Points {
+        let value = |x: f64| Ok(Bounded::new(x, 1e-15 * x.abs()));
+        let partial = |i: usize| match i {
+            5 => Err(NoValue::OutOfDomain),
+            21 => value(0.0),
+            _ => value(0.5 + i as f64),
+        };
+        let row = |i: usize| vec![value(2.0), value((i as f64).sin()), partial(i), Err(NoValue::OutOfDomain)];
+        (0..27).map(row).collect()
+    }
+
+    #[test]
+    fn blocks_and_parts_yield_what_the_point_alone_yields() {
+        let (graph, leaves, sign, roots) = expressions();
+        let points = points();
+        let part = Part::new(&graph, &leaves, sign, &roots).unwrap();
+        let value = |x: Result<&Bounded, NoValue>| x.map(|x| (x.value.to_bits(), x.error.to_bits()));
+        for outputs in [0..roots.len(), 0..3, 3..4, 4..6] {
+            let mut evaluation = Evaluation::new(&part, &points, -1.0, outputs.clone());
+            let mut blocks = 0;
+            for from in [0, 8, 2, 16, 19] {
+                // A block in order, and one in another order.
+                for at in [std::array::from_fn(|i| from + i), std::array::from_fn(|i| (from + 5 * i) % 27)] {
+                    let alone = |i: usize, o: usize| {
+                        let mut slots = None;
+                        let slots = part.run(points.sample(at[i]), -1.0, &mut slots);
+                        value(part.tape().output(o, slots))
+                    };
+                    match evaluation.at_all(at) {
+                        Some(slots) => {
+                            blocks += 1;
+                            for (o, i) in outputs.clone().flat_map(|o| (0..BLOCK).map(move |i| (o, i))) {
+                                let found = part.tape().output(o, slots).map(|x| x.lane(i));
+                                assert_eq!(value(found.as_ref().map_err(|e| *e)), alone(i, o), "{o} at {}", at[i]);
+                            }
+                        }
+                        None => assert!(outputs.clone().any(|o| (0..BLOCK).any(|i| alone(i, o).is_err()))),
+                    }
+                    for i in 0..BLOCK {
+                        let slots = evaluation.at(at[i]);
+                        for o in outputs.clone() {
+                            assert_eq!(value(part.tape().output(o, slots)), alone(i, o), "{o} at {}", at[i]);
+                        }
+                    }
+                }
+            }
+            assert!(blocks >= 2, "{outputs:?}: {blocks}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_change_is_computed_once() {
+        let (graph, leaves, sign, roots) = expressions();
+        let part = Part::new(&graph, &leaves, sign, &roots).unwrap();
+        let points = points();
+        let evaluation = Evaluation::new(&part, &points, 1.0, 0..roots.len());
+        let needed = &evaluation.needed;
+        assert_eq!(needed.instructions.len(), part.tape().instructions().len());
+        // √a alone is the same at all times.
+        assert_eq!(needed.varying.len(), needed.instructions.len() - 1);
+        let constant = Evaluation::new(&part, &points, 1.0, 0..1).needed;
+        assert_eq!((constant.inputs.len(), constant.instructions.len(), constant.varying.len()), (1, 1, 0));
     }
 }

@@ -283,7 +283,16 @@ impl Program {
         let always = groups.iter().filter(|(how, _)| matches!(how, Use::Always | Use::Defined));
         let compared: Vec<&Comparison> = always.flat_map(|(_, group)| &group.comparisons).collect();
         let steep = exponents(graph, &claim.scope, &compared);
-        Program { assumptions, groups, at, steep, sides: None, sizes: None, inputs: Vec::new(), sign: claim.scope.branch_sign() }
+        Program {
+            assumptions,
+            groups,
+            at,
+            steep,
+            sides: None,
+            sizes: None,
+            inputs: Vec::new(),
+            sign: claim.scope.branch_sign(),
+        }
     }
 
     /// The expressions whose zeros along a motion the claim depends on.
@@ -360,7 +369,11 @@ impl Program {
 
     /// Where the reason lies that a side of a comparison, by its position, has no value at a point: the tape with its
     /// evaluation there.
-    pub fn evaluated<'s>(&'s self, values: Sample, slots: &'s mut Option<Slots<Bounded>>) -> Option<(&'s Tape, &'s Slots<Bounded>)> {
+    pub fn evaluated<'s>(
+        &'s self,
+        values: Sample,
+        slots: &'s mut Option<Slots<Bounded>>,
+    ) -> Option<(&'s Tape, &'s Slots<Bounded>)> {
         let sides = self.sides.as_ref()?;
         Some((sides.tape(), sides.run(values, 1.0, slots)))
     }
@@ -396,8 +409,10 @@ impl Program {
             for at in from..end {
                 let slots = evaluation.at(at);
                 for (k, series) in out.iter_mut().enumerate() {
-                    let of = |[left, right, difference]: [&Bounded; SIDES]| {
-                        Measured { left: left.value, right: right.value, difference: *difference }
+                    let of = |[left, right, difference]: [&Bounded; SIDES]| Measured {
+                        left: left.value,
+                        right: right.value,
+                        difference: *difference,
                     };
                     series.push(three(|n| sides.tape().output(SIDES * k + n, slots)).map(of));
                 }

@@ -2,9 +2,9 @@
 
 use super::comparison::{Comparison, Group};
 use super::describe::Describer;
+use super::measured::{Measured, MeasuredGroup, Series, Sizes};
 use super::trial::{Trial, assumptions_of};
 use super::verdict::Verdict;
-use super::measured::{Measured, MeasuredGroup, Series, Sizes};
 use super::weigh::weigh;
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};

@@ -64,7 +64,8 @@ impl Course<'_> {
     /// Times around a sample: a few between it and its neighbours, increasing.
     fn near(&self, at: usize) -> Vec<f64> {
         let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
-        let between = |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
+        let between =
+            |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
         let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
         let mut times: Vec<f64> = neighbours.flat_map(between).collect();
         times.sort_by(f64::total_cmp);

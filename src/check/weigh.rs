@@ -379,3 +379,62 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     }
     Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::comparison::Group;
+    use crate::check::measured::Sizes;
+    use crate::expr::Graph;
+    use crate::number::Draws;
+
+    #[test]
+    fn the_clearest_failure_is_that_of_all() {
+        let mut graph = Graph::default();
+        let node = graph.integer(0);
+        let label = String::new();
+        let kind = RelationKind::Equal;
+        let comparison = Comparison {
+            label,
+            kind,
+            left: node,
+            right: node,
+            magnitude: node,
+            boundaries: Vec::new(),
+            told: Default::default(),
+        };
+        let group = Group { comparisons: vec![comparison; 3], branching: false };
+        let mut draws = Draws::new(11);
+        let mut sized_apart = 0;
+        for _ in 0..200 {
+            let mut number = |most: u64| draws.below(most) as f64 / 8.0;
+            let (mut columns, mut sizes) = (Vec::new(), Vec::new());
+            for _ in 0..3 {
+                let mut series = Series::with_capacity(40);
+                for _ in 0..40 {
+                    let value = number(60) - 3.0;
+                    series.push(Ok(Measured { left: value, right: 0.0, difference: Bounded::new(value, 1e-3) }));
+                }
+                columns.push(series);
+                sizes.push((0..40).map(|_| number(40)).collect::<Vec<f64>>());
+            }
+            let known = (vec![Sizes::Known(sizes.into())], 0);
+            let measured = MeasuredGroup::new(&group, vec![columns], known, false);
+            let judged = Judged::new(&measured, 1e-9);
+            let mut failures = Vec::new();
+            for time in (0..40).filter(|&i| judged.whole[0][i] == Standing::Violated) {
+                let size = |c: usize| measured.signs[0][c].difference(time).unwrap().value.abs();
+                failures.extend(judged.worst(0, time).map(|c| Failure { size: size(c), sign: 0, comparison: c, time }));
+            }
+            let scaled = |f: &Failure| f.size / measured.scale(0, f.comparison, f.time);
+            let largest = failures.iter().map(scaled).fold(0.0, f64::max);
+            let first = failures.iter().find(|f| scaled(f) == largest).unwrap().time;
+            let last = failures.iter().rfind(|f| scaled(f) == largest && f.time == first).unwrap();
+            let found = clearest(&measured, &failures).unwrap();
+            assert_eq!((found.size, found.time, found.comparison), (largest, first, last.comparison));
+            let furthest = failures.iter().max_by(|a, b| a.size.total_cmp(&b.size)).unwrap();
+            sized_apart += usize::from(furthest.time != found.time);
+        }
+        assert!(sized_apart > 20, "the size of the terms decides: {sized_apart}");
+    }
+}

@@ -29,6 +29,17 @@ pub struct Tape {
     outputs: Vec<u32>,
 }
 
+/// What some outputs of a tape need.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Needed {
+    /// The inputs, by their positions.
+    pub inputs: Vec<usize>,
+    /// The instructions, in their order.
+    pub instructions: Vec<Instruction>,
+    /// Those of them that depend on an input that changes, in their order.
+    pub varying: Vec<Instruction>,
+}
+
 /// The first thing without a value on the way to an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -136,9 +147,8 @@ impl Tape {
         self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
-    /// The instructions that some outputs need, in their order; and those of them that depend on one of the inputs that are
-    /// marked.
-    pub fn needed(&self, outputs: impl Iterator<Item = usize>, marked: &[bool]) -> (Vec<Instruction>, Vec<Instruction>) {
+    /// What some outputs need; inputs that change from one evaluation to the next are marked.
+    pub fn needed(&self, outputs: impl Iterator<Item = usize>, changing: &[bool]) -> Needed {
         let mut needed = vec![false; self.slot_count()];
         outputs.for_each(|o| needed[self.outputs[o] as usize] = true);
         for step in self.instructions.iter().rev() {
@@ -147,17 +157,19 @@ impl Tape {
                 needed[step.b as usize] = true;
             }
         }
-        let mut depends = marked.to_vec();
+        let mut depends = changing.to_vec();
         depends.resize(self.slot_count(), false);
-        let all: Vec<Instruction> = self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
-        let mut dependent = Vec::with_capacity(all.len());
-        for step in &all {
+        let instructions: Vec<Instruction> =
+            self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
+        let mut varying = Vec::with_capacity(instructions.len());
+        for step in &instructions {
             if depends[step.a as usize] || depends[step.b as usize] {
                 depends[step.out as usize] = true;
-                dependent.push(*step);
+                varying.push(*step);
             }
         }
-        (all, dependent)
+        let inputs = (0..self.inputs.len()).filter(|&i| needed[i]).collect();
+        Needed { inputs, instructions, varying }
     }
 
     /// Number of slots: inputs, constants and results.
