@@ -195,6 +195,15 @@ impl Tape {
         slots
     }
 
+    /// The same in memory that another tape has used: fresh memory has to be given out by the system first.
+    pub fn prepare<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        let n = self.slot_count();
+        slots.values.resize(n, N::blank(cx));
+        slots.missing.clear();
+        slots.missing.resize(n, None);
+        self.load_constants(cx, slots);
+    }
+
     /// Writes the constants again, for a number type whose constants depend on the context.
     pub fn load_constants<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
         for (i, preset) in self.presets.iter().enumerate() {
@@ -263,6 +272,13 @@ impl Tape {
         }
         self.run(cx, slots);
         (0..self.outputs.len()).map(|i| self.output(i, slots).cloned()).collect()
+    }
+}
+
+impl<N> Default for Slots<N> {
+    /// No memory yet: see [`Tape::prepare`].
+    fn default() -> Slots<N> {
+        Slots { values: Vec::new(), missing: Vec::new() }
     }
 }
 

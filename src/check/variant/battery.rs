@@ -117,7 +117,10 @@ impl Battery {
         sign: f64,
         memory: &mut Memory,
     ) -> Vec<Outputs<'_>> {
-        let slots = &mut memory.lanes;
+        let Memory { lanes: slots, single } = memory;
+        self.tape.prepare(&(), slots);
+        // The outputs that had no value in a block, and the program for them alone.
+        let mut part: Option<(Vec<usize>, Tape)> = None;
         let mut out: Vec<Outputs> = Vec::with_capacity(count);
         let mut first = 0;
         while first < count {
@@ -144,20 +147,20 @@ impl Battery {
             // Where a lane has no value, the block has none: its points are looked at one by one.
             let missing: Vec<usize> = outputs().enumerate().filter(|(_, o)| o.is_err()).map(|(at, _)| at).collect();
             if !missing.is_empty() {
-                if memory.part.as_ref().is_none_or(|(of, ..)| *of != missing) {
+                if part.as_ref().is_none_or(|(of, _)| *of != missing) {
                     let tape = self.tape.part(&missing);
-                    let slots = tape.slots(&());
-                    memory.part = Some((missing.clone(), tape, slots));
+                    tape.prepare(&(), single);
+                    part = Some((missing.clone(), tape));
                 }
-                let Some((_, tape, slots)) = &mut memory.part else { return out };
+                let Some((_, tape)) = &part else { return out };
                 for (lane, outputs) in out[first..].iter_mut().enumerate() {
                     for i in 0..self.leaves().len() {
                         let exact = (self.sign == Some(i)).then(|| Ok(Bounded::exact(sign)));
-                        slots.set(i, exact.unwrap_or_else(|| value(i, first + lane)));
+                        single.set(i, exact.unwrap_or_else(|| value(i, first + lane)));
                     }
-                    tape.run(&(), slots);
+                    tape.run(&(), single);
                     for (k, &at) in missing.iter().enumerate() {
-                        outputs.values[at] = tape.output(k, slots).copied();
+                        outputs.values[at] = tape.output(k, single).copied();
                     }
                 }
             }
@@ -166,17 +169,18 @@ impl Battery {
         out
     }
 
-    /// The memory for evaluations at several points.
-    pub fn memory(&self) -> Memory {
-        Memory { lanes: self.tape.slots(&()), part: None }
+    /// Makes memory of other evaluations that of this battery, for [`Battery::at`].
+    pub fn prepare<'m>(&self, memory: &'m mut Memory) -> &'m mut Slots<Bounded> {
+        self.tape.prepare(&(), &mut memory.single);
+        &mut memory.single
     }
 }
 
-/// The memory for evaluations at several points.
+/// Memory for evaluations of one battery after the other.
+#[derive(Default)]
 pub(super) struct Memory {
     lanes: Slots<BoundedLanes<LANES>>,
-    /// Outputs that had no value in a block, and the program for them alone.
-    part: Option<(Vec<usize>, Tape, Slots<Bounded>)>,
+    single: Slots<Bounded>,
 }
 
 impl Outputs<'_> {

@@ -24,7 +24,7 @@ use super::nearness::{Nearness, edits_between};
 use super::rejection::{self, Evidence, Placed};
 use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
-use super::{Altered, Battery, TOGETHER, Weighed};
+use super::{Altered, Battery, Memory, TOGETHER, Weighed};
 use crate::check::account::{ClaimAccount, PairAccount};
 use crate::check::program::Program;
 use crate::check::step::Step;
@@ -273,7 +273,7 @@ impl Search<'_> {
                 let precision = claim.precision;
                 let points: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
                 let evidence = Evidence { points: &points, first_counts: false, precision, one_sign_throughout: false };
-                let found = rejection::rejected(&group, &placed, &evidence);
+                let found = rejection::rejected(&group, &placed, &evidence, &mut Memory::default());
                 left.retain(|&v| !found.variants[v]);
             }
             out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree.clone())));

@@ -48,7 +48,7 @@ use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
 use crate::flow::Sample;
 use crate::latex::Role;
-use battery::Battery;
+use battery::{Battery, Memory};
 use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
 use rejection::{Evidence, Placed, Rejections};
 
@@ -215,9 +215,10 @@ impl Altered {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
         let kept = rejection::spread(course.times.len(), KEPT);
         out.kept = kept.into_iter().map(|i| (course.times[i], course.points.row(i))).collect();
+        let mut memory = Memory::default();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
-                Some(found) => self.rejections(k, start, course, found).unwrap_or_default(),
+                Some(found) => self.rejections(k, start, course, found, &mut memory).unwrap_or_default(),
                 None => Default::default(),
             };
             out.rejections.push(rejections);
@@ -235,6 +236,7 @@ impl Altered {
         start: usize,
         course: &Course,
         found: &Found,
+        memory: &mut Memory,
     ) -> Option<(Option<Rejections>, Vec<Values>)> {
         let claim = found.claim;
         let placed = self.placed.get(k)?.get(start)?;
@@ -274,7 +276,7 @@ impl Altered {
             precision: claim.precision,
             one_sign_throughout: claim.branches_throughout,
         };
-        let rejections = rejection::rejected(&self.claims[k], placed, &evidence);
+        let rejections = rejection::rejected(&self.claims[k], placed, &evidence, memory);
         own.truncate(KEPT);
         Some((Some(rejections), own))
     }

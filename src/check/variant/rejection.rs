@@ -8,7 +8,7 @@
 //! are left go on. So what is reported as not rejected is so at these times; what is reported as rejected is rejected.
 
 use super::super::comparison::{Standing, judge};
-use super::battery::{Battery, LANES, Outputs};
+use super::battery::{Battery, LANES, Memory, Outputs};
 use super::generate::ClaimVariants;
 use crate::expr::Leaf;
 use crate::flow::Sample;
@@ -45,14 +45,20 @@ impl Placed {
         self.battery.at(self.inputs.iter().map(value), sign, slots)
     }
 
+    /// The outputs at several points, for both signs of ± where it occurs.
+    fn both(&self, points: &[Sample], memory: &mut Memory) -> (Vec<Outputs<'_>>, Option<Vec<Outputs<'_>>>) {
+        let plus = self.at_each(points, 1.0, memory);
+        (plus, self.battery.has_sign().then(|| self.at_each(points, -1.0, memory)))
+    }
+
     /// The outputs at several points: all at once where that pays.
-    fn at_each(&self, points: &[Sample], sign: f64) -> Vec<Outputs<'_>> {
+    fn at_each(&self, points: &[Sample], sign: f64, memory: &mut Memory) -> Vec<Outputs<'_>> {
         if points.len() < LANES {
-            let mut slots = self.battery.slots();
-            return points.iter().map(|point| self.at(*point, sign, &mut slots)).collect();
+            let slots = self.battery.prepare(memory);
+            return points.iter().map(|point| self.at(*point, sign, slots)).collect();
         }
         let value = |i: usize, p: usize| self.inputs[i].map_or(Err(NoValue::Indeterminate), |i| points[p].get(i));
-        self.battery.at_each(points.len(), value, sign, &mut self.battery.memory())
+        self.battery.at_each(points.len(), value, sign, memory)
     }
 }
 
@@ -114,7 +120,12 @@ pub(in super::super) struct Rejections {
 }
 
 /// Which of the variants are rejected. The first of the points are used in any case.
-pub(super) fn rejected(claim: &ClaimVariants, whole: &Placed, evidence: &Evidence) -> Rejections {
+pub(super) fn rejected(
+    claim: &ClaimVariants,
+    whole: &Placed,
+    evidence: &Evidence,
+    memory: &mut Memory,
+) -> Rejections {
     let mut formulas = vec![false; claim.formulas.len()];
     let mut records = vec![Record::default(); claim.variants.len()];
     let mut order = spread(evidence.points.len(), MOST_TIMES);
@@ -136,7 +147,8 @@ pub(super) fn rejected(claim: &ClaimVariants, whole: &Placed, evidence: &Evidenc
         if points.is_empty() {
             break;
         }
-        try_at(claim, placed, &points, evidence, &mut records, &mut formulas);
+        let (plus, minus) = placed.both(&points, memory);
+        try_at(claim, placed, (&plus, minus.as_deref()), evidence, &mut records, &mut formulas);
         let left = |v: usize| !records[v].is_rejected(evidence);
         let count = placed.battery.chosen.iter().filter(|v| left(**v)).count();
         if count == 0 {
@@ -163,14 +175,12 @@ impl Record {
 fn try_at(
     claim: &ClaimVariants,
     placed: &Placed,
-    points: &[Sample],
+    (plus, minus): (&[Outputs], Option<&[Outputs]>),
     evidence: &Evidence,
     records: &mut [Record],
     formulas: &mut [bool],
 ) {
     let battery = &placed.battery;
-    let plus = placed.at_each(points, 1.0);
-    let minus = battery.has_sign().then(|| placed.at_each(points, -1.0));
     let stand = |o: &Outputs, f: usize, p: usize, difference| match difference {
         Ok(d) => judge(claim.formulas[f].parts[p].kind, d, o.size(f, p), evidence.precision),
         Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
@@ -186,7 +196,7 @@ fn try_at(
     let of = |f: usize| starts[f]..starts[f] + claim.formulas[f].parts.len();
     let mut speaks = vec![false; claim.formulas.len()];
     for (at, plus) in plus.iter().enumerate() {
-        let minus = minus.as_ref().map(|all| &all[at]);
+        let minus = minus.and_then(|all| all.get(at));
         printed.clear();
         for (f, formula) in claim.formulas.iter().enumerate() {
             printed.extend((0..formula.parts.len()).map(|p| {
