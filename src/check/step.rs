@@ -35,9 +35,10 @@ use super::identity::{
 use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Expr, FastSet, Graph, Leaf, Symbol};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
 use crate::latex::{Relation, RelationKind, Role};
 use gather::{Definitions, Gathered};
+use std::cell::RefCell;
 
 /// A claim that is decided for all values.
 pub(super) struct Step<'a> {
@@ -46,6 +47,8 @@ pub(super) struct Step<'a> {
     graph: Graph,
     /// The positive parameters.
     positive: FastSet<Symbol>,
+    /// The definitions that claims make, as far as they were asked for.
+    of_claims: RefCell<FastMap<Symbol, Option<&'a Tensor>>>,
     /// The last question that was settled, where it was one question: what the second route is asked.
     settled: Option<Settled>,
     /// Where the last proof was found.
@@ -116,6 +119,7 @@ impl<'a> Step<'a> {
         let symbols = derivation.symbols.iter().chain(of_claims);
         let step = Step {
             positive: symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect(),
+            of_claims: RefCell::default(),
             derivation,
             claim,
             graph: derivation.graph.clone(),

@@ -37,8 +37,7 @@ impl Fate {
     pub const ALL: [Fate; 7] =
         [Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Nowhere, Fate::Stands, Fate::Added];
     /// In the order of the sentence that counts them, without what is added.
-    pub const TOLD: [Fate; 6] =
-        [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
+    pub const TOLD: [Fate; 6] = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
 
     fn of(readings: &[Reading<'_>]) -> Fate {
         if !readings.is_empty() && readings.iter().all(|r| r.added) {
@@ -129,7 +128,10 @@ impl Whole<'_> {
     /// Whether every reading of the paper is proved for all values.
     pub fn is_proved(&self) -> bool {
         let of_the_paper = |r: &&Reading<'_>| !r.added || self.fate == Fate::Added;
-        self.readings.iter().filter(of_the_paper).all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
+        self.readings
+            .iter()
+            .filter(of_the_paper)
+            .all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
     }
 }
 
@@ -254,7 +256,9 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
             n => format!("Fails on all {n} motions to which it applies"),
         },
         Standing::Mixed => format!("Holds on {}, fails on {}", count(n("holds"), "motion"), n("fails")),
-        Standing::Open if n("holds") > 0 => format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided")),
+        Standing::Open if n("holds") > 0 => {
+            format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided"))
+        }
         Standing::Open => format!("Undecided on {}", count(n("undecided"), "motion")),
         Standing::Nowhere => "Applies to none of the motions".to_owned(),
     }

@@ -219,6 +219,9 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         out.push_str(&format!("<a id=\"{}\"></a>\n\n", anchor(&name(claim))));
         out.push_str(&format!("{level} {}: {}\n\n", name(claim), prose(&claim.says)));
         let mut notes: Vec<String> = claim.place.iter().map(|p| format!("Place: {}.", prose(p))).collect();
+        if declared.is_some_and(|d| d.added) {
+            notes.push("For comparison: the paper does not say it.".to_owned());
+        }
         if let Some(label) = declared.and_then(|d| d.label.as_ref()) {
             notes.push(format!("Label: `{label}`."));
         }

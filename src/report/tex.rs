@@ -63,7 +63,10 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
     let scope = &derivation.scope;
     let wholes = digest::wholes(derivation, account);
     let s = account.summary();
-    out.push_str(&format!("\\subsection*{{What was found}}\n\n\\textbf{{{}}}\n\n", escaped(&digest::headline(&wholes))));
+    out.push_str(&format!(
+        "\\subsection*{{What was found}}\n\n\\textbf{{{}}}\n\n",
+        escaped(&digest::headline(&wholes))
+    ));
     if let Some(remark) = &derivation.remark {
         out.push_str(&format!("{}\n\n", prose(remark, scope)));
     }
@@ -96,7 +99,11 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
         out.push_str("\\subsubsection*{What was left unsaid}\n\\begin{itemize}\n");
         for u in &unsaid {
             let claims: Vec<String> = u.claims.iter().map(|c| escaped(&name(c))).collect();
-            out.push_str(&format!("\\item {}: {}\n", prose(&digest::explanation(u.explanation), scope), claims.join(", ")));
+            out.push_str(&format!(
+                "\\item {}: {}\n",
+                prose(&digest::explanation(u.explanation), scope),
+                claims.join(", ")
+            ));
         }
         out.push_str("\\end{itemize}\n\n");
     }
@@ -121,7 +128,8 @@ fn whole_in_words(whole: &Whole<'_>, scope: &Scope) -> String {
         } else if whole.is_read() {
             parts.push("As it stands.".to_owned());
         }
-        let condition = digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c, scope))).unwrap_or_default();
+        let condition =
+            digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c, scope))).unwrap_or_default();
         parts.push(format!("\\textbf{{{}}}{condition}.", escaped(&digest::verdict(reading))));
         if let Some(remark) = &reading.claim.remark {
             parts.push(format!("\\emph{{{}}}", prose(remark, scope)));
@@ -421,6 +429,10 @@ fn sign(c: char) -> String {
         'ᵀ' => "$^T$".into(),
         '⁻' => "$^{-}$".into(),
         '₀'..='₉' => format!("$_{}$", u32::from(c) - u32::from('₀')),
+        '′' => "$'$".into(),
+        '″' => "$''$".into(),
+        '⁴'..='⁹' => format!("$^{}$", u32::from(c) - u32::from('⁰')),
+        '⁰' => "$^0$".into(),
         'ᵢ' => "$_i$".into(),
         'ⱼ' => "$_j$".into(),
         'ₖ' => "$_k$".into(),

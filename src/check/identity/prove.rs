@@ -4,6 +4,7 @@ mod cases;
 
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
+use super::insertion::Insertion;
 use super::lower::{Generator, TooLarge};
 use super::lowered::question;
 use super::memory::{Asked, Memory};
@@ -123,14 +124,16 @@ fn decide(
     let premises = with_rates(graph, given, equations)?;
     let solved = explicit(graph, &premises, equations, given);
     let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
-    let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
+    let mut insertion = Insertion::new(&solved.definitions);
+    let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions, true)?;
+    let mut lowered =
+        lower(graph, &solved.rest, &claim, facts, &definitions, true, &mut memory.structure.borrow_mut().combinations)?;
     let asked = Asked::new(&lowered, options.most_nodes);
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
@@ -519,8 +522,9 @@ impl Examination<'_> {
         let mut facts: Vec<(Expr, bool)> = positive.iter().map(|&e| (e, true)).collect();
         facts.extend(not_negative.iter().map(|&e| (e, false)));
         facts.sort_unstable();
+        let mut insertion = Insertion::new(map);
         facts.into_iter().any(|(e, strict)| {
-            let image = insert_definitions(self.graph, map, e);
+            let image = insertion.put_into(self.graph, e);
             let Examination { graph, lowered, probe, .. } = self;
             let known = lowered.facts.sign_by_parts(graph, &lowered.generators, image, &mut probe.signs);
             known.not_positive && (strict || known.nonzero)

@@ -95,6 +95,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                 h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
             }
             p.quiet {
+                @if declared.is_some_and(|d| d.added) { span.added { "for comparison" } " The paper does not say it. " }
                 @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
                 @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
                 @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {

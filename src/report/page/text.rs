@@ -3,8 +3,8 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::super::mathml;
-use super::super::wording::{self, Part};
 pub(super) use super::super::wording::unit;
+use super::super::wording::{self, Part};
 use crate::latex::Scope;
 
 /// Longest formula, in bytes of LaTeX, that fits on a narrow screen.
@@ -57,7 +57,7 @@ pub(super) fn formula(text: &str, scope: &Scope) -> Markup {
 
 /// A text that is no formula, without the signs that only LaTeX needs, its indices below the line.
 pub(super) fn plain(text: &str) -> String {
-    scripts(&commandless(text)).replace(['{', '}', '\u{2063}'], "")
+    scripts(&commandless(text)).replace(['{', '}', '\u{2063}'], "").trim_start().to_owned()
 }
 
 /// The same in letters that can be pasted into a program.
