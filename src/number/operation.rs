@@ -126,7 +126,8 @@ macro_rules! operations {
 
             /// Carries out the steps of a program. A type whose operations want wider registers than every processor has
             /// chooses them here, once for all steps; results are those of [`Op::apply`], bit for bit.
-            #[inline]
+            // In one place, so that the operations become part of the loop.
+            #[inline(never)]
             fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
                 run_each(values, missing, steps, Plain(cx));
             }
