@@ -122,6 +122,14 @@ always = ['x>0']
     let strange = last.replacen(r"always = ['\ddot x=x']", "always = ['\\ddot x=x']\nassuming = ['x>1']", 1);
     assert_eq!(step(&mut cache, &strange), ["second", "third"]);
     assert_eq!(step(&mut cache, &strange.replace("3x", "4x")), ["third"], "a premise that is not given everywhere");
+    // A false claim is looked at for what it should have said, beside a true one that only has to be proved again.
+    step(&mut cache, &last);
+    let both = last.replacen(r"always = ['\dot x=-x']", r"always = ['\dot x+x=0']", 1);
+    assert_eq!(step(&mut cache, &both), ["law", "second", "third"]);
+    assert_eq!(step(&mut cache, &last), ["law", "second", "third"], "and back");
+    // A changed claim that follows from one that follows from another changed one.
+    let ends = both.replace("3x", "2x");
+    assert_eq!(step(&mut cache, &ends), ["law", "second", "third"]);
     // The numbers of a motion, and the symbols: everything.
     for (old, new) in [
         ("'x' = 1.5", "'x' = 1.75"),

@@ -5,9 +5,9 @@
 //! hold and it does not refutes the step. Nothing else of the file is looked at for it. So after a change
 //!
 //! - of words, places, labels and expectations, nothing is checked again: they are only written beside the verdicts;
-//! - in some claims, or where claims come or go, these and all that follow from them are checked again, beside what is known of
-//!   their premises; what does not depend on the change is not computed again, see [`super::memory`]: the verdicts on motions of
-//!   the claims that follow, conditions, proofs without the changed premise;
+//! - in some claims, or where claims come or go, these are checked again, beside what is known of their premises; conditions and
+//!   proofs that do not depend on the change are not computed again, see [`super::memory`]. All that follow from them are proved
+//!   again, see [`super::follow`](mod@super::follow);
 //! - in some motions, everything is checked again, but what others gave is known;
 //! - in symbols (those of a claim, too), systems, conditions and measures, everything is computed again.
 //!
@@ -15,6 +15,7 @@
 
 use std::collections::BTreeSet;
 
+use super::follow::{Followed, follow, strengthen_all};
 use super::memory::{Contents, Memory, Recall};
 use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
 use crate::derivation::Derivation;
@@ -53,13 +54,14 @@ impl Cache {
         let mut checked = ids(derivation);
         let mut account = match known {
             Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
-                checked = affected(derivation, changed(&known.contents.claims, &contents.claims));
+                let changed = changed(&known.contents.claims, &contents.claims);
+                checked = affected(derivation, changed.clone());
                 let mut account = known.account;
                 if !checked.is_empty() {
-                    let options = Options { claims: checked.clone(), ..Options::default() };
-                    account.claims.retain(|c| !checked.contains(&c.id));
-                    let found = check_beside(derivation, &options, &account.claims, recall)?;
-                    account.claims.extend(found);
+                    let (others, before): (Vec<_>, Vec<_>) =
+                        account.claims.into_iter().partition(|c| !checked.contains(&c.id));
+                    account.claims = others;
+                    checked_again(derivation, &mut account, (&checked, &changed), &before, recall)?;
                 }
                 account
             }
@@ -75,6 +77,47 @@ impl Cache {
         self.known = Some(Known { contents, account: account.clone() });
         Ok((account, checked))
     }
+}
+
+/// Adds to the accounts of the other claims those of the `checked`, of which some are `changed` and the rest follow from these;
+/// `before` are their accounts in an earlier state of the file.
+///
+/// # Errors
+/// Those of [`check`].
+fn checked_again(
+    derivation: &mut Derivation,
+    account: &mut Account,
+    (checked, changed): (&[String], &BTreeSet<String>),
+    before: &[ClaimAccount],
+    recall: Recall,
+) -> Result<(), CheckError> {
+    let check_some = |derivation: &mut Derivation, account: &mut Account, some: Vec<String>| {
+        if !some.is_empty() {
+            let found =
+                check_beside(derivation, &Options { claims: some, ..Options::default() }, &account.claims, recall)?;
+            account.claims.extend(found);
+        }
+        Ok(())
+    };
+    let (first, rest): (Vec<String>, Vec<String>) = checked.iter().cloned().partition(|id| changed.contains(id));
+    // What follows comes second, so nothing that is changed may follow from it.
+    let from = |name: &String| rest.iter().any(|id| name.split('/').next() == Some(id.as_str()));
+    let circular = derivation.claims.iter().any(|c| changed.contains(&c.id) && c.follows_from.iter().any(from));
+    if circular || rest.is_empty() {
+        return check_some(derivation, account, checked.to_vec());
+    }
+    check_some(derivation, account, first)?;
+    let following: Vec<usize> =
+        (0..derivation.claims.len()).filter(|&c| rest.contains(&derivation.claims[c].id)).collect();
+    let others = account.claims.len();
+    let Followed { claims, rest } =
+        follow(derivation, &following, &account.claims, before, recall).map_err(CheckError::Defect)?;
+    account.claims.extend(claims);
+    check_some(derivation, account, rest)?;
+    let mut late = account.claims.split_off(others);
+    strengthen_all(derivation, &mut late, &account.claims).map_err(CheckError::Defect)?;
+    account.claims.extend(late);
+    Ok(())
 }
 
 /// The ids of the claims that are new or other than before, and of those that are gone: a name that others follow from may mean

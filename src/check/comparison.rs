@@ -9,6 +9,7 @@
 //! otherwise: a loose bound can excuse a wrong formula, so it never makes a claim hold. κ = [`GUARD`] leaves room between
 //! the two, because the error of a trajectory is an estimate.
 
+use super::telling::Told;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::number::{Bounded, NoValue};
@@ -32,6 +33,8 @@ pub(super) struct Comparison {
     /// What vanishes where an inequality can change between two samples, for each sign of ±: left − right. Empty for
     /// equations, and for what does not move.
     pub boundaries: Vec<Expr>,
+    /// Its terms, for the question whether it says anything.
+    pub told: Told,
 }
 
 impl Comparison {
@@ -46,7 +49,7 @@ impl Comparison {
     ) -> Comparison {
         let magnitude = magnitude_of(graph, scope, left, right);
         let boundaries = if kind == RelationKind::Equal { Vec::new() } else { boundaries(graph, scope, left, right) };
-        Comparison { label, kind, left, right, magnitude, boundaries }
+        Comparison { label, kind, left, right, magnitude, boundaries, told: Told::default() }
     }
 }
 

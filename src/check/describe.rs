@@ -22,6 +22,7 @@ pub(super) struct Describer<'a> {
     /// The times of the points.
     pub times: &'a [f64],
     points: &'a Points,
+    shown: bool,
     slots: RefCell<Option<Slots<Bounded>>>,
     /// What was said of inputs without a value, by their position and the reason.
     said: RefCell<Vec<((usize, NoValue), Arc<str>)>>,
@@ -35,8 +36,8 @@ pub(super) fn short(x: f64) -> String {
 impl<'a> Describer<'a> {
     /// A describer of these points.
     pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
-        let Trial { graph, claim, program, course } = *trial;
-        Describer { graph, claim, program, leaves: course.leaves, times, points, slots: RefCell::default(), said: RefCell::default() }
+        let Trial { graph, claim, program, course, shown } = *trial;
+        Describer { graph, claim, program, leaves: course.leaves, times, points, shown, slots: RefCell::default(), said: RefCell::default() }
     }
 
     /// How the claim is weighed at the points, of which those count that are left.
@@ -46,6 +47,7 @@ impl<'a> Describer<'a> {
             left,
             precision: self.claim.precision,
             one_sign_throughout: self.claim.branches_throughout,
+            shown: self.shown,
             describer: self,
         }
     }

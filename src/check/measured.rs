@@ -8,11 +8,12 @@
 //! what counts at a single point is needed where the bound is large against that, or where a claim fails.
 
 use std::cell::{OnceCell, RefCell};
+use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use super::comparison::{Group, Standing, judge};
-use super::part::{BLOCK, Block, Part};
+use super::part::{BLOCK, Block, Evaluation, Part};
 use super::program::{Program, Use};
 use crate::flow::Points;
 use crate::latex::RelationKind;
@@ -143,36 +144,41 @@ fn samples(count: usize) -> Vec<usize> {
 }
 
 impl Asked<'_> {
-    fn at(&self, time: usize, comparisons: impl Iterator<Item = usize>) -> Vec<Option<f64>> {
+    fn at(&self, comparison: usize, time: usize) -> Option<f64> {
         let mut slots = self.slots.borrow_mut();
         let slots = self.part.run(self.points.sample(time), self.sign, &mut slots);
-        comparisons.map(|c| self.part.tape().output(c, slots).ok().map(|x| x.value)).collect()
+        self.part.tape().output(comparison, slots).ok().map(|x| x.value)
+    }
+
+    /// The sizes of some comparisons at some times: `[comparison][time]`.
+    fn table(&self, comparisons: Range<usize>, times: &[usize]) -> Vec<Vec<Option<f64>>> {
+        let mut all = vec![Vec::with_capacity(times.len()); comparisons.len()];
+        let mut evaluation = Evaluation::new(self.part, &self.points, self.sign, comparisons.clone());
+        let tape = self.part.tape();
+        for block in times.chunks(BLOCK) {
+            // The last block is filled up with its last time.
+            let last = block[block.len() - 1];
+            let whole = std::array::from_fn(|i| block.get(i).copied().unwrap_or(last));
+            if let Some(slots) = evaluation.at_all(whole) {
+                for (c, sizes) in comparisons.clone().zip(&mut all) {
+                    let size = tape.output(c, slots).ok();
+                    sizes.extend((0..block.len()).map(|i| size.map(|x| x.values()[i])));
+                }
+                continue;
+            }
+            for &time in block {
+                let slots = evaluation.at(time);
+                for (c, sizes) in comparisons.clone().zip(&mut all) {
+                    sizes.push(tape.output(c, slots).ok().map(|x| x.value));
+                }
+            }
+        }
+        all
     }
 
     fn typical(&self) -> &[Vec<Option<f64>>] {
-        self.typical.get_or_init(|| {
-            let count = self.part.tape().output_count();
-            let mut all = vec![Vec::with_capacity(TYPICAL); count];
-            let mut evaluation = super::part::Evaluation::new(self.part, &self.points, self.sign);
-            let samples = samples(self.points.len());
-            for block in samples.chunks(BLOCK) {
-                let whole = <[usize; BLOCK]>::try_from(block).ok();
-                if let Some(slots) = whole.and_then(|block| evaluation.at_all(block)) {
-                    for (c, sizes) in all.iter_mut().enumerate() {
-                        let size = self.part.tape().output(c, slots);
-                        sizes.extend((0..BLOCK).map(|i| size.ok().map(|x| x.values()[i])));
-                    }
-                    continue;
-                }
-                for &time in block {
-                    let slots = evaluation.at(time);
-                    for (c, sizes) in all.iter_mut().enumerate() {
-                        sizes.push(self.part.tape().output(c, slots).ok().map(|x| x.value));
-                    }
-                }
-            }
-            all
-        })
+        let all = 0..self.part.tape().output_count();
+        self.typical.get_or_init(|| self.table(all, &samples(self.points.len())))
     }
 }
 
@@ -181,7 +187,15 @@ impl Sizes<'_> {
     pub fn at(&self, comparison: usize, time: usize) -> Option<f64> {
         match self {
             Sizes::Known(all) => all.get(comparison)?.get(time).copied(),
-            Sizes::Asked(asked) => asked.at(time, std::iter::once(comparison)).pop()?,
+            Sizes::Asked(asked) => asked.at(comparison, time),
+        }
+    }
+
+    /// Those at several times.
+    fn at_all(&self, comparison: usize, times: &[usize]) -> Vec<Option<f64>> {
+        match self {
+            Sizes::Known(_) => times.iter().map(|&time| self.at(comparison, time)).collect(),
+            Sizes::Asked(asked) => asked.table(comparison..comparison + 1, times).pop().unwrap_or_default(),
         }
     }
 
@@ -198,7 +212,11 @@ impl Sizes<'_> {
             }
         };
         // Where none of these samples counts, others may.
-        if sizes.is_empty() { (0..series.len()).filter(valued).filter_map(|i| self.at(comparison, i)).collect() } else { sizes }
+        if !sizes.is_empty() {
+            return sizes;
+        }
+        let others: Vec<usize> = (0..series.len()).filter(valued).collect();
+        self.at_all(comparison, &others).into_iter().flatten().collect()
     }
 }
 
@@ -299,6 +317,12 @@ impl<'a> MeasuredGroup<'a> {
     /// the motion, whichever is larger.
     pub fn scale(&self, sign: usize, comparison: usize, time: usize) -> f64 {
         self.sizes[sign].at(self.first + comparison, time).unwrap_or(0.0).max(self.floor(sign))
+    }
+
+    /// The scales of a comparison at several times.
+    pub fn scales(&self, sign: usize, comparison: usize, times: &[usize]) -> Vec<f64> {
+        let sizes = self.sizes[sign].at_all(self.first + comparison, times);
+        sizes.into_iter().map(|size| size.unwrap_or(0.0).max(self.floor(sign))).collect()
     }
 
     /// Whether the sides are equal within an error, where that does not refute a strict relation.

@@ -81,12 +81,19 @@ impl Memory {
         self.other.load(Ordering::Relaxed)
     }
 
+    /// The answer to a question, if it is known.
+    fn known<T: Clone>(&self, kept: &Answers<T>, name: Key) -> Option<T> {
+        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let (age, known) = kept.get_mut(&name)?;
+        *age = self.age;
+        Some(known.clone())
+    }
+
     /// The answer to a question; what has no name is always computed.
     fn answer<T: Clone>(&self, kept: &Answers<T>, name: Option<Key>, compute: impl FnOnce() -> T) -> T {
         let Some(name) = name else { return compute() };
-        if let Some((age, known)) = kept.lock().unwrap_or_else(PoisonError::into_inner).get_mut(&name) {
-            *age = self.age;
-            return known.clone();
+        if let Some(known) = self.known(kept, name) {
+            return known;
         }
         let found = compute();
         kept.lock().unwrap_or_else(PoisonError::into_inner).insert(name, (self.age, found.clone()));
@@ -134,6 +141,13 @@ impl<'a> Recall<'a> {
         let Some(known) = self.0 else { return compute() };
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"");
         known.memory.answer(&known.memory.verdicts, name, compute)
+    }
+
+    /// The verdict of a claim on a motion, if it is known.
+    pub fn known_verdict(&self, derivation: &Derivation, claim: &Claim, t: usize) -> Option<Verdict> {
+        let known = self.0?;
+        let name = known.of_claim(derivation, claim, &claim.name(), t, b"")?;
+        known.memory.known(&known.memory.verdicts, name)
     }
 
     /// The verdict of a claim of the file without one of its assumptions, by its place, on a motion.

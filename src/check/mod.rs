@@ -16,6 +16,7 @@ mod cache;
 mod comparison;
 mod describe;
 mod enclose;
+mod follow;
 pub mod identity;
 mod independence;
 mod kept;
@@ -71,6 +72,7 @@ use independence::Gradients;
 use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
 use step::Step;
@@ -269,13 +271,12 @@ fn check_and(
         let one = |program| Prepared { claim, program, gradients: gradients[k].clone() };
         prepared.push(per_start.into_iter().map(one).collect());
     }
-    let mut kept: Vec<usize> = probes.programs().flat_map(|p| p.inputs().iter().copied()).collect();
-    let of_gradients = gradients.iter().flatten().flatten().flat_map(|g| g.leaves(&derivation.graph));
-    let compared = of_gradients.chain(same_motion::leaves(derivation));
-    kept.extend(compared.filter_map(|leaf| wanted.binary_search(&leaf).ok()));
+    let mut kept: Vec<usize> = probes.asked_later().collect();
+    kept.extend(same_motion::leaves(derivation).into_iter().filter_map(|leaf| wanted.binary_search(&leaf).ok()));
     kept.sort_unstable();
     kept.dedup();
-    let done = std::sync::atomic::AtomicUsize::new(0);
+    let done = AtomicUsize::new(0);
+    let failed: Vec<AtomicBool> = prepared.iter().map(|_| AtomicBool::new(false)).collect();
     let columns: Vec<Result<Tried, String>> = tried
         .par_iter()
         .with_max_len(1)
@@ -284,11 +285,16 @@ fn check_and(
             let verdict = |k: usize| {
                 let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
                 claim.trajectories.contains(&t).then(|| {
-                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course };
+                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                     recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
                 })
             };
             let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
+            let fails = |v: &Option<Verdict>| v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Fails(_)));
+            verdicts.iter().zip(&failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
+            // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
+            let of = (start_of[t], &course);
+            let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, recall));
             let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
                 let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
                 verdict.clone().map(|verdict| Found { claim, program, verdict })
@@ -299,15 +305,16 @@ fn check_and(
             });
             let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
             let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
-            progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, tried.len());
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, tried.len());
             // What is asked later needs few of the leaves; those of all motions at once take much memory.
             course.keep(&kept);
             let course = (!probes.is_empty() || altered.is_some()).then_some(course);
-            Ok(((verdicts, (measured, drawn)), (weighed, course)))
+            Ok(((verdicts, (measured, drawn)), (without, (weighed, course))))
         })
         .collect();
     let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
-    let (found, (weighed, courses)): (Vec<_>, (Vec<Option<Weighed>>, Vec<_>)) = columns.into_iter().unzip();
+    let (found, (without, others)): (Vec<_>, (Vec<_>, Vec<_>)) = columns.into_iter().unzip();
+    let (weighed, courses): (Vec<Option<Weighed>>, Vec<_>) = others.into_iter().unzip();
     let (columns, shown): (Vec<Column>, Vec<_>) = found.into_iter().unzip();
     let mut account = assemble(derivation, &stage, &claimed, &tried, &columns, shown);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
@@ -323,7 +330,7 @@ fn check_and(
     for (claim, identity) in account.claims.iter_mut().zip(identities) {
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
-    probes.separate(derivation, &gradients, &start_of, recall, &courses, &mut account);
+    probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
@@ -397,8 +404,8 @@ type Column = Vec<Option<Verdict>>;
 /// What was measured and drawn on one motion.
 type Shown = (Vec<Measurement>, Vec<PictureAccount>);
 
-/// A column, what it says of the variants, and the motion where it is needed again.
-type Tried<'a> = ((Column, Shown), (Option<Weighed>, Option<Course<'a>>));
+/// A column; the verdicts without each assumption; what it says of the variants, and the motion where it is needed again.
+type Tried<'a> = ((Column, Shown), (Vec<Option<Verdict>>, (Option<Weighed>, Option<Course<'a>>)));
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {

@@ -6,6 +6,8 @@
 //! of what claims name are parameters and values at the start. **Guaranteed:** every value is, bit for bit, what the point
 //! alone yields.
 
+use std::ops::Range;
+
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, BoundedLanes};
@@ -67,6 +69,10 @@ pub(super) struct Evaluation<'a> {
     part: &'a Part,
     points: &'a Points,
     sign: f64,
+    /// The outputs that are asked for.
+    outputs: Range<usize>,
+    /// The instructions that they need.
+    needed: Vec<Instruction>,
     /// The inputs that are not the same at all points.
     changing: Vec<usize>,
     /// The instructions that depend on them.
@@ -78,15 +84,15 @@ pub(super) struct Evaluation<'a> {
 }
 
 impl<'a> Evaluation<'a> {
-    /// Nothing is evaluated yet.
-    pub fn new(part: &'a Part, points: &'a Points, sign: f64) -> Evaluation<'a> {
+    /// Some outputs, to be evaluated.
+    pub fn new(part: &'a Part, points: &'a Points, sign: f64, outputs: Range<usize>) -> Evaluation<'a> {
         let Part { tape, inputs } = part;
         let absent: Vec<bool> = inputs.iter().map(|&at| points.absent(at).is_some()).collect();
         let never = tape.depends(&absent);
         let changes: Vec<bool> = inputs.iter().map(|&at| !points.is_constant(at)).collect();
         let changing = (0..inputs.len()).filter(|&i| changes[i]).collect();
-        let varying = tape.dependent(&changes);
-        Evaluation { part, points, sign, changing, varying, never, block: None, single: None }
+        let (needed, varying) = tape.needed(outputs.clone(), &changes);
+        Evaluation { part, points, sign, outputs, needed, changing, varying, never, block: None, single: None }
     }
 
     /// Evaluates at a point.
@@ -101,7 +107,15 @@ impl<'a> Evaluation<'a> {
                 tape.run_some(&(), slots, &self.varying);
                 slots
             }
-            none => self.part.run(sample, self.sign, none),
+            none => {
+                let mut slots = tape.slots(&());
+                for (i, &at) in inputs.iter().enumerate() {
+                    slots.set(i, sample.get(at));
+                }
+                slots.set(inputs.len(), Ok(Bounded::exact(self.sign)));
+                tape.run_some(&(), &mut slots, &self.needed);
+                none.insert(slots)
+            }
         }
     }
 
@@ -125,12 +139,12 @@ impl<'a> Evaluation<'a> {
                     slots.set(i, lanes(i)?);
                 }
                 slots.set(inputs.len(), Ok(Block::splat(Bounded::exact(self.sign))));
-                tape.run(&(), &mut slots);
+                tape.run_some(&(), &mut slots, &self.needed);
                 *none = Some(slots);
             }
         }
         let slots = self.block.as_ref()?;
         let valued = |o: usize| self.never[o] || tape.output(o, slots).is_ok();
-        (0..tape.output_count()).all(valued).then_some(slots)
+        self.outputs.clone().all(valued).then_some(slots)
     }
 }

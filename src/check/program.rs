@@ -375,7 +375,7 @@ impl Program {
         let Some(sides) = &self.sides else { return Vec::new() };
         let count = sides.tape().output_count() / SIDES;
         let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
-        let mut evaluation = Evaluation::new(sides, points, sign);
+        let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
         let mut failed = 0;
         let mut from = 0;
         while from < times {

@@ -46,6 +46,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &
             right: node,
             magnitude: node,
             boundaries: Vec::new(),
+            told: Default::default(),
         });
         let compare = |(ours, theirs): (Sample, &Option<Vec<_>>)| {
             let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;

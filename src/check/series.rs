@@ -52,7 +52,7 @@ pub(super) fn residuals(
     sought: bool,
 ) -> Option<Arc<Residuals>> {
     let (comparison, at) = chosen?;
-    if judged.measured.definedness {
+    if judged.measured.definedness || !setting.shown {
         return None;
     }
     let described = judged.measured.group.comparisons.get(comparison)?;
@@ -62,22 +62,19 @@ pub(super) fn residuals(
     kept.push(at);
     kept.sort_unstable();
     kept.dedup();
-    let point = |&i: &usize| {
-        let (m, scale) = judged.shown(comparison, i)?;
-        Some(ResidualPoint {
-            t: setting.times[i],
-            left: m.left,
-            right: m.right,
-            residual: m.difference.value.abs(),
-            bound: m.difference.error,
-            limit: setting.precision * scale,
-        })
+    let point = |(i, m, scale): (usize, super::measured::Measured, f64)| ResidualPoint {
+        t: setting.times[i],
+        left: m.left,
+        right: m.right,
+        residual: m.difference.value.abs(),
+        bound: m.difference.error,
+        limit: setting.precision * scale,
     };
     Some(Arc::new(Residuals {
         formula: described.label.clone(),
         equation: described.kind == crate::latex::RelationKind::Equal,
         sought,
         of: counted.len(),
-        points: kept.iter().filter_map(point).collect(),
+        points: judged.shown(comparison, &kept).into_iter().map(point).collect(),
     }))
 }

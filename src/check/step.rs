@@ -29,21 +29,26 @@ mod wording;
 use super::account::{AssumptionsUsed, IdentityAccount};
 use super::comparison::at_instant;
 use super::identity::{
-    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, branches_test_after, identity_test_after,
-    order,
+    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
+    identity_test_after, order,
 };
 use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
 use super::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Expr, Graph, Leaf, Symbol};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
 use crate::latex::{Relation, RelationKind, Role};
 use gather::{Definitions, Gathered};
+use std::cell::RefCell;
 
 /// A claim that is decided for all values.
 pub(super) struct Step<'a> {
     derivation: &'a Derivation,
     claim: &'a Claim,
     graph: Graph,
+    /// The positive parameters.
+    positive: FastSet<Symbol>,
+    /// The definitions that claims make, as far as they were asked for.
+    of_claims: RefCell<FastMap<Symbol, Option<&'a Tensor>>>,
     /// The last question that was settled, where it was one question: what the second route is asked.
     settled: Option<Settled>,
     /// Where the last proof was found.
@@ -110,7 +115,11 @@ impl<'a> Step<'a> {
     /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
     /// about parameters only.
     pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
+        let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
+        let symbols = derivation.symbols.iter().chain(of_claims);
         let step = Step {
+            positive: symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect(),
+            of_claims: RefCell::default(),
             derivation,
             claim,
             graph: derivation.graph.clone(),
@@ -151,9 +160,7 @@ impl<'a> Step<'a> {
     }
 
     fn is_positive_parameter(&self, leaf: Leaf) -> bool {
-        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
-        let mut symbols = self.derivation.symbols.iter().chain(of_claims);
-        symbols.any(|s| s.symbol == leaf.symbol && s.positive && s.role == Role::Parameter)
+        self.positive.contains(&leaf.symbol)
     }
 
     /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
@@ -307,7 +314,7 @@ impl<'a> Step<'a> {
             if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
                 continue;
             }
-            let options = Options { attempts: FEW_POINTS, ..Options::default() };
+            let options = Options { attempts: FEW_POINTS, wanted: Wanted::Proof, ..Options::default() };
             let equations = &self.beyond(equations, &premises);
             if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
                 if proof.example.is_none()
@@ -317,7 +324,7 @@ impl<'a> Step<'a> {
                 }
                 self.proved_at = Level { split, definitions };
                 let settled = self.settled.take();
-                let identity = self.with_all_definitions(proof, gathered, equations, split);
+                let identity = self.with_all_definitions(proof, gathered, &premises, equations, split);
                 self.settled = settled;
                 return identity;
             }
@@ -382,9 +389,20 @@ impl<'a> Step<'a> {
 
     /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
     /// lie among the exceptions of the proof.
-    fn with_all_definitions(&mut self, proof: Proof, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
+    fn with_all_definitions(
+        &mut self,
+        proof: Proof,
+        gathered: &Gathered,
+        part: &Premises,
+        equations: &Pairs,
+        split: bool,
+    ) -> Identity {
         let premises = self.premises(gathered, equations, Definitions::All);
-        let options = Options { attempts: FEW_POINTS, ..Options::default() };
+        if premises.equations == part.equations {
+            // Nothing was left out.
+            return Identity::Proved(proof);
+        }
+        let options = Options { attempts: FEW_POINTS, wanted: Wanted::Fault, ..Options::default() };
         let generic = has_exceptions(&proof);
         match self.ask(&premises, equations, &options, split) {
             contradiction @ Identity::Undecided(Reason::Contradiction) => contradiction,
@@ -533,7 +551,8 @@ impl<'a> Step<'a> {
             if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
                 continue;
             }
-            let options = Options { attempts: 1, most_nodes: LEFT_OUT_NODES, ..Options::default() };
+            let options =
+                Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Proof, ..Options::default() };
             if without_exceptions(&self.ask(&premises, equations, &options, least.split)) {
                 return true;
             }

@@ -10,6 +10,8 @@
 //! says nothing of them. A small term beside others that say something is no reason: the energy of a motion that hardly
 //! moves is still the energy.
 
+use std::sync::{Arc, OnceLock};
+
 use super::comparison::{Comparison, GUARD};
 use super::measured::{Measurements, MeasuredGroup};
 use super::program::Program;
@@ -17,7 +19,7 @@ use super::program::Program;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
-use crate::tape::Tape;
+use crate::tape::{Slots, Tape};
 
 /// Points at which the terms are looked at first.
 const FEW: usize = 8;
@@ -29,6 +31,16 @@ const CANCELLED: f64 = 1e-12;
 struct Terms {
     negative: Vec<bool>,
     tape: Tape,
+}
+
+/// The terms of a comparison: they are the same on all motions, and made when one first asks for them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Told(OnceLock<Option<Arc<Terms>>>);
+
+impl Told {
+    fn terms(&self, graph: &Graph, comparison: &Comparison) -> Option<&Terms> {
+        self.0.get_or_init(|| Terms::new(graph, comparison).map(Arc::new)).as_deref()
+    }
 }
 
 /// Appends the terms of a sum.
@@ -73,11 +85,17 @@ impl Terms {
     }
 
     /// All terms with their signs.
-    fn values(&self, inputs: &[Result<Bounded, NoValue>]) -> Option<Vec<Bounded>> {
-        let mut slots = self.tape.slots::<Bounded>(&());
-        let found = self.tape.evaluate(&(), inputs, &mut slots);
-        let signed = |(x, &negative): (Result<Bounded, NoValue>, &bool)| x.ok().map(|x| if negative { -x } else { x });
-        found.into_iter().zip(&self.negative).map(signed).collect()
+    fn values(
+        &self,
+        inputs: impl Iterator<Item = Result<Bounded, NoValue>>,
+        slots: &mut Slots<Bounded>,
+    ) -> Option<Vec<Bounded>> {
+        inputs.enumerate().for_each(|(i, x)| slots.set(i, x));
+        self.tape.run(&(), slots);
+        let signed = |(i, &negative): (usize, &bool)| {
+            self.tape.output(i, slots).ok().map(|&x| if negative { -x } else { x })
+        };
+        self.negative.iter().enumerate().map(signed).collect()
     }
 
     /// Whether the terms that `seen` marks add up to 0 for all values of the symbols: at two points of no special meaning.
@@ -85,9 +103,9 @@ impl Terms {
         let count = self.tape.inputs().len();
         // Multiples of the golden ratio, modulo 1.
         let number = |i: usize, at: f64| at + (0.618_033_988_749_894_9 * (i + 1) as f64).fract();
-        let at = |at: f64| {
-            let inputs: Vec<_> = (0..count).map(|i| Ok(Bounded::exact(number(i, at)))).collect();
-            let values = self.values(&inputs)?;
+        let mut slots = self.tape.slots::<Bounded>(&());
+        let mut at = |at: f64| {
+            let values = self.values((0..count).map(|i| Ok(Bounded::exact(number(i, at)))), &mut slots)?;
             let of = || values.iter().zip(seen).filter(|(_, seen)| **seen).map(|(x, _)| x.value);
             let largest = of().fold(0.0, |a: f64, x| a.max(x.abs()));
             Some(of().sum::<f64>().abs() <= CANCELLED * largest)
@@ -102,13 +120,13 @@ impl Terms {
     fn mute<'v>(&self, places: &[Option<usize>], sign: f64, points: impl Iterator<Item = Sample<'v>>) -> bool {
         let mut seen = vec![false; self.negative.len()];
         let mut significant = vec![false; self.negative.len()];
+        let mut slots = self.tape.slots::<Bounded>(&());
         for point in points {
             let input = |place: &Option<usize>| match place {
                 Some(at) => point.get(*at),
                 None => Ok(Bounded::exact(sign)),
             };
-            let inputs: Vec<_> = places.iter().map(input).collect();
-            let Some(values) = self.values(&inputs) else { continue };
+            let Some(values) = self.values(places.iter().map(input), &mut slots) else { continue };
             let sum = values.iter().fold(Bounded::exact(0.0), |sum, &x| sum + x);
             for (i, x) in values.iter().enumerate() {
                 seen[i] |= x.value.abs() > sum.error;
@@ -151,7 +169,7 @@ fn is_mute(
     if group.definedness || !within {
         return false;
     }
-    let Some(terms) = Terms::new(graph, comparison) else { return false };
+    let Some(terms) = comparison.told.terms(graph, comparison) else { return false };
     let places: Vec<Option<usize>> = terms
         .tape
         .inputs()

@@ -129,6 +129,8 @@ pub(super) struct Trial<'a> {
     pub program: &'a Program,
     /// The motion.
     pub course: &'a Course<'a>,
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
 }
 
 /// Tries a claim on a motion.

@@ -40,6 +40,8 @@ pub(super) struct Setting<'a> {
     pub precision: f64,
     /// Whether one sign of ± must serve the whole motion.
     pub one_sign_throughout: bool,
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
     /// What describes the points.
     pub describer: &'a Describer<'a>,
 }
@@ -113,16 +115,25 @@ impl<'a, 'g> Judged<'a, 'g> {
         (0..count).filter(move |c| count == 1 || stands(c))
     }
 
-    /// A comparison at a time with the sign that does best, and the size of its terms: what a reader is shown.
-    pub fn shown(&self, comparison: usize, time: usize) -> Option<(Measured, f64)> {
-        let rank = |&s: &usize| match self.whole[s].get(time) {
+    /// A comparison at some times, with the sign that does best there, and the size of its terms: what a reader is shown. Times
+    /// without a value are left out.
+    pub fn shown(&self, comparison: usize, times: &[usize]) -> Vec<(usize, Measured, f64)> {
+        let rank = |&(s, time): &(usize, usize)| match self.whole[s].get(time) {
             Some(Standing::Satisfied) => 0,
             Some(Standing::Inconclusive) => 1,
             _ => 2,
         };
-        let sign = (0..self.whole.len()).min_by_key(rank)?;
-        let m = self.measured.signs[sign].get(comparison)?.get(time).ok()?;
-        Some((m, self.measured.scale(sign, comparison, time)))
+        let best = |time: usize| (0..self.whole.len()).map(|s| (s, time)).min_by_key(rank).map(|(s, _)| s);
+        let mut out = Vec::with_capacity(times.len());
+        for sign in 0..self.whole.len() {
+            let here: Vec<usize> = times.iter().copied().filter(|&time| best(time) == Some(sign)).collect();
+            let scales = self.measured.scales(sign, comparison, &here);
+            let measured = |time: usize| self.measured.signs[sign].get(comparison)?.get(time).ok();
+            let each = here.into_iter().zip(scales).filter_map(|(time, scale)| Some((time, measured(time)?, scale)));
+            out.extend(each);
+        }
+        out.sort_by_key(|(time, ..)| *time);
+        out
     }
 
     /// The standing at a time with the sign that does best.

@@ -9,17 +9,24 @@
 use std::f64::consts::TAU;
 
 use super::core::Core;
-use super::cover::{Explorer, Piece, Stretch, tail};
+use super::cover::{BLOCK, Explorer, Piece, Stretch, tail};
 use super::program::{Bench, Program, Turns};
 use super::taylor::horner;
 use crate::expr::Leaf;
-use crate::number::NoValue;
+use crate::number::{Lanes, NoValue};
 
 /// Degree of the polynomials that an angle is followed with.
 const DEGREE: usize = 10;
 
+/// Memory of the definition of an angle, at one time and at several.
+#[derive(Clone, Debug, Default)]
+pub(super) struct AngleBench {
+    one: Option<Bench<f64>>,
+    several: Option<Bench<Lanes<BLOCK>>>,
+}
+
 /// Memory of the definitions of angles.
-pub(super) type AngleBenches = Vec<Option<Bench<f64>>>;
+pub(super) type AngleBenches = Vec<AngleBench>;
 
 /// An angle and how often it has gone round.
 #[derive(Clone, Debug)]
@@ -123,13 +130,40 @@ impl Angle {
     }
 
     /// How many turns the defined value lacks at a time; `turns` has those of the angles before this one.
-    pub(super) fn turns_at(&self, core: &Core, t: f64, turns: &Turns, bench: &mut Bench<f64>) -> Result<i64, NoValue> {
+    pub(super) fn turns_at(&self, core: &Core, t: f64, turns: &Turns, bench: &mut AngleBench) -> Result<i64, NoValue> {
+        let bench = bench.one.get_or_insert_with(|| self.raw.bench(core, 0));
         self.raw.run(core, bench, t, turns);
-        let raw = self.raw.output(bench, 0)?.coefficient(0);
+        Ok(self.lacking(t, self.raw.output(bench, 0)?.coefficient(0)))
+    }
+
+    /// The same at several times at once: pushes what is found to the turns at each.
+    pub(super) fn push_turns(
+        &self,
+        core: &Core,
+        times: &[f64; BLOCK],
+        turns: &mut [Turns; BLOCK],
+        bench: &mut AngleBench,
+    ) {
+        let wide = bench.several.get_or_insert_with(|| self.raw.bench(core, 0));
+        self.raw.run_lanes(core, wide, times, turns);
+        let found = self.raw.output(wide, 0).ok().map(|x| x.coefficient(0).0);
+        // What has no value at one of the times is asked for time by time.
+        let found = found.filter(|raw| raw.iter().all(|x| x.is_finite()));
+        for (i, (&t, turns)) in times.iter().zip(turns).enumerate() {
+            let n = match found {
+                Some(raw) => Ok(self.lacking(t, raw[i])),
+                None => self.turns_at(core, t, turns, bench),
+            };
+            turns.push(n);
+        }
+    }
+
+    /// How many turns the defined value `raw` lacks at a time.
+    fn lacking(&self, t: f64, raw: f64) -> i64 {
         let after = self.pieces.partition_point(|(p, _)| p.start <= t);
-        let Some((piece, shift)) = self.pieces.get(after.saturating_sub(1)) else { return Ok(0) };
+        let Some((piece, shift)) = self.pieces.get(after.saturating_sub(1)) else { return 0 };
         // Between pieces, the nearer end.
         let expected = piece.angle(t.clamp(piece.start, piece.end)) + shift;
-        Ok(around(expected - raw) as i64)
+        around(expected - raw) as i64
     }
 }

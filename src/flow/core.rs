@@ -7,7 +7,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::angle::{Angle, AngleBenches};
+use super::angle::{Angle, AngleBench, AngleBenches};
+use super::cover::BLOCK;
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
 use super::resolve::Resolution;
@@ -171,10 +172,41 @@ impl Core {
 
     /// The number of turns of the angles that `program` needs, at a time; `benches` is memory kept between calls.
     pub(super) fn turns(&self, program: &Program, t: f64, benches: &mut AngleBenches) -> Turns {
+        let needed = self.needed_turns(program);
+        let mut turns = Vec::with_capacity(needed.len());
+        benches.resize(self.angles.len(), AngleBench::default());
+        for ((angle, bench), needed) in self.angles.iter().zip(benches).zip(needed) {
+            let n = if needed { angle.turns_at(self, t, &turns, bench) } else { Err(NoValue::Indeterminate) };
+            turns.push(n);
+        }
+        turns
+    }
+
+    /// The same at several times at once.
+    pub(super) fn turns_of_block(
+        &self,
+        program: &Program,
+        times: &[f64; BLOCK],
+        benches: &mut AngleBenches,
+    ) -> [Turns; BLOCK] {
+        let needed = self.needed_turns(program);
+        let mut turns = std::array::from_fn(|_| Vec::with_capacity(needed.len()));
+        benches.resize(self.angles.len(), AngleBench::default());
+        for ((angle, bench), needed) in self.angles.iter().zip(benches).zip(needed) {
+            if needed {
+                angle.push_turns(self, times, &mut turns, bench);
+            } else {
+                turns.iter_mut().for_each(|turns| turns.push(Err(NoValue::Indeterminate)));
+            }
+        }
+        turns
+    }
+
+    /// The angles whose turns a program needs: the definition of an angle may need those of the ones before it.
+    fn needed_turns(&self, program: &Program) -> Vec<bool> {
         if !program.needs_turns() {
             return Vec::new();
         }
-        // The definition of an angle may need the turns of those before it.
         let mut needed = vec![false; self.angles.len()];
         program.turns().for_each(|i| needed[i] = true);
         for i in (0..needed.len()).rev() {
@@ -182,18 +214,7 @@ impl Core {
                 self.angles[i].raw.turns().for_each(|before| needed[before] = true);
             }
         }
-        let mut turns = Vec::with_capacity(self.angles.len());
-        benches.resize(self.angles.len(), None);
-        for ((angle, bench), needed) in self.angles.iter().zip(benches).zip(needed) {
-            if !needed {
-                turns.push(Err(NoValue::Indeterminate));
-                continue;
-            }
-            let bench = bench.get_or_insert_with(|| angle.raw.bench(self, 0));
-            let n = angle.turns_at(self, t, &turns, bench);
-            turns.push(n);
-        }
-        turns
+        needed
     }
 
     /// The times between which the motion is known.

@@ -6,7 +6,7 @@ use super::program::{Bench, Program, Turns};
 use crate::number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 
 /// How many stretches, or times, are looked at together.
-const BLOCK: usize = 8;
+pub(super) const BLOCK: usize = 8;
 
 /// A stretch of time.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ impl<'a> Explorer<'a> {
     }
 
     fn turns(&mut self, times: &[f64; BLOCK]) -> [Turns; BLOCK] {
-        times.map(|t| self.core.turns(self.program, t, &mut self.angles))
+        self.core.turns_of_block(self.program, times, &mut self.angles)
     }
 
     /// The polynomials around the middles of several stretches; none where that must be found out for a stretch alone.

@@ -8,13 +8,12 @@
 
 use super::angle::AngleBenches;
 use super::core::Core;
+use super::cover::BLOCK;
 use super::motion::Point;
 use super::points::Points;
 use super::program::{Bench, Program};
 use crate::number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
 
-/// How many times are looked at together.
-const BLOCK: usize = 8;
 /// How many blocks of times in a row may be at branch points before times are looked at one by one.
 const PATIENCE: usize = 3;
 
@@ -114,9 +113,25 @@ impl Expansion {
         (point, branch)
     }
 
+    /// The leaves at a time if a branch point lies there; `None`, from values alone, where none does.
+    pub(super) fn at_branch_point(&self, core: &Core, memory: &mut Memory, t: f64) -> Option<Point> {
+        if self.degree == 0 || !self.program.has_branches() {
+            return None;
+        }
+        let turns = core.turns(&self.program, t, &mut memory.angles);
+        memory.others.resize(2 * self.degree + 1, None);
+        let bench = memory.others[0].get_or_insert_with(|| self.program.bench(core, 0));
+        self.program.run(core, bench, t, &turns);
+        if !self.program.is_at_branch_value(bench) {
+            return None;
+        }
+        let (point, branch) = self.at(core, memory, t);
+        branch.then_some(point)
+    }
+
     /// The leaves at many times.
     pub(super) fn along(&self, core: &Core, memory: &mut Memory, times: &[f64]) -> Points {
-        let mut out = Points::of(self.places.len());
+        let mut out = Points::with_room(self.places.len(), times.len());
         let mut failed = 0;
         for block in times.chunks(BLOCK) {
             if let (Ok(block), true) = (block.try_into(), failed < PATIENCE) {
@@ -133,7 +148,7 @@ impl Expansion {
 
     /// Adds the leaves at several times; `false`, and nothing added, where that must be done one by one.
     fn block(&self, core: &Core, memory: &mut Memory, times: &[f64; BLOCK], out: &mut Points) -> bool {
-        let turns = times.map(|t| core.turns(&self.program, t, &mut memory.angles));
+        let turns = core.turns_of_block(&self.program, times, &mut memory.angles);
         let bench = memory.lanes.get_or_insert_with(|| self.program.bench(core, self.degree));
         self.program.run_lanes(core, bench, times, &turns);
         if self.program.may_be_at_branch_point(bench) {

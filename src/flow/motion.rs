@@ -293,14 +293,14 @@ impl Motion {
     pub fn dual_at(&self, t: f64) -> Vec<Result<Dual64, NoValue>> {
         let Some(prepared) = &self.prepared else { return Vec::new() };
         self.with_scratch(|scratch| {
-            let (exact, branch) = prepared.leaves.at(&prepared.core, &mut scratch.leaves, t);
+            let exact = prepared.leaves.at_branch_point(&prepared.core, &mut scratch.leaves, t);
             let turns = prepared.core.turns(&prepared.dual, t, &mut scratch.angles);
             let bench = scratch.dual.get_or_insert_with(|| prepared.dual.dual_bench(&prepared.core));
             let found = prepared.dual.run_dual(&prepared.core, bench, t, &turns);
             let get = |i: usize| found.get(i).copied().unwrap_or(Err(NoValue::Unsupported));
             let leaf = |at: usize, (value, rate): (usize, Option<usize>), order: usize| {
                 let x = get(value)?;
-                if order > 0 && branch {
+                if let (Some(exact), true) = (&exact, order > 0) {
                     // A dual number knows too little of its argument here.
                     exact.get(at).copied().unwrap_or(Err(NoValue::Indeterminate))?;
                 }

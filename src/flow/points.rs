@@ -41,15 +41,16 @@ impl Column {
         }
     }
 
-    /// Adds the value at the time after `count` others.
-    fn push(&mut self, count: usize, x: Value) {
+    /// Adds the value at the time after `count` others, of `room` in all, as far as is known.
+    fn push(&mut self, count: usize, room: usize, x: Value) {
         match self {
             Column::Same(same) if count == 0 => *same = x,
             Column::Same(same) if is_same(*same, x) => {}
             Column::Same(same) => {
                 *self = match (*same, x) {
                     (Ok(same), Ok(x)) => {
-                        let mut all = vec![same; count];
+                        let mut all = Vec::with_capacity(room.max(count + 1));
+                        all.resize(count, same);
                         all.push(x);
                         Column::Known(all)
                     }
@@ -85,13 +86,20 @@ impl Column {
 #[derive(Clone, Debug, Default)]
 pub struct Points {
     count: usize,
+    /// How many times there will be, as far as is known.
+    room: usize,
     columns: Vec<Column>,
 }
 
 impl Points {
     /// No times yet, for so many leaves.
     pub(super) fn of(leaves: usize) -> Points {
-        Points { count: 0, columns: vec![Column::Same(Err(NoValue::OutOfDomain)); leaves] }
+        Points::with_room(leaves, 0)
+    }
+
+    /// The same, with room for so many times.
+    pub(super) fn with_room(leaves: usize, room: usize) -> Points {
+        Points { count: 0, room, columns: vec![Column::Same(Err(NoValue::OutOfDomain)); leaves] }
     }
 
     /// The number of times.
@@ -179,17 +187,21 @@ impl Points {
     pub fn push(&mut self, values: impl IntoIterator<Item = Value>) {
         let mut values = values.into_iter();
         for column in &mut self.columns {
-            column.push(self.count, values.next().unwrap_or(Err(NoValue::OutOfDomain)));
+            column.push(self.count, self.room, values.next().unwrap_or(Err(NoValue::OutOfDomain)));
         }
         self.count += 1;
     }
 
     /// Adds the values of a leaf at `N` further times, or why it has none at any of them.
     pub(super) fn push_lanes<const N: usize>(&mut self, leaf: usize, lanes: Result<BoundedLanes<N>, NoValue>) {
-        match (self.columns.get_mut(leaf), lanes) {
+        match (self.columns.get_mut(leaf), &lanes) {
             (Some(Column::Known(all)), Ok(lanes)) => all.extend((0..N).map(|i| lanes.lane(i))),
+            (Some(Column::Same(Ok(same))), Ok(lanes)) if self.count > 0 && lanes.is(*same) => {}
             (Some(column), lanes) => {
-                (0..N).for_each(|i| column.push(self.count + i, lanes.map(|lanes| lanes.lane(i))));
+                for i in 0..N {
+                    let x = lanes.as_ref().map(|lanes| lanes.lane(i)).map_err(|&reason| reason);
+                    column.push(self.count + i, self.room, x);
+                }
             }
             (None, _) => {}
         }
@@ -198,7 +210,7 @@ impl Points {
     /// Adds the value of a leaf at the time that comes after `further` others that are not counted yet.
     pub(super) fn push_one(&mut self, leaf: usize, further: usize, x: Value) {
         if let Some(column) = self.columns.get_mut(leaf) {
-            column.push(self.count + further, x);
+            column.push(self.count + further, self.room, x);
         }
     }
 
@@ -230,7 +242,7 @@ impl Points {
             let taken = place.and_then(|i| self.columns.get_mut(i)).map(|c| std::mem::replace(c, nothing()));
             taken.unwrap_or_else(nothing)
         };
-        Points { count: self.count, columns: places.iter().map(&mut column).collect() }
+        Points { count: self.count, room: self.count, columns: places.iter().map(&mut column).collect() }
     }
 
     /// These times and others between them: `more` has for each of the others how many of these come before it, and its
@@ -242,7 +254,7 @@ impl Points {
             let mut column = Column::Same(Err(NoValue::OutOfDomain));
             let mut count = 0;
             let mut push = |x: Value| {
-                column.push(count, x);
+                column.push(count, self.count + more.len(), x);
                 count += 1;
             };
             let mut next = 0;

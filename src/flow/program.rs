@@ -191,8 +191,8 @@ impl<const N: usize, B: Wide<N>> When<B> for Instants<'_, N> {
         self.times.iter().all(|&t| from <= t && t <= to)
     }
     fn state(&self, trajectory: &Trajectory, i: usize) -> B {
-        match self.places {
-            Some(places) => B::of(places.map(|place| trajectory.bounded(place, i))),
+        match &self.places {
+            Some(places) => B::of(trajectory.bounded_values(places, i)),
             None => B::INVALID,
         }
     }
@@ -396,19 +396,28 @@ impl Program {
     /// Whether an operation was evaluated at its branch point with an argument that looks constant to the degree of the
     /// series: √(c·h²) is then taken for a constant. Twice the degree tells.
     pub(super) fn at_branch_point<B: Base>(&self, bench: &Bench<B>) -> bool {
-        bench.degree > 0
-            && self.branches.iter().any(|&(op, slot)| {
-                let argument = bench.slots.value(slot);
-                let branch = match op {
-                    Op::Arcsin | Op::Arccos => {
-                        let one = B::integer(1);
-                        let x = argument.coefficient(0);
-                        (one - x).is_zero() || (one + x).is_zero()
-                    }
-                    _ => argument.coefficient(0).is_zero(),
-                };
-                bench.slots.missing(slot).is_none() && argument.is_constant() && branch
-            })
+        bench.degree > 0 && self.is_at_branch_value(bench)
+    }
+
+    /// The same, whatever the degree; of values alone, whether there may be a branch point.
+    pub(super) fn is_at_branch_value<B: Base>(&self, bench: &Bench<B>) -> bool {
+        self.branches.iter().any(|&(op, slot)| {
+            let argument = bench.slots.value(slot);
+            let branch = match op {
+                Op::Arcsin | Op::Arccos => {
+                    let one = B::integer(1);
+                    let x = argument.coefficient(0);
+                    (one - x).is_zero() || (one + x).is_zero()
+                }
+                _ => argument.coefficient(0).is_zero(),
+            };
+            bench.slots.missing(slot).is_none() && argument.is_constant() && branch
+        })
+    }
+
+    /// Whether there are operations with a branch point.
+    pub(super) fn has_branches(&self) -> bool {
+        !self.branches.is_empty()
     }
 
     /// Whether an operation may have been evaluated at its branch point at one of several times.

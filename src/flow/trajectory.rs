@@ -127,6 +127,29 @@ impl Trajectory {
         }
     }
 
+    /// The values of a state at several times at once: the same operations, time by time, none of which waits for those of
+    /// another time.
+    pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
+        let mut steps = [(&[0.0; ORDER + 1], 0.0); N];
+        for (step, place) in steps.iter_mut().zip(places) {
+            let branch = self.branch(place.backward);
+            let at = place.step * self.dimension + state;
+            // Of a known length, so that the loop below need not look at it.
+            match branch.coefficients.get(at * (ORDER + 1)..).and_then(<[f64]>::first_chunk) {
+                Some(c) => *step = (c, branch.low[at]),
+                None => return places.map(|place| self.value(place, state)),
+            }
+        }
+        let since = places.map(|place| place.since);
+        let mut sums = [0.0; N];
+        for k in (1..=ORDER).rev() {
+            for i in 0..N {
+                sums[i] = sums[i] * since[i] + steps[i].0[k];
+            }
+        }
+        std::array::from_fn(|i| steps[i].0[0] + (steps[i].1 + since[i] * sums[i]))
+    }
+
     /// The polynomial of a state around another time of its step: the first coefficients.
     ///
     /// This is the polynomial of the step, written anew; a series that is grown at that time is the same up to the error of
@@ -166,7 +189,7 @@ impl Trajectory {
                 }
             }
         }
-        c[0] = places.map(|place| self.value(place, state));
+        c[0] = self.values(places, state);
         for (to, from) in out.iter_mut().zip(c) {
             *to = from;
         }
@@ -174,14 +197,22 @@ impl Trajectory {
 
     /// The value of a state with its error.
     pub(super) fn bounded(&self, place: Place, state: usize) -> Bounded {
-        let value = self.value(place, state);
-        let branch = self.branch(place.backward);
-        let error = if place.since == 0.0 && place.step == 0 {
+        Bounded { value: self.value(place, state), error: self.error(place, state) }
+    }
+
+    /// The same at several times at once.
+    pub(super) fn bounded_values<const N: usize>(&self, places: &[Place; N], state: usize) -> [Bounded; N] {
+        let values = self.values(places, state);
+        std::array::from_fn(|i| Bounded { value: values[i], error: self.error(places[i], state) })
+    }
+
+    fn error(&self, place: Place, state: usize) -> f64 {
+        if place.since == 0.0 && place.step == 0 {
             self.initial_error[state]
         } else {
-            branch.error.get(place.step * self.dimension + state).copied().unwrap_or(f64::INFINITY)
-        };
-        Bounded { value, error }
+            let errors = &self.branch(place.backward).error;
+            errors.get(place.step * self.dimension + state).copied().unwrap_or(f64::INFINITY)
+        }
     }
 
     /// The largest error of every state over the whole trajectory.
@@ -271,6 +302,10 @@ impl Branch {
                 *l = l.max(x.abs());
                 out.error.push(FLOOR * *l + 2.0 * b.error + SAFETY * late);
             }
+        }
+        // How many steps there would be was not known.
+        for column in [&mut out.coefficients, &mut out.low, &mut out.times, &mut out.error] {
+            column.shrink_to_fit();
         }
         Ok(out)
     }

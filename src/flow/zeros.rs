@@ -249,22 +249,20 @@ fn turning_points(piece: &Piece, out: &mut Vec<f64>) -> bool {
     let noise = 0.125 * value.error + 2.0 * f64::EPSILON * value.value.abs();
     let slopes: Vec<f64> = scaled.iter().enumerate().skip(1).map(|(k, c)| c * k as f64).collect();
     let mut stack = vec![(-1.0_f64, 1.0_f64)];
+    let mut local = Vec::with_capacity(scaled.len());
     while let Some((lo, hi)) = stack.pop() {
         let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let local = shifted(&scaled, middle, half);
-        let rest = |from: usize, weight: fn(f64) -> f64| -> f64 {
-            local.iter().enumerate().skip(from).map(|(k, c)| weight(k as f64) * c.abs()).sum()
-        };
+        shift(&scaled, middle, half, &mut local);
         let slope = local.get(1).map_or(0.0, |c| c.abs());
-        if slope > rest(2, |k| k) {
+        if slope > weighed(&local, 2, |k| k) {
             continue;
         }
-        if rest(1, |_| 1.0) <= noise || half < 1e-9 {
+        if weighed(&local, 1, |_| 1.0) <= noise || half < 1e-9 {
             out.push(piece.centre + radius * middle);
             continue;
         }
         let bend = local.get(2).map_or(0.0, |c| 2.0 * c.abs());
-        if bend > rest(3, |k| k * (k - 1.0)) {
+        if bend > weighed(&local, 3, |k| k * (k - 1.0)) {
             // The slope is monotone: at most one turning point.
             let (left, right) = (horner(&slopes, lo), horner(&slopes, hi));
             if (left <= 0.0) != (right <= 0.0) {
@@ -279,9 +277,16 @@ fn turning_points(piece: &Piece, out: &mut Vec<f64>) -> bool {
     false
 }
 
+/// The sum of the sizes of coefficients from an order on, each with a weight that depends on its order.
+#[inline]
+fn weighed(c: &[f64], from: usize, weight: impl Fn(f64) -> f64) -> f64 {
+    c.iter().enumerate().skip(from).map(|(k, c)| weight(k as f64) * c.abs()).sum()
+}
+
 /// Coefficients of p(middle + half·x).
-fn shifted(p: &[f64], middle: f64, half: f64) -> Vec<f64> {
-    let mut c = p.to_vec();
+fn shift(p: &[f64], middle: f64, half: f64, c: &mut Vec<f64>) {
+    c.clear();
+    c.extend_from_slice(p);
     let n = c.len();
     for i in 0..n {
         for k in (i..n.saturating_sub(1)).rev() {
@@ -289,11 +294,10 @@ fn shifted(p: &[f64], middle: f64, half: f64) -> Vec<f64> {
         }
     }
     let mut power = 1.0;
-    for x in &mut c {
+    for x in c {
         *x *= power;
         power *= half;
     }
-    c
 }
 
 /// A zero of f between two points at which its signs differ: false position with the weight of the staying end halved

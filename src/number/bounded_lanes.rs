@@ -9,8 +9,9 @@
 //! instructions. Nearly all blocks of a motion have values throughout.
 
 use super::bounded::convolved;
-use super::wide::Steps;
-use super::{Bounded, Instruction, NoValue, Number, Rational, Scalar, scalar};
+use super::wide::{Convolution, Once, Steps};
+use super::{Bounded, Instruction, NoValue, Number, Op, Rational, Scalar, scalar};
+use pulp::Arch;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points with their error bounds.
@@ -43,6 +44,13 @@ impl<const N: usize> BoundedLanes<N> {
     #[inline(always)]
     pub fn lane(&self, i: usize) -> Bounded {
         Bounded { value: self.value[i], error: self.error[i] }
+    }
+
+    /// Whether every lane holds this number, bit for bit.
+    #[inline]
+    pub fn is(&self, x: Bounded) -> bool {
+        let bits = |lanes: &[f64; N], x: f64| lanes.iter().fold(0, |all, lane| all | lane.to_bits() ^ x.to_bits());
+        bits(&self.value, x.value) | bits(&self.error, x.error) == 0
     }
 
     /// Puts a number into a lane.
@@ -152,6 +160,9 @@ impl<const N: usize> Scalar for BoundedLanes<N> {
     }
 
     fn convolution(a: &[Self], b: &[Self]) -> Self {
+        if let Some(sum) = Arch::new().dispatch(Convolution(a, b)) {
+            return sum;
+        }
         let mut out = Self::ZERO;
         for i in 0..N {
             out.set_lane(i, convolved(a, b, |x| x.lane(i)));
@@ -233,6 +244,9 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.total(|i| a.lane(i) - b.lane(i))
     }
     fn mul(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        if Arch::new().dispatch(Once { op: Op::Mul, out: self, a, b }) {
+            return Ok(());
+        }
         self.total(|i| a.lane(i) * b.lane(i))
     }
     fn div(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
@@ -251,14 +265,24 @@ impl<const N: usize> Number for BoundedLanes<N> {
         self.each(|x, i| x.agm(&(), &a.lane(i), &b.lane(i)))
     }
     fn run(_: &(), values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
-        Steps { values, missing, steps }.run();
+        Arch::new().dispatch(Steps { values, missing, steps });
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Draws, Op};
+    use crate::number::Draws;
+
+    #[test]
+    fn zeros_with_another_sign_are_other_numbers() {
+        let mut lanes = BoundedLanes::<4>::splat(Bounded::new(0.0, 1e-3));
+        assert!(
+            lanes.is(Bounded::new(0.0, 1e-3)) && !lanes.is(Bounded::new(-0.0, 1e-3)) && !lanes.is(Bounded::exact(0.0))
+        );
+        lanes.set_lane(3, Bounded::new(-0.0, 1e-3));
+        assert!(!lanes.is(Bounded::new(0.0, 1e-3)));
+    }
 
     #[test]
     fn each_lane_is_what_one_point_is() {

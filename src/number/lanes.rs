@@ -10,7 +10,9 @@
 //! and the loops of + − × ÷ √ become vector instructions.
 
 use super::slope::slope;
+use super::wide::Convolution;
 use super::{NoValue, Number, Op, Rational, Scalar, real, scalar};
+use pulp::Arch;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `N` points. On cache-line boundaries: vector loads that cross one take twice the time.
@@ -254,6 +256,10 @@ impl<const N: usize> Scalar for Lanes<N> {
             self.0[i] = only(!other.0[i].is_nan(), self.0[i]);
         }
         self
+    }
+
+    fn convolution(a: &[Self], b: &[Self]) -> Self {
+        Arch::new().dispatch(Convolution(a, b)).unwrap_or_else(|| scalar::by_four(a, b))
     }
 }
 

@@ -19,14 +19,29 @@ pub struct Instruction {
     pub out: u32,
 }
 
-/// The evaluation loop: the steps in their order, each with the given operation. An argument without a value is the reason
-/// why the result has none.
+/// How one step is carried out.
+pub(super) trait Apply<N> {
+    /// `out` := `op` of `a` and `b`.
+    fn apply(&self, op: Op, out: &mut N, a: &N, b: &N) -> Result<(), NoValue>;
+}
+
+/// As the number type does it.
+struct Plain<'c, C>(&'c C);
+
+impl<N: Number> Apply<N> for Plain<'_, N::Context> {
+    #[inline(always)]
+    fn apply(&self, op: Op, out: &mut N, a: &N, b: &N) -> Result<(), NoValue> {
+        op.apply(self.0, out, a, b)
+    }
+}
+
+/// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
 #[inline(always)]
 pub(super) fn run_each<N>(
     values: &mut [N],
     missing: &mut [Option<NoValue>],
     steps: &[Instruction],
-    mut apply: impl FnMut(Op, &mut N, &N, &N) -> Result<(), NoValue>,
+    how: impl Apply<N>,
 ) {
     for &Instruction { op, a, b, out } in steps {
         let (a, b, out) = (a as usize, b as usize, out as usize);
@@ -36,7 +51,7 @@ pub(super) fn run_each<N>(
         } else {
             // Arguments lie before the result, so the borrow can be split there.
             let (before, rest) = values.split_at_mut(out);
-            apply(op, &mut rest[0], &before[a], &before[b]).err()
+            how.apply(op, &mut rest[0], &before[a], &before[b]).err()
         };
     }
 }
@@ -113,7 +128,7 @@ macro_rules! operations {
             /// chooses them here, once for all steps; results are those of [`Op::apply`], bit for bit.
             #[inline]
             fn run(cx: &Self::Context, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
-                run_each(values, missing, steps, |op, out, a, b| op.apply(cx, out, a, b));
+                run_each(values, missing, steps, Plain(cx));
             }
         }
     };

@@ -49,24 +49,30 @@ pub trait Scalar:
     /// base with error bounds are those of the plain base, bit for bit.
     #[inline(always)]
     fn convolution(a: &[Self], b: &[Self]) -> Self {
-        let (head, tail) = a.as_chunks::<4>();
-        let (rest, back) = b.as_rchunks::<4>();
-        let mut sum = Self::ZERO;
-        if let ([p, head @ ..], [back @ .., q]) = (head, back) {
-            let mut s = [p[0] * q[3], p[1] * q[2], p[2] * q[1], p[3] * q[0]];
-            for (p, q) in head.iter().zip(back.iter().rev()) {
-                s[0] = s[0] + p[0] * q[3];
-                s[1] = s[1] + p[1] * q[2];
-                s[2] = s[2] + p[2] * q[1];
-                s[3] = s[3] + p[3] * q[0];
-            }
-            sum = (s[0] + s[2]) + (s[1] + s[3]);
-        }
-        for (&x, &y) in tail.iter().zip(rest.iter().rev()) {
-            sum = sum + x * y;
-        }
-        sum
+        by_four(a, b)
     }
+}
+
+/// The sum of [`Scalar::convolution`].
+#[inline(always)]
+pub(super) fn by_four<B: Scalar>(a: &[B], b: &[B]) -> B {
+    let (head, tail) = a.as_chunks::<4>();
+    let (rest, back) = b.as_rchunks::<4>();
+    let mut sum = B::ZERO;
+    if let ([p, head @ ..], [back @ .., q]) = (head, back) {
+        let mut s = [p[0] * q[3], p[1] * q[2], p[2] * q[1], p[3] * q[0]];
+        for (p, q) in head.iter().zip(back.iter().rev()) {
+            s[0] = s[0] + p[0] * q[3];
+            s[1] = s[1] + p[1] * q[2];
+            s[2] = s[2] + p[2] * q[1];
+            s[3] = s[3] + p[3] * q[0];
+        }
+        sum = (s[0] + s[2]) + (s[1] + s[3]);
+    }
+    for (&x, &y) in tail.iter().zip(rest.iter().rev()) {
+        sum = sum + x * y;
+    }
+    sum
 }
 
 /// The value of an operation of one argument, invalid where there is none.

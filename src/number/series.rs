@@ -43,6 +43,16 @@ fn product<B: Scalar>(a: &[B], b: &[B], k: usize) -> B {
     sum(a, b, k, 0, k)
 }
 
+/// Coefficient k ≥ 1 of a·b where one of them is constant.
+#[inline(always)]
+fn multiple<B: Scalar>(a: &[B], b: &[B], k: usize) -> Option<B> {
+    match (a, b) {
+        ([a], b) => Some(b.get(k).map_or(B::ZERO, |&b| *a * b)),
+        (a, [b]) => Some(a.get(k).map_or(B::ZERO, |&a| a * *b)),
+        _ => None,
+    }
+}
+
 /// Coefficient k of a², with half the products.
 #[inline(always)]
 fn square<B: Scalar>(a: &[B], k: usize) -> B {
@@ -194,7 +204,8 @@ impl<B: Scalar> Jet<B> {
     fn several_products(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
         self.start(cx, |x| x.mul(&(), &a.series[0], &b.series[0]))?;
         for k in cx.recurrent() {
-            self.put(k, product(a.coefficients(), b.coefficients(), k))?;
+            let (a, b) = (a.coefficients(), b.coefficients());
+            self.put(k, multiple(a, b, k).unwrap_or_else(|| product(a, b, k)))?;
         }
         Ok(())
     }
@@ -397,10 +408,13 @@ impl<B: Scalar> Number for Jet<B> {
     }
     #[inline]
     fn mul(&mut self, cx: &Orders, a: &Jet<B>, b: &Jet<B>) -> Result<(), NoValue> {
-        if let Some(k) = cx.single()
-            && let (Some(p), Some(q)) = (a.upto(k), b.upto(k))
-        {
-            return self.put(k, B::convolution(p, q));
+        if let Some(k) = cx.single() {
+            if let (Some(p), Some(q)) = (a.upto(k), b.upto(k)) {
+                return self.put(k, B::convolution(p, q));
+            }
+            if let Some(x) = multiple(a.coefficients(), b.coefficients(), k) {
+                return self.put(k, x);
+            }
         }
         self.several_products(cx, a, b)
     }

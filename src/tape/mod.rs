@@ -136,18 +136,28 @@ impl Tape {
         self.outputs.iter().map(|&o| depends[o as usize]).collect()
     }
 
-    /// The instructions that depend on one of the inputs that are marked, in their order.
-    pub fn dependent(&self, marked: &[bool]) -> Vec<Instruction> {
-        let mut depends = marked.to_vec();
-        depends.resize(self.slot_count(), false);
-        let mut out = Vec::with_capacity(self.instructions.len());
-        for step in &self.instructions {
-            if depends[step.a as usize] || depends[step.b as usize] {
-                depends[step.out as usize] = true;
-                out.push(*step);
+    /// The instructions that some outputs need, in their order; and those of them that depend on one of the inputs that are
+    /// marked.
+    pub fn needed(&self, outputs: impl Iterator<Item = usize>, marked: &[bool]) -> (Vec<Instruction>, Vec<Instruction>) {
+        let mut needed = vec![false; self.slot_count()];
+        outputs.for_each(|o| needed[self.outputs[o] as usize] = true);
+        for step in self.instructions.iter().rev() {
+            if needed[step.out as usize] {
+                needed[step.a as usize] = true;
+                needed[step.b as usize] = true;
             }
         }
-        out
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        let all: Vec<Instruction> = self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
+        let mut dependent = Vec::with_capacity(all.len());
+        for step in &all {
+            if depends[step.a as usize] || depends[step.b as usize] {
+                depends[step.out as usize] = true;
+                dependent.push(*step);
+            }
+        }
+        (all, dependent)
     }
 
     /// Number of slots: inputs, constants and results.

@@ -31,6 +31,48 @@ pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut E
     }
 }
 
+/// Definitions put into one expression after another: what they share is looked at once.
+pub(super) struct Insertion<'m> {
+    definitions: &'m FastMap<Leaf, Expr>,
+    image: FastMap<Expr, Expr>,
+}
+
+impl<'m> Insertion<'m> {
+    pub(super) fn new(definitions: &'m FastMap<Leaf, Expr>) -> Insertion<'m> {
+        Insertion { definitions, image: FastMap::default() }
+    }
+
+    /// The expression with the definitions inserted; those without a defined leaf stay what they are.
+    pub(super) fn put_into(&mut self, graph: &mut Graph, e: Expr) -> Expr {
+        let (mut open, mut new) = (vec![e], Vec::new());
+        while let Some(e) = open.pop() {
+            self.image.entry(e).or_insert_with(|| {
+                new.push(e);
+                open.extend(graph.node(e).children());
+                e
+            });
+        }
+        new.sort_unstable();
+        for node in new {
+            let at = |e: Expr| self.image.get(&e).copied().unwrap_or(e);
+            let image = match *graph.node(node) {
+                Node::Leaf(leaf) => self.definitions.get(&leaf).copied().unwrap_or(node),
+                Node::Unary(op, a) => match at(a) {
+                    same if same == a => continue,
+                    other => graph.unary(op, other),
+                },
+                Node::Binary(op, a, b) => match (at(a), at(b)) {
+                    same if same == (a, b) => continue,
+                    (a, b) => graph.binary(op, a, b),
+                },
+                Node::Constant(_) | Node::Pi => continue,
+            };
+            self.image.insert(node, image);
+        }
+        self.image.get(&e).copied().unwrap_or(e)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,5 +95,11 @@ mod tests {
         put_in(&mut g, list.iter_mut(), x, three);
         assert_eq!(list, wanted);
         assert_eq!(list[1], square);
+        let definitions = FastMap::from_iter([(x, three)]);
+        let mut insertion = Insertion::new(&definitions);
+        let product = g.mul(sine, square);
+        for (e, wanted) in [product, sine, square, a, product].into_iter().zip([3, 0, 1, 2, 3]) {
+            assert_eq!(insertion.put_into(&mut g, e), list[wanted]);
+        }
     }
 }

@@ -84,6 +84,9 @@ fn power(a: &Combination, n: i32) -> Option<Combination> {
 impl Combinations {
     /// The combination that a node stands for.
     pub(super) fn of(&mut self, graph: &Graph, e: Expr) -> Combination {
+        if let Some(known) = self.known.get(&e) {
+            return known.clone();
+        }
         for node in graph.reachable([e]) {
             if self.known.contains_key(&node) {
                 continue;

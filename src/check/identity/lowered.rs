@@ -2,6 +2,8 @@
 
 use super::absolute::AbsoluteValues;
 use super::field::Question;
+use super::insertion::Insertion;
+use super::linear::Combinations;
 use super::lower::{Generator, Generators, Lowering};
 use super::orthogonal::{Orthogonal, orthogonal};
 use super::outcome::Reason;
@@ -34,7 +36,7 @@ pub(super) struct Lowered {
 }
 
 /// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
-/// [`AbsoluteValues`].
+/// [`AbsoluteValues`]. `combinations` are what is known of the graph.
 pub(super) fn lower(
     graph: &mut Graph,
     premises: &[Premise],
@@ -42,6 +44,7 @@ pub(super) fn lower(
     [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
     with_signs: bool,
+    combinations: &mut Combinations,
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
@@ -113,7 +116,7 @@ pub(super) fn lower(
     let given: Vec<Expr> = images.iter().filter(|(_, derived)| !derived).map(|&(e, _)| e).collect();
     let all = images.iter().map(|&(e, _)| e).chain(sides.iter().flat_map(|&(l, r)| [l, r]));
     let occurring = graph.leaves(all);
-    let orthogonal = orthogonal(graph, &mut generators, &given, &occurring);
+    let orthogonal = orthogonal(graph, &mut generators, combinations, &given, &occurring);
     facts.positive.extend(orthogonal.norms.iter().copied());
     given_facts.positive.extend(orthogonal.norms.iter().copied());
     Ok(Lowered {
@@ -138,8 +141,9 @@ pub(super) fn question(
     residuals: Vec<Expr>,
     with_pivots: bool,
 ) -> Question {
-    let inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
-        list.iter().map(|&e| insert_definitions(graph, map, e)).collect()
+    let mut insertion = Insertion::new(map);
+    let mut inserted = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
+        list.iter().map(|&e| insertion.put_into(graph, e)).collect()
     };
     let pivots = with_pivots.then(|| {
         let roots: Vec<Expr> = residuals.iter().chain(&lowered.assumed).chain(&lowered.denominators).copied().collect();

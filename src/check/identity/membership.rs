@@ -13,6 +13,7 @@
 
 use super::budget::{Coefficient, within};
 use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin};
+use super::linear::Combinations;
 use super::lower::Generator;
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
@@ -44,7 +45,9 @@ pub(super) fn certify(
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
-    let lowered = lower(graph, &solved.rest, &claim, [&nonzero, &positive, &[]], &[], false).map_err(wrong)?;
+    let lowered =
+        lower(graph, &solved.rest, &claim, [&nonzero, &positive, &[]], &[], false, &mut Combinations::default())
+            .map_err(wrong)?;
     let origin = Given { equations, solved: &solved };
     let mut search = Search { graph, lowered: &lowered, origin, effort, left: effort.work };
     let mut system = search.system()?;

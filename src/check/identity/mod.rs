@@ -127,6 +127,6 @@ mod witness;
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub(super) use conditions::domains;
 pub use memory::Memory;
-pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side};
+pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 pub use prove::{Branches, branches_test, identity_test};
 pub(super) use prove::{branches_test_after, identity_test_after};

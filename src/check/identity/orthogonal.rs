@@ -29,14 +29,16 @@ pub(super) struct Orthogonal {
 /// n entries of length 1, with the equations that pair them with others.
 type Row = Vec<Leaf>;
 
-/// Finds the orthogonal matrices that residuals describe; `occurring` are the leaves of the whole problem.
+/// Finds the orthogonal matrices that residuals describe; `occurring` are the leaves of the whole problem, and `combinations` what
+/// is known of the graph.
 pub(super) fn orthogonal(
     graph: &mut Graph,
     generators: &mut Generators,
+    combinations: &mut Combinations,
     residuals: &[Expr],
     occurring: &[Leaf],
 ) -> Orthogonal {
-    let polynomials = reduced(graph, residuals);
+    let polynomials = reduced(graph, combinations, residuals);
     let mut out = Orthogonal::default();
     let mut taken: FastSet<Leaf> = FastSet::default();
     for size in [3, 2] {
@@ -56,12 +58,14 @@ pub(super) fn orthogonal(
 }
 
 /// The residuals as polynomials, those that are sums or differences of two others reduced by them.
-fn reduced(graph: &Graph, residuals: &[Expr]) -> Vec<Combination> {
-    let mut combinations = Combinations::default();
+fn reduced(graph: &Graph, combinations: &mut Combinations, residuals: &[Expr]) -> Vec<Combination> {
     let mut all: Vec<Combination> = residuals.iter().map(|&e| combinations.of(graph, e)).collect();
     all.retain(|p| p.len() > 1);
     let own = |p: &Combination| (2..=3).any(|n| unit(graph, p, n).is_some() || pairing(graph, p, n).is_some());
     let known: Vec<Combination> = all.iter().filter(|p| own(p)).cloned().collect();
+    if known.is_empty() {
+        return all;
+    }
     for p in all.iter_mut().filter(|p| !own(p)) {
         for k in &known {
             let Some((lead, q)) = k.iter().find(|(m, _)| !m.is_empty()) else { continue };

@@ -21,6 +21,18 @@ pub struct Premises {
     pub parameters: Vec<Leaf>,
 }
 
+/// What an answer is wanted for: of answers between which it does not tell, any is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wanted {
+    /// Everything: what is proved, refuted, or open, and why.
+    #[default]
+    Answer,
+    /// Whether it is proved.
+    Proof,
+    /// Whether a point refutes it, or what is given contradicts itself.
+    Fault,
+}
+
 /// How an identity is tested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -36,6 +48,8 @@ pub struct Options {
     pub special_cases: u32,
     /// Solving the premises is given up when it has made this many nodes.
     pub most_nodes: usize,
+    /// What the answer is wanted for.
+    pub wanted: Wanted,
 }
 
 impl Default for Options {
@@ -47,6 +61,7 @@ impl Default for Options {
             attempts: 240,
             special_cases: 8,
             most_nodes: 20_000,
+            wanted: Wanted::Answer,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Lowered expressions as fractions, products and polynomials in one leaf, without expanding the rest.
 
-use crate::expr::FastMap;
 use super::structure::Powers;
+use crate::expr::FastMap;
 use crate::expr::{Expr, Graph, Node, Op, Rational};
 
 /// (N, D) with e = N/D and no division in either, except below a root or |·|.

@@ -4,10 +4,11 @@ mod cases;
 
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
+use super::insertion::Insertion;
 use super::lower::{Generator, TooLarge};
 use super::lowered::question;
 use super::memory::{Asked, Memory};
-use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
 use super::prepare::{explicit, with_rates};
 use super::probe::Probe;
 use super::sign::Facts;
@@ -123,14 +124,16 @@ fn decide(
     let premises = with_rates(graph, given, equations)?;
     let solved = explicit(graph, &premises, equations, given);
     let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
-    let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
+    let mut insertion = Insertion::new(&solved.definitions);
+    let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered = lower(graph, &solved.rest, &claim, facts, &definitions, true)?;
+    let mut lowered =
+        lower(graph, &solved.rest, &claim, facts, &definitions, true, &mut memory.structure.borrow_mut().combinations)?;
     let asked = Asked::new(&lowered, options.most_nodes);
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
@@ -156,13 +159,14 @@ fn decide(
         special: false,
         seeded: true,
         limit,
+        shortened: false,
     };
     let own = examination.lowered.premises.clone();
-    let (mut proof, resolved) = examination.generic(&own).inspect_err(|stop| {
-        if let Stop::Undecided(reason) = stop {
-            memory.keep(asked, reason);
-        }
-    })?;
+    let settled = examination.generic(&own);
+    if let (Err(Stop::Undecided(reason)), false) = (&settled, examination.shortened) {
+        memory.keep(asked, reason);
+    }
+    let (mut proof, resolved) = settled?;
     // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
     let mut pivots = Pivots::of(&mut examination, &resolved);
     let limit = examination.graph.len() + MOST_SPECIAL_NODES;
@@ -243,6 +247,8 @@ struct Examination<'a> {
     seeded: bool,
     /// The size of the graph at which solving is given up.
     limit: usize,
+    /// Whether a reason was given that looks at a part of the pivots only.
+    shortened: bool,
 }
 
 impl Examination<'_> {
@@ -276,7 +282,22 @@ impl Examination<'_> {
             return Err(Stop::Undecided(reason));
         }
         let (mut open, mut proof): (Option<Expr>, Option<(Proof, Vec<Resolved>)>) = (None, None);
-        for pivot in Pivots::of(self, &cases).list {
+        // Once a pivot is open, nothing is proved or contradictory any more, and what holds derivatives is not refuted.
+        let idle = match self.options.wanted {
+            Wanted::Answer => false,
+            Wanted::Proof => true,
+            Wanted::Fault => premises.iter().any(|&(_, derived)| derived),
+        };
+        let pivots = Pivots::of(self, &cases).list;
+        let before = self.graph.len();
+        for (at, &pivot) in pivots.iter().enumerate() {
+            if idle && open.is_some() {
+                // What is not looked at counts as if it had been: other orders of solving get no more room for it.
+                let each = (self.graph.len() - before) / at.max(1);
+                self.limit = self.limit.saturating_sub(each.saturating_mul(pivots.len() - at));
+                self.shortened = true;
+                break;
+            }
             let mut special = vec![(pivot, false)];
             special.extend(premises);
             self.special = true;
@@ -501,8 +522,9 @@ impl Examination<'_> {
         let mut facts: Vec<(Expr, bool)> = positive.iter().map(|&e| (e, true)).collect();
         facts.extend(not_negative.iter().map(|&e| (e, false)));
         facts.sort_unstable();
+        let mut insertion = Insertion::new(map);
         facts.into_iter().any(|(e, strict)| {
-            let image = insert_definitions(self.graph, map, e);
+            let image = insertion.put_into(self.graph, e);
             let Examination { graph, lowered, probe, .. } = self;
             let known = lowered.facts.sign_by_parts(graph, &lowered.generators, image, &mut probe.signs);
             known.not_positive && (strict || known.nonzero)
@@ -519,8 +541,9 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
 
 fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[Found]) -> bool) -> Vec<Found> {
     let mut found = Vec::new();
+    let frame = scene.frame();
     for number in 0..attempts {
-        if let Some(f) = scene.attempt(number, draws) {
+        if let Some(f) = scene.attempt(&frame, number, draws) {
             found.push(f);
             if enough(&found) {
                 break;

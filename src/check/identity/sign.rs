@@ -1,8 +1,8 @@
 //! What is known of the signs of lowered expressions.
 
 use super::lower::{Generator, Generators};
-use crate::expr::{FastMap, FastSet};
 use crate::expr::{Expr, Graph, Node, Op, Rational};
+use crate::expr::{FastMap, FastSet};
 
 /// Facts about lowered expressions, and what follows from them by structure.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -108,13 +108,7 @@ impl Facts {
         }
     }
 
-    fn step(
-        &self,
-        graph: &Graph,
-        generators: &Generators,
-        node: Expr,
-        known: &FastMap<Expr, Known>,
-    ) -> Known {
+    fn step(&self, graph: &Graph, generators: &Generators, node: Expr, known: &FastMap<Expr, Known>) -> Known {
         let at = |e: Expr| known.get(&e).copied().unwrap_or_default();
         match *graph.node(node) {
             Node::Constant(ref r) => Known {

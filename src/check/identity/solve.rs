@@ -14,6 +14,7 @@
 
 mod reduce;
 
+use super::insertion::Insertion;
 use super::lower::{Generator, Generators};
 use super::polynomial::{factors, product};
 use super::probe::{InPowers, Probe, Sight};
@@ -135,31 +136,7 @@ struct Candidate {
 
 /// The expression with all definitions inserted.
 pub(super) fn insert_definitions(graph: &mut Graph, map: &FastMap<Leaf, Expr>, e: Expr) -> Expr {
-    let order = graph.reachable([e]);
-    let mut image: FastMap<Expr, Expr> = FastMap::default();
-    for node in order {
-        // What does not depend on a defined leaf stays what it is.
-        let new = match *graph.node(node) {
-            Node::Leaf(leaf) => match map.get(&leaf) {
-                Some(&value) => value,
-                None => continue,
-            },
-            Node::Unary(op, a) => match image.get(&a) {
-                Some(&a) => graph.unary(op, a),
-                None => continue,
-            },
-            Node::Binary(op, a, b) => match (image.get(&a), image.get(&b)) {
-                (None, None) => continue,
-                (p, q) => {
-                    let (a, b) = (p.copied().unwrap_or(a), q.copied().unwrap_or(b));
-                    graph.binary(op, a, b)
-                }
-            },
-            Node::Constant(_) | Node::Pi => continue,
-        };
-        image.insert(node, new);
-    }
-    image.get(&e).copied().unwrap_or(e)
+    Insertion::new(map).put_into(graph, e)
 }
 
 /// Definitions with later ones inserted into earlier ones.
@@ -213,15 +190,11 @@ impl Solver<'_> {
         seeds: &[(Leaf, Expr)],
     ) -> Result<Vec<Resolved>, Failed> {
         let map = closed(self.graph, seeds);
+        let mut insertion = Insertion::new(&map);
         let pending = equations
             .iter()
             .enumerate()
-            .map(|(from, &(plain, derived))| Pending {
-                e: insert_definitions(self.graph, &map, plain),
-                plain,
-                derived,
-                from,
-            })
+            .map(|(from, &(plain, derived))| Pending { e: insertion.put_into(self.graph, plain), plain, derived, from })
             .collect();
         let needs = vec![BTreeSet::new(); seeds.len()];
         let out = Resolved { definitions: seeds.to_vec(), needs, ..Resolved::default() };
@@ -404,8 +377,7 @@ impl Solver<'_> {
         let mut out = Vec::new();
         let extent = self.extent(e);
         let size = extent.size;
-        let mut leaves: Vec<(u8, Leaf)> =
-            extent.leaves.iter().filter_map(|&l| Some((self.class(l)?, l))).collect();
+        let mut leaves: Vec<(u8, Leaf)> = extent.leaves.iter().filter_map(|&l| Some((self.class(l)?, l))).collect();
         leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
         for (class, unknown) in leaves {
             if out.iter().any(|c: &Candidate| c.class < class) {

@@ -225,7 +225,8 @@ impl Structure {
             if let Node::Leaf(leaf) = *graph.node(node) {
                 // Eighths of either sign, the same for a leaf whatever is asked first.
                 let number = u64::from(self.number(leaf)) * SIGN_POINTS as u64 + point as u64 + 1;
-                let mixed = number.wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+                let mixed =
+                    number.wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
                 let magnitude = (3 + (mixed >> 40) % 18) as f64 / 8.0;
                 let value = if mixed >> 63 == 0 { magnitude } else { -magnitude };
                 self.real[point].set(node, Ok(Bounded::exact(value)));
@@ -242,3 +243,88 @@ fn bit(leaf: u32) -> u128 {
 
 /// The bits of the leaves of a node are known.
 const KNOWN: u128 = 1 << 127;
+
+#[cfg(test)]
+mod tests {
+    use super::super::polynomial::fraction;
+    use super::*;
+    use crate::expr::{Op, Shape};
+
+    fn graph() -> (Graph, [Leaf; 3]) {
+        let mut g = Graph::new();
+        let leaves = ["x", "y", "z"].map(|n| {
+            let symbol = g.declare(n, Shape::scalar(), false);
+            Leaf { symbol, component: 0, rate: 0, instant: None }
+        });
+        (g, leaves)
+    }
+
+    #[test]
+    fn what_is_kept_is_what_would_be_computed() {
+        let (mut g, [x, y, z]) = graph();
+        let (a, b, c) = (g.leaf(x), g.leaf(y), g.leaf(z));
+        let (one, two) = (g.integer(1), g.integer(2));
+        let sum = g.add(a, b);
+        let square = g.powi(sum, 2);
+        let quotient = g.div(c, sum);
+        let root = g.unary(Op::Sqrt, sum);
+        let product = g.mul(square, c);
+        let all = {
+            let (deep, rooted) = (g.add(quotient, square), g.mul(root, c));
+            let ninth = g.powi(a, 9);
+            [sum, square, quotient, root, product, deep, rooted, ninth]
+        };
+        let mut s = Structure::default();
+        // Twice: the second time everything is known.
+        for _ in 0..2 {
+            for e in all {
+                assert_eq!(s.fraction(&mut g, e), fraction(&mut g, e));
+                for leaf in [x, y, z] {
+                    assert_eq!(s.depends(&g, e, leaf), g.leaves([e]).contains(&leaf));
+                    let replaced = s.replaced(&mut g, e, leaf, two);
+                    assert_eq!(replaced, g.substitute(e, |_, l| (l == leaf).then_some(two)));
+                }
+            }
+            let twice = g.mul(two, b);
+            assert!(s.powers(&mut g, square, x).is_some_and(|p| p.len() == 3 && p[2] == one));
+            assert!(s.powers(&mut g, product, z).is_some_and(|p| p.len() == 2 && p[1] == square));
+            assert_eq!(s.powers(&mut g, twice, z).as_deref(), Some([twice].as_slice()));
+            // Below a division, under a root, and above the highest degree; what contains them, too.
+            for e in [quotient, root, all[5], all[6], all[7]] {
+                assert_eq!(s.powers(&mut g, e, x), None);
+            }
+            assert!(s.powers(&mut g, all[6], z).is_some());
+        }
+    }
+
+    #[test]
+    fn a_sum_of_squares_never_has_both_signs() {
+        let (mut g, [x, y, z]) = graph();
+        let (a, b, c) = (g.leaf(x), g.leaf(y), g.leaf(z));
+        let [aa, bb] = [a, b].map(|e| g.powi(e, 2));
+        let circle = g.add(aa, bb);
+        let sum = g.add(a, b);
+        let twice = g.mul(a, b);
+        let expanded = {
+            // x² + 2xy + y² − (x + y)² + z², whose terms cancel but for one.
+            let double = g.add(twice, twice);
+            let all = g.add(circle, double);
+            let square = g.powi(sum, 2);
+            let nothing = g.sub(all, square);
+            let last = g.powi(c, 2);
+            g.add(nothing, last)
+        };
+        let negative = g.neg(circle);
+        let mut s = Structure::default();
+        for e in [circle, negative, expanded, aa] {
+            assert!(!s.has_both_signs(&g, e));
+        }
+        let difference = g.sub(aa, bb);
+        for e in [sum, difference, twice, c] {
+            assert!(s.has_both_signs(&g, e));
+        }
+        // Without a value nothing is said.
+        let root = g.unary(Op::Sqrt, negative);
+        assert!(!s.has_both_signs(&g, root));
+    }
+}

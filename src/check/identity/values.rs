@@ -31,6 +31,12 @@ impl<N: Number> Values<N> {
     /// The nodes below some roots, roots included, that have not been computed, children before parents. They count as
     /// known from now on, without a value: the leaves among them are to be set, the others to be computed.
     pub(super) fn missing(&mut self, graph: &Graph, roots: &[Expr]) -> Vec<Expr> {
+        if self.known.is_empty() {
+            let all = graph.reachable(roots.iter().copied());
+            self.known.reserve(2 * all.len());
+            self.known.extend(all.iter().map(|&e| (e, Err(NoValue::Unsupported))));
+            return all;
+        }
         let (mut open, mut new) = (roots.to_vec(), Vec::new());
         while let Some(e) = open.pop() {
             self.known.entry(e).or_insert_with(|| {

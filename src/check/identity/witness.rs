@@ -131,11 +131,6 @@ fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounde
     (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
 }
 
-fn exactly(graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
-    let (tape, slots) = evaluate::<Exact>(graph, exprs, |l| exact.get(&l).cloned().map(Exact));
-    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().map(|e| e.0.clone())).collect()
-}
-
 /// The value of a rational, with its rounding.
 fn rounded(r: &Rational) -> Option<Bounded> {
     let mut out = Bounded::exact(0.0);
@@ -145,25 +140,99 @@ fn rounded(r: &Rational) -> Option<Bounded> {
 
 type Values = FastMap<Leaf, Bounded>;
 
+/// What all points of a scene have in common.
+pub(super) struct Frame {
+    /// The leaves of the problem as given.
+    given: Vec<Leaf>,
+    /// These and those of the lowered problem.
+    wanted: Vec<Leaf>,
+    /// Leaves that are given as positive.
+    declared: FastSet<Leaf>,
+    /// The leaves that a definition needs.
+    needs: FastMap<Expr, Vec<Leaf>>,
+    /// For arguments of generators that are multiples of a leaf, the factor and the leaf.
+    multiples: FastMap<Expr, Option<(Rational, Leaf)>>,
+}
+
+/// What was computed at one point: expressions share most of their nodes.
+#[derive(Default)]
+struct Computed {
+    decimal: super::values::Values<Bounded>,
+    precise: super::values::Values<Exact>,
+    /// Angles that the bounds place on both sides of the cut.
+    torn: Vec<Expr>,
+}
+
+impl Computed {
+    /// What [`decimals`] gives. Every leaf has its value by now.
+    fn decimals(&mut self, graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+        let new = self.decimal.missing(graph, exprs);
+        for &e in &new {
+            if let Node::Leaf(leaf) = graph.node(e) {
+                self.decimal.set(e, values.get(leaf).copied().ok_or(NoValue::Unsupported));
+            }
+        }
+        self.decimal.compute(&(), graph, &new);
+        for &e in &new {
+            if let &Node::Binary(Op::Arctan2, y, x) = graph.node(e)
+                && let (Some(Ok(y)), Some(Ok(x))) = (self.decimal.of(y), self.decimal.of(x))
+                && y.error > 0.0
+                && y.contains_zero()
+                && x.value < 0.0
+            {
+                self.torn.push(e);
+            }
+        }
+        let torn = !self.torn.is_empty() && {
+            let below = graph.reachable(exprs.iter().copied());
+            self.torn.iter().any(|e| below.contains(e))
+        };
+        exprs.iter().map(|&e| self.decimal.of(e)?.ok().filter(|_| !torn)).collect()
+    }
+
+    /// Exact values, from those of the leaves that have one: no other leaf gets one later.
+    fn exactly(&mut self, graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+        let new = self.precise.missing(graph, exprs);
+        for &e in &new {
+            if let Node::Leaf(leaf) = graph.node(e) {
+                self.precise.set(e, exact.get(leaf).cloned().map(Exact).ok_or(NoValue::Unsupported));
+            }
+        }
+        self.precise.compute(&(), graph, &new);
+        exprs.iter().map(|&e| self.precise.of(e)?.ok().map(|e| e.0)).collect()
+    }
+}
+
 impl Scene<'_> {
+    /// What is the same at all points.
+    pub(super) fn frame(&self) -> Frame {
+        let all: Vec<Expr> = self.everything();
+        let given = self.graph.leaves(all.iter().copied());
+        let wanted = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
+        let leaf = |&e: &Expr| match self.graph.node(e) {
+            Node::Leaf(l) => Some(*l),
+            _ => None,
+        };
+        let definitions = self.defined.values().chain(self.explicit.values());
+        let arguments = self.generators.list.iter().filter_map(Generator::argument);
+        Frame {
+            given,
+            wanted,
+            declared: self.positive.iter().filter_map(leaf).collect(),
+            needs: definitions.map(|&e| (e, self.graph.leaves([e]))).collect(),
+            multiples: arguments.map(|e| (e, self.multiple_of_leaf(e))).collect(),
+        }
+    }
+
     /// Tries one point.
-    pub(super) fn attempt(&self, number: u32, draws: &mut Draws) -> Option<Found> {
+    pub(super) fn attempt(&self, frame: &Frame, number: u32, draws: &mut Draws) -> Option<Found> {
+        let Frame { given, wanted, declared, .. } = frame;
+        let mut computed = Computed::default();
         let mut exact: FastMap<Leaf, Rational> = FastMap::default();
         let mut values = Values::default();
         let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
-        let all: Vec<Expr> = self.everything();
-        let given = self.graph.leaves(all.iter().copied());
-        let wanted: Vec<Leaf> = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
-        self.angles(number, draws, &mut values, &mut circles);
-        let declared: FastSet<Leaf> = self
-            .positive
-            .iter()
-            .filter_map(|&e| match self.graph.node(e) {
-                Node::Leaf(l) => Some(*l),
-                _ => None,
-            })
-            .collect();
-        for &leaf in &wanted {
+        self.angles(frame, number, draws, &mut values, &mut circles);
+        for &leaf in wanted {
             if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free)
                 || values.contains_key(&leaf)
                 || self.explicit.contains_key(&leaf)
@@ -187,10 +256,10 @@ impl Scene<'_> {
         // What is solved for may depend on generators, whose arguments may depend on what is solved for.
         loop {
             let before = values.len();
-            self.generate(&mut values, &mut exact, &circles)?;
-            self.define(self.defined, &mut values, &mut exact)?;
+            self.generate((frame, &mut computed), &mut values, &mut exact, &circles)?;
+            self.define((frame, &mut computed), self.defined, &mut values, &mut exact)?;
             self.invert_solved(&mut values, &exact, &mut circles, draws)?;
-            self.define(self.explicit, &mut values, &mut exact)?;
+            self.define((frame, &mut computed), self.explicit, &mut values, &mut exact)?;
             if values.len() == before {
                 break;
             }
@@ -198,10 +267,10 @@ impl Scene<'_> {
         if given.iter().any(|l| !values.contains_key(l)) {
             return None;
         }
-        if !self.admits(&values) {
+        if !self.admits(&mut computed, &values) {
             return None;
         }
-        let mut found = self.sides(&values, &exact)?;
+        let mut found = self.sides(&mut computed, &values, &exact)?;
         let point = given
             .iter()
             .filter(|l| self.generators.get(**l).is_none())
@@ -264,6 +333,7 @@ impl Scene<'_> {
     /// Angles that occur only as such: half-angle tangents are rational.
     fn angles(
         &self,
+        frame: &Frame,
         number: u32,
         draws: &mut Draws,
         values: &mut Values,
@@ -271,7 +341,7 @@ impl Scene<'_> {
     ) {
         for at in 0..self.generators.list.len() {
             let Generator::Cosine(argument) = self.generators.list[at] else { continue };
-            let Some((q, leaf)) = self.multiple_of_leaf(argument) else { continue };
+            let Some(&Some((ref q, leaf))) = frame.multiples.get(&argument) else { continue };
             if self.awaited(leaf) || self.explicit.contains_key(&leaf) || self.defined.contains_key(&leaf) {
                 continue;
             }
@@ -312,18 +382,20 @@ impl Scene<'_> {
     /// Definitions whose leaves have values; `None` when one of them has no real value.
     fn define(
         &self,
+        (frame, computed): (&Frame, &mut Computed),
         definitions: &FastMap<Leaf, Expr>,
         values: &mut Values,
         exact: &mut FastMap<Leaf, Rational>,
     ) -> Option<()> {
         let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
         open.retain(|&(l, e)| {
-            !values.contains_key(&l) && self.graph.leaves([e]).iter().all(|l| values.contains_key(l))
+            let needs = || frame.needs.get(&e).is_some_and(|needs| needs.iter().all(|l| values.contains_key(l)));
+            !values.contains_key(&l) && needs()
         });
         open.sort_unstable();
         let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
-        let decimal = decimals(self.graph, &exprs, values);
-        let precise = exactly(self.graph, &exprs, exact);
+        let decimal = computed.decimals(self.graph, &exprs, values);
+        let precise = computed.exactly(self.graph, &exprs, exact);
         for ((&(leaf, _), decimal), precise) in open.iter().zip(decimal).zip(precise) {
             values.insert(leaf, decimal?);
             exact.extend(precise.map(|r| (leaf, r)));
@@ -334,6 +406,7 @@ impl Scene<'_> {
     /// Values of the generators that are not solved for and whose arguments have values.
     fn generate(
         &self,
+        (frame, computed): (&Frame, &mut Computed),
         values: &mut Values,
         exact: &mut FastMap<Leaf, Rational>,
         circles: &FastMap<Leaf, (Rational, Rational)>,
@@ -350,7 +423,7 @@ impl Scene<'_> {
             if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
                 continue;
             }
-            let value = decimals(self.graph, &[argument], values)[0]?;
+            let value = computed.decimals(self.graph, &[argument], values)[0]?;
             let value = match self.generators.list[at] {
                 Generator::Cosine(_) => function(|out| Number::cos(out, &(), &value)),
                 Generator::Sine(_) => function(|out| Number::sin(out, &(), &value)),
@@ -358,7 +431,8 @@ impl Scene<'_> {
                 _ => Some(value),
             };
             values.insert(leaf, value?);
-            let rational = self.multiple_of_leaf(argument).and_then(|(_, l)| circles.get(&l));
+            let multiple = frame.multiples.get(&argument).and_then(Option::as_ref);
+            let rational = multiple.and_then(|(_, l)| circles.get(l));
             match (&self.generators.list[at], rational) {
                 (Generator::Cosine(_), Some((c, _))) => drop(exact.insert(leaf, c.clone())),
                 (Generator::Sine(_), Some((_, s))) => drop(exact.insert(leaf, s.clone())),
@@ -427,29 +501,29 @@ impl Scene<'_> {
     }
 
     /// Whether the premises hold at a point, as far as the bounds tell, and these are small.
-    fn admits(&self, values: &Values) -> bool {
+    fn admits(&self, computed: &mut Computed, values: &Values) -> bool {
         let sides: Vec<Expr> = self.premises.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let equal = decimals(self.graph, &sides, values).chunks(2).all(|pair| match pair {
+        let equal = computed.decimals(self.graph, &sides, values).chunks(2).all(|pair| match pair {
             &[Some(l), Some(r)] => {
                 let error = l.error + r.error;
                 (l.value - r.value).abs() <= error && error <= 1e-6 * l.value.abs().max(1.0)
             }
             _ => false,
         });
-        let nonzero = decimals(self.graph, self.nonzero, values);
-        let positive = decimals(self.graph, self.positive, values);
-        let not_negative = decimals(self.graph, self.not_negative, values);
+        let nonzero = computed.decimals(self.graph, self.nonzero, values);
+        let positive = computed.decimals(self.graph, self.positive, values);
+        let not_negative = computed.decimals(self.graph, self.not_negative, values);
         equal
             && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
             && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
             && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
     }
 
-    fn sides(&self, values: &Values, exact: &FastMap<Leaf, Rational>) -> Option<Found> {
+    fn sides(&self, computed: &mut Computed, values: &Values, exact: &FastMap<Leaf, Rational>) -> Option<Found> {
         let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let given = decimals(self.graph, &exprs, values);
+        let given = computed.decimals(self.graph, &exprs, values);
         let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let precise = exactly(self.graph, &exprs, exact);
+        let precise = computed.exactly(self.graph, &exprs, exact);
         let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
         for (at, pair) in given.chunks(2).enumerate() {
             let &[Some(left), Some(right)] = pair else { return None };

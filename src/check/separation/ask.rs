@@ -96,7 +96,7 @@ impl Ask<'_> {
 
     fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
         let program = self.program(k, course)?;
-        let trial = Trial { graph: &self.derivation.graph, claim, program, course };
+        let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
         let verdict = one_pair(self.derivation, &trial, None);
         match verdict.outcome() {
             // Times without a value are not times at which it is met.

@@ -3,7 +3,7 @@
 use super::PROBE;
 use super::account::{AssumptionAccount, Need};
 use crate::check::account::{ClaimAccount, PairAccount};
-use crate::check::verdict::Outcome;
+use crate::check::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::latex::RelationKind;
 
@@ -24,14 +24,13 @@ pub(super) struct Dropped {
 }
 
 /// Whether a verdict could become another one when an assumption is left out.
-pub(super) fn is_open(claim: &ClaimAccount, trajectory: &str, selects: bool) -> bool {
-    let pair = claim.results.iter().find(|p| p.trajectory == trajectory);
-    pair.is_some_and(|p| match p.verdict.outcome() {
+pub(super) fn is_open(verdict: &Verdict, selects: bool) -> bool {
+    match verdict.outcome() {
         Outcome::NotApplicable => true,
         // An inequality chooses the times that count: without it there may be more.
-        Outcome::Holds(_) => selects && !p.verdict.evidence().excluded.is_empty(),
+        Outcome::Holds(_) => selects && !verdict.evidence().excluded.is_empty(),
         Outcome::Fails(_) | Outcome::Undecided => false,
-    })
+    }
 }
 
 /// Whether a claim is tried without its assumptions: it holds wherever it applies and is decided, and does so somewhere.

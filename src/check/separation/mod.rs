@@ -31,7 +31,7 @@ use crate::expr::Rational;
 use ask::{Ask, Sides};
 use assumptions::Dropped;
 use candidates::Candidate;
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What the ids of claims begin with that are made here: no id of a file can.
 const PROBE: char = '~';
@@ -96,48 +96,61 @@ impl Probes {
         claims.zip(self.programs.iter().map(Vec::as_slice))
     }
 
-    /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs.
-    ///
-    /// `gradients` belong to the claims of the account, `start_of` names the initial time of every trajectory; the courses are
-    /// those of the trajectories of the account. What is known from before is not tried again.
-    pub fn separate(
+    /// The verdicts on one motion of the claims without each of their assumptions, where these may be another than those with
+    /// them, `verdicts`. `gradients` belong to the claims that are checked, `start` is the initial time of the motion. A claim
+    /// that is marked among `failed` is not asked: see [`Probes::separate`]. What is known from before is not tried again.
+    pub fn without_each(
         &self,
         derivation: &Derivation,
         gradients: &[Option<Result<Gradients, String>>],
+        (start, course): (usize, &Course),
+        verdicts: &[Option<Verdict>],
+        (failed, recall): (&[AtomicBool], Recall),
+    ) -> Vec<Option<Verdict>> {
+        let t = course.trajectory;
+        let count = self.candidates.len();
+        let verdict = |(d, dropped): (usize, &Dropped)| {
+            let known = verdicts.get(dropped.of)?.as_ref()?;
+            let wanted = assumptions::is_open(known, dropped.selects) && dropped.claim.trajectories.contains(&t);
+            let fails = failed.get(dropped.of).is_some_and(|f| f.load(Ordering::Relaxed));
+            let program = self.programs.get(count + d)?.get(start).filter(|_| wanted && !fails)?;
+            let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
+            let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
+            let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
+            Some(recall.without(derivation, asked, t, || one_pair(derivation, &trial, gradients)))
+        };
+        self.dropped.iter().enumerate().map(verdict).collect()
+    }
+
+    /// The leaves of conditions, by their positions in a point: what is asked once all verdicts are known.
+    pub fn asked_later(&self) -> impl Iterator<Item = usize> + '_ {
+        let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
+        programs.iter().flatten().flat_map(|p| p.inputs().iter().copied())
+    }
+
+    /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs.
+    ///
+    /// `without` are the verdicts of [`Probes::without_each`] on the trajectories of the account, in their order; `start_of`
+    /// names the initial time of every trajectory. Only claims that fail nowhere are asked what they need.
+    pub fn separate(
+        &self,
+        derivation: &Derivation,
+        without: &[Vec<Option<Verdict>>],
         start_of: &[usize],
         recall: Recall,
         courses: &[Course],
         account: &mut Account,
     ) {
-        let split = account.claims.iter().any(explain::is_split);
-        let open = |d: &Dropped, t: usize| {
-            let whole = account.claims.get(d.of).filter(|c| assumptions::is_asked(c));
-            whole.is_some_and(|c| assumptions::is_open(c, &derivation.trajectories[t].id, d.selects))
-        };
-        let count = self.candidates.len();
-        let on_one = |course: &Course| -> (String, Vec<Option<Verdict>>) {
-            let t = course.trajectory;
-            let verdict = |(d, dropped): (usize, &Dropped)| {
-                let wanted = open(dropped, t) && dropped.claim.trajectories.contains(&t);
-                let program = self.programs.get(count + d)?.get(start_of[t]).filter(|_| wanted)?;
-                let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
-                let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course };
-                let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
-                Some(recall.without(derivation, asked, t, || one_pair(derivation, &trial, gradients)))
-            };
-            (derivation.trajectories[t].id.clone(), self.dropped.iter().enumerate().map(verdict).collect())
-        };
-        let columns: Vec<(String, Vec<Option<Verdict>>)> = courses.par_iter().with_max_len(1).map(on_one).collect();
-        if split {
+        if account.claims.iter().any(explain::is_split) {
             self.explain(derivation, start_of, recall, courses, account);
         }
         for (d, drop) in self.dropped.iter().enumerate() {
             let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
-            let pair = |(trajectory, verdicts): &(String, Vec<Option<Verdict>>)| {
-                let verdict = verdicts.get(d)?.clone()?;
+            let pair = |(course, verdicts): (&Course, &Vec<Option<Verdict>>)| {
+                let (trajectory, verdict) = (&derivation.trajectories[course.trajectory].id, verdicts.get(d)?.clone()?);
                 Some(PairAccount { trajectory: trajectory.clone(), verdict, expected: None, discrimination: None })
             };
-            let without: Vec<PairAccount> = columns.iter().filter_map(pair).collect();
+            let without: Vec<PairAccount> = courses.iter().zip(without).filter_map(pair).collect();
             let need = assumptions::need(claim, &without, &drop.text);
             claim.conditions.assumptions.push(need);
         }

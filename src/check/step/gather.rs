@@ -256,9 +256,13 @@ impl Step<'_> {
     fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
         let Derivation { claims, scope, .. } = self.derivation;
         let in_file = || scope.definition(leaf.symbol).filter(|_| matches!(which, Definitions::Now | Definitions::All));
+        // The claims are many, and asked for the same symbols again and again.
         let in_claim = || {
-            let own = scope.definition(leaf.symbol).is_none();
-            claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
+            let found = || {
+                let own = scope.definition(leaf.symbol).is_none();
+                claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
+            };
+            *self.of_claims.borrow_mut().entry(leaf.symbol).or_insert_with(found)
         };
         let definition = match which {
             Definitions::None => None,

@@ -16,7 +16,7 @@ use super::scope::Scope;
 use super::syntax::{Chain, Name, Node, NodeKind, Target};
 use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name};
 use crate::diag::Problem;
-use crate::expr::{Expr, FastMap, Graph, Shape, Tensor};
+use crate::expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
 use value::Value;
 
 type Elaborated<T> = Result<T, Box<Problem>>;
@@ -51,6 +51,8 @@ pub(super) struct Elaborator<'a> {
     loose: BTreeSet<Name>,
     /// Which indices a node sums over, by the address of the node.
     sums: FastMap<*const Node, Vec<Name>>,
+    /// Symbols with so many dots, before any index.
+    bases: FastMap<(Symbol, u8), Tensor>,
     work: usize,
 }
 
@@ -88,6 +90,7 @@ impl<'a> Elaborator<'a> {
             fixed: BTreeSet::new(),
             loose: BTreeSet::new(),
             sums: FastMap::default(),
+            bases: FastMap::default(),
             work: 0,
         }
     }

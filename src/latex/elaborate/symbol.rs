@@ -74,25 +74,35 @@ impl<'a> Elaborator<'a> {
         }
         let found = self.resolve(s, span)?;
         let (symbol, role) = (found.symbol, found.role);
-        let items = found.indices.clone();
+        let (items, formal) = (found.indices, found.formal);
         let literal = found.literal_arguments;
-        let formal: Vec<(Symbol, Shape)> = found.formal.to_vec();
-        let mut base = match found.definition {
-            Some(t) if role == Role::Abbreviation => t.clone(),
-            _ => self.components_of(symbol),
-        };
-        if !formal.is_empty() {
-            base = self.apply(base, &formal, s.arguments.as_deref().unwrap_or(&[]), span)?;
-        }
-        if s.dots > 0 {
-            self.has_rate(role, span)?;
-            if role == Role::Time {
-                return refuse("latex::dot", "the rate of the time is 1", span, "leave it out");
+        // What is not applied to anything is the same wherever it stands: with indices it is asked for very often.
+        let known = self.bases.get(&(symbol, s.dots)).filter(|_| formal.is_empty()).cloned();
+        let mut base = match known {
+            Some(base) => base,
+            None => {
+                let mut base = match found.definition {
+                    Some(t) if role == Role::Abbreviation => t.clone(),
+                    _ => self.components_of(symbol),
+                };
+                if !formal.is_empty() {
+                    base = self.apply(base, formal, s.arguments.as_deref().unwrap_or(&[]), span)?;
+                }
+                if s.dots > 0 {
+                    self.has_rate(role, span)?;
+                    if role == Role::Time {
+                        return refuse("latex::dot", "the rate of the time is 1", span, "leave it out");
+                    }
+                }
+                for _ in 0..s.dots {
+                    base = self.time_derivative(base, span)?;
+                }
+                if formal.is_empty() {
+                    self.bases.insert((symbol, s.dots), base.clone());
+                }
+                base
             }
-        }
-        for _ in 0..s.dots {
-            base = self.time_derivative(base, span)?;
-        }
+        };
         match s.arguments.as_deref() {
             Some([argument]) if !literal && formal.is_empty() => {
                 let instant = self.scalar(argument)?;

@@ -7,6 +7,7 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use super::super::tally::{declared, name};
@@ -15,7 +16,8 @@ use super::packed::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
-use crate::derivation::Derivation;
+use crate::derivation::{Claim, Derivation};
+use crate::latex::Scope;
 
 /// Values of the second character.
 const FINE: usize = 12;
@@ -36,17 +38,24 @@ const WORTH: usize = 5;
 /// Texts and packed columns are themselves, or positions in `strings`, where they occur several times; a list is its texts
 /// one after the other.
 pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
-    let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
-    for claim in &account.claims {
+    let of_claim = |claim: &ClaimAccount| {
         let mut pairs = serde_json::Map::new();
+        let declared = declared(derivation, claim);
+        let mut texts = Texts { scope: declared.map_or(&derivation.scope, |d| &d.scope), known: HashMap::new() };
         for pair in &claim.results {
             let trajectory = account.trajectories.iter().position(|t| t.id == pair.trajectory);
-            if let (Some(t), Some(packed)) = (trajectory, packed(derivation, account, claim, pair)) {
+            if let (Some(t), Some(packed)) = (trajectory, packed(account, declared, pair, &mut texts)) {
                 pairs.insert(t.to_string(), packed);
             }
         }
-        if let Some((d, at)) = declared(derivation, claim).and_then(|d| Some((d, d.at.as_ref()?))) {
-            events.insert(name(claim), tight(&formula(&at.text, &d.scope).into_string()).into());
+        let event = declared.and_then(|d| Some((d, d.at.as_ref()?)));
+        (pairs, event.map(|(d, at)| tight(&formula(&at.text, &d.scope).into_string())))
+    };
+    let each: Vec<_> = account.claims.par_iter().map(of_claim).collect();
+    let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());
+    for (claim, (pairs, event)) in account.claims.iter().zip(each) {
+        if let Some(event) = event {
+            events.insert(name(claim), event.into());
         }
         if !pairs.is_empty() {
             claims.insert(name(claim), Value::Object(pairs));
@@ -94,20 +103,36 @@ fn each_text(value: &mut Value, work: &mut impl FnMut(&mut Value)) {
     }
 }
 
-fn packed(derivation: &Derivation, account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> Option<Value> {
+/// The labels of a claim's formulas as they are shown: the same on many motions.
+struct Texts<'a> {
+    scope: &'a Scope,
+    known: HashMap<&'a str, Value>,
+}
+
+impl<'a> Texts<'a> {
+    fn of(&mut self, label: &'a str) -> Value {
+        let scope = self.scope;
+        let made = || label_parts(label, scope).iter().map(|part| tight(&part.0)).collect();
+        self.known.entry(label).or_insert_with(made).clone()
+    }
+}
+
+fn packed<'a>(
+    account: &Account,
+    declared: Option<&Claim>,
+    pair: &'a PairAccount,
+    texts: &mut Texts<'a>,
+) -> Option<Value> {
     let evidence = pair.verdict.evidence();
-    let declared = declared(derivation, claim);
-    let scope = declared.map_or(&derivation.scope, |d| &d.scope);
     // Events are few: they are shown on the whole span of the motion, and one is enough.
     let at_events = declared.is_some_and(|d| d.at.is_some());
     let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
-    let text = |label: &str| -> Value { label_parts(label, scope).iter().map(|part| tight(&part.0)).collect() };
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
-    let curves = drawn.map(|s| curves(s, span, text(&s.formula)));
+    let curves = drawn.map(|s| curves(s, span, texts.of(&s.formula)));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence.witness.as_ref().map(|w| {
         let (names, values): (Vec<String>, Vec<f64>) = assigned(w).into_iter().unzip();
-        let mut out = vec![text(&w.formula), json!(w.t), json!(w.left), json!(w.right), short(w.bound)];
+        let mut out = vec![texts.of(&w.formula), json!(w.t), json!(w.left), json!(w.right), short(w.bound)];
         out.push(names.join("\n").into());
         // What JSON has no number for is a text.
         let number = |v: f64| if v.is_finite() { json!(v) } else { format!("{v:?}").into() };

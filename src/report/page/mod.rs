@@ -36,6 +36,8 @@ const SCRIPT: &str = include_str!("script.js");
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
     let scope = &derivation.scope;
+    let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
+    let (data, (claims, motions)) = rayon::join(|| packed::packed(&data::json(derivation, account)), large);
     let body = html! {
         header {
             a.skip href="#/main" { "Skip to the report" }
@@ -48,8 +50,8 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
         main id="/main" {
             (findings::section(derivation, account))
             (matrix::section(account))
-            (claims::section(derivation, account))
-            (motions::section(derivation, account))
+            (claims)
+            (motions)
             (conventions(derivation))
             (symbols(derivation))
             (systems(derivation))
@@ -74,7 +76,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             }
             body {
                 (body)
-                script type="text/plain" id="/data" { (PreEscaped(packed::packed(&data::json(derivation, account)))) }
+                script type="text/plain" id="/data" { (PreEscaped(data)) }
                 script { (PreEscaped(SCRIPT)) }
             }
         }

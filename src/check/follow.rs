@@ -1,0 +1,110 @@
+//! Claims of which only the premises have changed.
+//!
+//! **In:** the accounts of an earlier state of a file, and claims that say what they said, but follow from something else now.
+//! **Out:** their accounts as a check of the whole file would give them, apart from the strength of the verdicts, see
+//! [`strengthen_all`]; and the claims for which more than the proof depends on the premises.
+//!
+//! What a premise says matters for the proof, for motions that refute the step, and for the strength of the verdicts; verdicts on
+//! motions, conditions and altered formulas do not know of it. Only the search for what a false claim should have said asks
+//! whether its finds follow, so claims with such a search are left to a check.
+
+use rayon::prelude::*;
+
+use super::memory::Recall;
+use super::{ClaimAccount, Column, IdentityAccount, Step, counterexample, strengthen};
+use crate::derivation::{Claim, Derivation};
+
+/// What becomes of claims whose premises have changed.
+pub(super) struct Followed {
+    /// The accounts, with verdicts as the motions give them.
+    pub(super) claims: Vec<ClaimAccount>,
+    /// The ids of the claims that have to be checked.
+    pub(super) rest: Vec<String>,
+}
+
+/// Claims, by their positions, whose premises have changed; `known` has the accounts of all others, `before` those of an earlier
+/// state of the file.
+///
+/// # Errors
+/// A description of two computations that contradict each other.
+pub(super) fn follow(
+    derivation: &Derivation,
+    following: &[usize],
+    known: &[ClaimAccount],
+    before: &[ClaimAccount],
+    recall: Recall,
+) -> Result<Followed, String> {
+    let claim = |&c: &usize| &derivation.claims[c];
+    let mut rest: Vec<String> = Vec::new();
+    let mut accounts: Vec<Option<ClaimAccount>> = Vec::new();
+    for claim in following.iter().map(claim) {
+        let account = unproved(derivation, claim, before, recall);
+        if account.is_none() && !rest.contains(&claim.id) {
+            rest.push(claim.id.clone());
+        }
+        accounts.push(account);
+    }
+    // Every reading of a claim is checked, or none.
+    for account in &mut accounts {
+        *account = account.take().filter(|a| !rest.contains(&a.id));
+    }
+    // Verdicts on motions are what they were, also those of the claims that are left to a check.
+    let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
+    let of = |claim: &Claim| before.iter().find(|a| a.id == claim.id && a.reading == claim.reading);
+    let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
+    let on = |account: &Option<&ClaimAccount>, t: usize| {
+        let id = &derivation.trajectories[t].id;
+        account.and_then(|a| a.results.iter().find(|r| r.trajectory == *id)).map(|r| r.verdict.clone())
+    };
+    let column = |&t: &usize| -> Column { earlier.iter().map(|account| on(account, t)).collect() };
+    let columns: Vec<Column> = tried.iter().map(column).collect();
+    let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
+        accounts[k].as_ref()?;
+        let claim = &derivation.claims[following[k]];
+        let step = Step::of(derivation, claim)?;
+        match counterexample(derivation, claim, k, following, known, &tried, &columns) {
+            Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
+            None => recall.identity(derivation, claim, || step.decide()),
+        }
+    };
+    let found: Vec<_> = (0..following.len()).into_par_iter().with_max_len(1).map(identity).collect();
+    let mut claims = Vec::new();
+    for (account, identity) in accounts.into_iter().zip(found) {
+        let Some(mut account) = account else { continue };
+        account.identity = identity.transpose()?;
+        claims.push(account);
+    }
+    Ok(Followed { claims, rest })
+}
+
+/// Gives the verdicts of some claims the strength of the proofs behind them, once all have their accounts.
+///
+/// # Errors
+/// A description of a claim that is proved and fails.
+pub(super) fn strengthen_all(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    known: &[ClaimAccount],
+) -> Result<(), String> {
+    let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
+    // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
+    let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return Ok(()) };
+    let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
+    strengthen(derivation, claims, &claimed, known, &tried)
+}
+
+/// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that
+/// has to be checked.
+fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Recall) -> Option<ClaimAccount> {
+    let account = before.iter().find(|a| a.id == claim.id && a.reading == claim.reading)?;
+    let searched = account.variants.as_ref().is_some_and(|v| v.erratum.is_some());
+    if searched || account.region.is_some() || claim.region.is_some() {
+        return None;
+    }
+    let mut account = account.clone();
+    for pair in &mut account.results {
+        let t = derivation.trajectories.iter().position(|t| t.id == pair.trajectory)?;
+        pair.verdict = recall.known_verdict(derivation, claim, t)?;
+    }
+    Some(account)
+}
