@@ -256,6 +256,15 @@ fn label(text: &str) -> String {
     out
 }
 
+/// What is known for all values of a premise that is not proved.
+pub(super) fn unproved(verdict: Option<&str>) -> &str {
+    match verdict {
+        Some("refuted") => "not so for all values",
+        Some(verdict) => verdict,
+        None => "not a question for all values",
+    }
+}
+
 /// What a claim rests on, in one paragraph of `report.md`; `math` writes a formula.
 pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> String {
     let code = |ids: &[String]| ids.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
@@ -281,14 +290,7 @@ pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> St
         let all: Vec<String> = rests
             .open
             .iter()
-            .map(|(id, verdict)| {
-                let word = match *verdict {
-                    Some("refuted") => "not so for all values",
-                    Some(verdict) => verdict,
-                    None => "not a question for all values",
-                };
-                format!("`{id}` ({word})")
-            })
+            .map(|(id, verdict)| format!("`{id}` ({})", unproved(*verdict)))
             .collect();
         out.push_str(&format!(" Taken as given on the way, for it is not proved: {}.", all.join(", ")));
     }

@@ -48,7 +48,7 @@ impl Group<'_> {
     }
 }
 
-/// The groups of a claim, in the order of their first pair.
+/// The groups of a claim: where it holds, where it fails, what is undecided, where it does not apply.
 pub(super) fn groups(claim: &ClaimAccount) -> Vec<Group<'_>> {
     let mut out: Vec<Group<'_>> = Vec::new();
     for pair in &claim.results {
@@ -61,6 +61,8 @@ pub(super) fn groups(claim: &ClaimAccount) -> Vec<Group<'_>> {
             }
         }
     }
+    let order = ["holds", "fails", "undecided"];
+    out.sort_by_key(|g| order.iter().position(|w| *w == g.word).unwrap_or(order.len()));
     out
 }
 

@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use super::super::certificates::file_name;
 use super::super::conditions::{separation_in_words, worth_in_words};
 use super::super::discrimination::{sentence, smallest, standing};
-use super::super::graph::DerivationGraph;
+use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
 use super::text::{formula, prose, unit};
@@ -36,10 +36,8 @@ pub(super) fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope
                 "."
             }
             @if !rests.open.is_empty() {
-                " Not proved on the way: "
-                (listed(rests.open.iter().map(|(id, verdict)| {
-                    html! { (link("", id)) " (" (verdict.unwrap_or("not decided for all values")) ")" }
-                })))
+                " Taken as given on the way, for it is not proved: "
+                (listed(rests.open.iter().map(|(id, verdict)| html! { (link("", id)) " (" (unproved(*verdict)) ")" })))
                 "."
             }
             @if rests.circular { " " strong.alarm { "It rests on itself: a circle proves nothing." } }
