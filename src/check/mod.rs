@@ -67,6 +67,7 @@ pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Wit
 use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
+use crate::flow::Motion;
 use crate::latex::RelationKind;
 use independence::Gradients;
 use memory::Recall;
@@ -277,42 +278,45 @@ fn check_and(
     kept.dedup();
     let done = AtomicUsize::new(0);
     let failed: Vec<AtomicBool> = prepared.iter().map(|_| AtomicBool::new(false)).collect();
-    let columns: Vec<Result<Tried, String>> = tried
-        .par_iter()
-        .with_max_len(1)
-        .map(|&t| {
-            let mut course = stage.course(&derivation.graph, t, &wanted)?;
-            let verdict = |k: usize| {
-                let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
-                claim.trajectories.contains(&t).then(|| {
-                    let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
-                    recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
-                })
-            };
-            let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
-            let fails = |v: &Option<Verdict>| v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Fails(_)));
-            verdicts.iter().zip(&failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
-            // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
-            let of = (start_of[t], &course);
-            let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, recall));
-            let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
-                let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
-                verdict.clone().map(|verdict| Found { claim, program, verdict })
-            };
-            let weighed = altered.as_ref().map(|altered| {
-                let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
-                altered.weigh(start_of[t], &course, &found)
-            });
-            let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
-            let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, tried.len());
-            // What is asked later needs few of the leaves; those of all motions at once take much memory.
-            course.keep(&kept);
-            let course = (!probes.is_empty() || altered.is_some()).then_some(course);
-            Ok(((verdicts, (measured, drawn)), (without, (weighed, course))))
-        })
-        .collect();
-    let columns = columns.into_iter().collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
+    let column = |t: usize| -> Result<Tried, String> {
+        let mut course = stage.course(&derivation.graph, t, &wanted)?;
+        let verdict = |k: usize| {
+            let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
+            claim.trajectories.contains(&t).then(|| {
+                let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+                recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
+            })
+        };
+        let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
+        let fails = |v: &Option<Verdict>| v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Fails(_)));
+        verdicts.iter().zip(&failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
+        // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
+        let of = (start_of[t], &course);
+        let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, recall));
+        let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
+            let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
+            verdict.clone().map(|verdict| Found { claim, program, verdict })
+        };
+        let weighed = altered.as_ref().map(|altered| {
+            let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
+            altered.weigh(start_of[t], &course, &found)
+        });
+        let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+        let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, tried.len());
+        // What is asked later needs few of the leaves; those of all motions at once take much memory.
+        course.keep(&kept);
+        let course = (!probes.is_empty() || altered.is_some()).then_some(course);
+        Ok(((verdicts, (measured, drawn)), (without, (weighed, course))))
+    };
+    // Long motions first: what is left at the end is short.
+    let mut order: Vec<usize> = (0..tried.len()).collect();
+    order.sort_by_key(|&at| std::cmp::Reverse(stage.motion(tried[at]).map_or(0, Motion::steps)));
+    let found = order.par_iter().with_max_len(1).map(|&at| column(tried[at]));
+    let mut columns: Vec<_> = order.iter().zip(found.collect::<Vec<_>>()).collect();
+    columns.sort_by_key(|(at, _)| **at);
+    let columns = columns.into_iter().map(|(_, column)| column);
+    let columns = columns.collect::<Result<Vec<_>, String>>().map_err(CheckError::Defect)?;
     let (found, (without, others)): (Vec<_>, (Vec<_>, Vec<_>)) = columns.into_iter().unzip();
     let (weighed, courses): (Vec<Option<Weighed>>, Vec<_>) = others.into_iter().unzip();
     let (columns, shown): (Vec<Column>, Vec<_>) = found.into_iter().unzip();

@@ -186,9 +186,17 @@ impl Stage {
         for t in (0..count).filter(|&t| needed[t]) {
             families.entry(root(t)).or_default().push(t);
         }
-        let families: Vec<Vec<usize>> = families.into_values().collect();
+        let mut families: Vec<Vec<usize>> = families.into_values().collect();
+        // Long motions first: what is left at the end is short.
+        let length = |&t: &usize| {
+            let (from, to) = derivation.trajectories[t].span;
+            (to - from).abs()
+        };
+        let longest = |members: &Vec<usize>| members.iter().map(length).fold(0.0, f64::max);
+        families.sort_by(|a, b| longest(b).total_cmp(&longest(a)));
+        let one = |members: &Vec<usize>| family(derivation, fields, requests, members, recall);
         let results: Vec<Result<Vec<(usize, Built)>, CheckError>> =
-            families.par_iter().map(|members| family(derivation, fields, requests, members, recall)).collect();
+            families.par_iter().with_max_len(1).map(one).collect();
         let mut motions: Vec<Option<Built>> = (0..count).map(|_| None).collect();
         let mut problems = Vec::new();
         for result in results {
