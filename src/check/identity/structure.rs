@@ -142,14 +142,10 @@ impl Structure {
                 return None;
             }
         }
-        let found = match self.powers.get(&(e, number)) {
+        match self.powers.get(&(e, number)) {
             Some(known) => known.clone(),
-            None => {
-                let own: Powers = Rc::from([e].as_slice());
-                Some(own)
-            }
-        };
-        found
+            None => Some(Rc::from([e].as_slice())),
+        }
     }
 
     /// Size and leaves.
