@@ -13,7 +13,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::comparison::{Comparison, GUARD};
-use super::measured::{Measurements, MeasuredGroup};
+use super::measured::{MeasuredGroup, Measurements};
 use super::program::Program;
 
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
@@ -92,9 +92,8 @@ impl Terms {
     ) -> Option<Vec<Bounded>> {
         inputs.enumerate().for_each(|(i, x)| slots.set(i, x));
         self.tape.run(&(), slots);
-        let signed = |(i, &negative): (usize, &bool)| {
-            self.tape.output(i, slots).ok().map(|&x| if negative { -x } else { x })
-        };
+        let signed =
+            |(i, &negative): (usize, &bool)| self.tape.output(i, slots).ok().map(|&x| if negative { -x } else { x });
         self.negative.iter().enumerate().map(signed).collect()
     }
 
