@@ -82,7 +82,8 @@ struct Map {
 
 impl Map {
     fn new(tape: Tape, parameters: usize) -> Map {
-        let mut moves: Vec<bool> = (0..tape.slot_count()).map(|i| (parameters..tape.inputs().len()).contains(&i)).collect();
+        let mut moves: Vec<bool> =
+            (0..tape.slot_count()).map(|i| (parameters..tape.inputs().len()).contains(&i)).collect();
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for step in tape.instructions() {
             let of = moves[step.a as usize] || moves[step.b as usize];

@@ -390,7 +390,8 @@ impl Search<'_> {
             let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
                 let program = programs.get(self.start_of[self.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
-                    let trial = Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course, shown: false };
+                    let trial =
+                        Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course, shown: false };
                     matches!(one_pair(scratch, &trial, None).outcome(), Outcome::Holds(_))
                 })
             };

@@ -120,12 +120,7 @@ pub(in super::super) struct Rejections {
 }
 
 /// Which of the variants are rejected. The first of the points are used in any case.
-pub(super) fn rejected(
-    claim: &ClaimVariants,
-    whole: &Placed,
-    evidence: &Evidence,
-    memory: &mut Memory,
-) -> Rejections {
+pub(super) fn rejected(claim: &ClaimVariants, whole: &Placed, evidence: &Evidence, memory: &mut Memory) -> Rejections {
     let mut formulas = vec![false; claim.formulas.len()];
     let mut records = vec![Record::default(); claim.variants.len()];
     let mut order = spread(evidence.points.len(), MOST_TIMES);
