@@ -25,8 +25,11 @@ pub(super) struct Describer<'a> {
     shown: bool,
     slots: RefCell<Option<Slots<Bounded>>>,
     /// What was said of inputs without a value, by their position and the reason.
-    said: RefCell<Vec<((usize, NoValue), Arc<str>)>>,
+    said: RefCell<Said>,
 }
+
+/// Reasons in words, by the position of an input and why it has no value.
+type Said = Vec<((usize, NoValue), Arc<str>)>;
 
 /// A number with as many digits as a reader wants.
 pub(super) fn short(x: f64) -> String {
