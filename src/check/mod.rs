@@ -73,9 +73,9 @@ use independence::Gradients;
 use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
 use variant::{Altered, Found, Places, Weighed};
@@ -172,7 +172,10 @@ fn check_and(
         region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)
     };
     if derivation.scope.time().is_none() && derivation.trajectories.is_empty() && derivation.systems.is_empty() {
-        return Ok(Account { claims: regions(derivation)?.into_iter().map(|(_, c)| c).collect(), ..Account::default() });
+        return Ok(Account {
+            claims: regions(derivation)?.into_iter().map(|(_, c)| c).collect(),
+            ..Account::default()
+        });
     }
     let fields = match Fields::solve(derivation) {
         Ok(fields) => fields,

@@ -287,11 +287,8 @@ pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> St
         out.push_str(&format!(" With it come the assumptions {}.", all.join(", ")));
     }
     if !rests.open.is_empty() {
-        let all: Vec<String> = rests
-            .open
-            .iter()
-            .map(|(id, verdict)| format!("`{id}` ({})", unproved(*verdict)))
-            .collect();
+        let all: Vec<String> =
+            rests.open.iter().map(|(id, verdict)| format!("`{id}` ({})", unproved(*verdict))).collect();
         out.push_str(&format!(" Taken as given on the way, for it is not proved: {}.", all.join(", ")));
     }
     if rests.circular {

@@ -129,7 +129,8 @@ fn is_refuted(program: &Program, points: &Points) -> bool {
         }
         for point in 0..points.len() {
             // Where one of them has no value, none counts.
-            let all = of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.difference(point).ok()?)));
+            let all =
+                of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.difference(point).ok()?)));
             let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
             // With a size of 0 nothing is small: what is violated then is so for every size.
             let violated = |(kind, difference): &(_, _)| judge(*kind, *difference, 0.0, 0.0) == Standing::Violated;
