@@ -1,4 +1,4 @@
-# deriglazov-comment / closing/t8-has-no-function: t8 does not have the properties of ψ(φ): θ is 0 throughout, and its energy is m3²/(2 I3).
+# deriglazov-comment / closing/t8-has-no-function: t8 does not have the properties of ψ(φ): θ is 0 throughout, and its energy is m₃²/(2 I₃).
 #
 # Given: the definitions, the assumptions and t8.
 #

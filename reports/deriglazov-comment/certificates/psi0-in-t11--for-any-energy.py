@@ -1,4 +1,4 @@
-# deriglazov-comment / psi0-in-t11/for-any-energy: The right side of t11 vanishes at ψ0, whatever E is.
+# deriglazov-comment / psi0-in-t11/for-any-energy: The right side of t11 vanishes at ψ₀, whatever E is.
 #
 # Given: the definitions, the assumptions and psi0-formula.
 #

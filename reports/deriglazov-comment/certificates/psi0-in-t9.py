@@ -1,4 +1,4 @@
-# deriglazov-comment / psi0-in-t9: ψ = ψ0 satisfies the last equation of t9, whatever θ does.
+# deriglazov-comment / psi0-in-t9: ψ = ψ₀ satisfies the last equation of t9, whatever θ does.
 #
 # Given: the definitions, the assumptions and psi0-formula.
 #

@@ -1,4 +1,4 @@
-# deriglazov-comment / t15-solves-t9: The closed forms solve the three equations t9, for every value of the constants c, φ0, m3 and every body for which ψ0 is real.
+# deriglazov-comment / t15-solves-t9: The closed forms solve the three equations t9, for every value of the constants c, φ₀, m₃ and every body for which ψ₀ is real.
 #
 # Given: the definitions, the assumptions and I_{(n-k)}.
 #

@@ -1,4 +1,4 @@
-# deriglazov-comment / t8-solves: Uniform rotation with the rate m3/I3 solves t7.1 and starts at R = 1, for all moments and either sign of m3.
+# deriglazov-comment / t8-solves: Uniform rotation with the rate m₃/I₃ solves t7.1 and starts at R = 1, for all moments and either sign of m₃.
 #
 # Given: the definitions, the assumptions and momentum.
 #
