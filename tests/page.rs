@@ -155,7 +155,7 @@ fn curves_pass_through_the_witness_and_stay_out_of_the_data_file() {
         let evidence = pair.verdict.evidence();
         let Some(series) = &evidence.series else { continue };
         assert!(series.points.windows(2).all(|w| w[0].t < w[1].t), "times increase");
-        assert!(series.points.len() <= 12, "{}", series.points.len());
+        assert!(series.points.len() <= 64, "{}", series.points.len());
         assert!(series.points.len() <= series.of);
         if let Some(w) = &evidence.witness
             && w.formula == series.formula

@@ -30,7 +30,7 @@ mod taylor;
 mod trajectory;
 mod zeros;
 
-pub use enclosure::{Compiled, Enclosure, Reach, Sharp, Stop, Stretch};
+pub use enclosure::{Compiled, Enclosure, Reach, Reaches, Sharp, Stop, Stretch};
 pub use error::{FlowError, Problem};
 pub use field::VectorField;
 pub use motion::{Motion, Observable, Point, Setup, Source};

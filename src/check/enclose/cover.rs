@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::expr::{Expr, Graph};
-use crate::flow::{Compiled, Enclosure, Reach, Sharp, Stretch};
+use crate::flow::{Compiled, Enclosure, Reach, Reaches, Sharp, Stretch};
 use crate::number::{Interval, NoValue};
 
 /// Stretches are halved down to this part of the span.
@@ -79,7 +79,7 @@ pub(super) struct Along {
     pieces: Vec<Interval>,
     first: HashSet<Times>,
     stretches: HashMap<Times, Rc<Stretch>>,
-    shared: HashMap<Times, Rc<Vec<Result<Reach, NoValue>>>>,
+    shared: HashMap<Times, Rc<Reaches>>,
     middles: HashMap<Times, Rc<Vec<Result<Interval, NoValue>>>>,
     /// Operations that may still be spent: on this claim, and on all.
     left: usize,
@@ -219,11 +219,11 @@ impl Along {
         let ranges = known.unwrap_or_else(|| {
             let stretch = Rc::new(self.enclosure.stretch(time));
             self.stretches.insert(key, Rc::clone(&stretch));
-            let new = Rc::new(self.enclosure.over(all, &stretch));
+            let new = Rc::new(self.enclosure.packed(all, &stretch));
             self.shared.insert(key, Rc::clone(&new));
             new
         });
-        selection.roots.iter().map(|&root| ranges[root]).collect()
+        selection.roots.iter().map(|&root| ranges.get(root)).collect()
     }
 
     /// Bounds made sharper by first integrals; `None` where there is no use in trying.

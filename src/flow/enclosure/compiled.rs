@@ -58,6 +58,52 @@ pub struct Reach {
     range: Interval,
 }
 
+/// What many quantities do over one stretch of time, in as little memory as it takes: most are constant, or nearly so.
+#[derive(Clone, Debug)]
+pub struct Reaches {
+    stretch: Interval,
+    middle: f64,
+    half: f64,
+    /// For each quantity where its numbers end, or why it has no value.
+    ends: Vec<Result<u32, NoValue>>,
+    /// The ends of a range, and a packed model, one quantity after the other.
+    numbers: Vec<f64>,
+}
+
+impl Reaches {
+    fn pack(stretch: &Stretch, all: &[Result<Reach, NoValue>]) -> Reaches {
+        let mut numbers = Vec::new();
+        let pack = |reach: &Result<Reach, NoValue>| {
+            let reach = reach.as_ref().map_err(|&reason| reason)?;
+            numbers.extend([reach.range.lo(), reach.range.hi()]);
+            reach.model.pack(&mut numbers);
+            Ok(numbers.len() as u32)
+        };
+        let ends = all.iter().map(pack).collect();
+        numbers.shrink_to_fit();
+        let Stretch { time, middle, half, .. } = *stretch;
+        Reaches { stretch: time, middle, half, ends, numbers }
+    }
+
+    /// One of the quantities.
+    ///
+    /// # Errors
+    /// Why it has no value at some of the times, or may have none.
+    pub fn get(&self, at: usize) -> Result<Reach, NoValue> {
+        let end = *self.ends.get(at).unwrap_or(&Err(NoValue::Unsupported));
+        let end = end? as usize;
+        let begin = self.ends[..at].iter().rev().find_map(|end| end.ok()).unwrap_or(0) as usize;
+        let (stretch, middle, half) = (self.stretch, self.middle, self.half);
+        match &self.numbers[begin..end] {
+            [lo, hi, model @ ..] => {
+                let range = Interval::new(*lo, *hi).map_err(|_| NoValue::Indeterminate)?;
+                Ok(Reach { stretch, middle, half, model: TaylorModel::unpack(model), range })
+            }
+            _ => Err(NoValue::Indeterminate),
+        }
+    }
+}
+
 /// The states over a stretch of time, for any number of calls of [`Enclosure::over`].
 #[derive(Clone, Debug)]
 pub struct Stretch {
@@ -260,6 +306,11 @@ impl Enclosure {
         self.evaluate(compiled, &compiled.models, stretch.time, (now, states), TaylorModel::constant)
     }
 
+    /// What the roots do over a stretch of time, to be kept.
+    pub fn packed(&self, compiled: &Compiled, stretch: &Stretch) -> Reaches {
+        Reaches::pack(stretch, &self.over(compiled, stretch))
+    }
+
     /// What the roots do over a stretch of time.
     ///
     /// # Errors
@@ -282,5 +333,37 @@ impl Enclosure {
             Ok(Reach { stretch: time, middle, half, model, range: model.range() })
         })
         .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_kept_is_what_was_found() {
+        let time = Interval::new(0.5, 0.75).unwrap();
+        let (plain, at_middle, known) = Default::default();
+        let (middle, half, models) = (0.625, 0.125, Ok(Vec::new()));
+        let stretch = Stretch { time, middle, half, models, plain, at_middle, known };
+        let now = TaylorModel::variable(Interval::point(middle), half);
+        let mut power = now;
+        let mut all = vec![Err(NoValue::OutOfDomain), Ok(Reach::new(&stretch, TaylorModel::ZERO))];
+        for _ in 0..20 {
+            all.push(Ok(Reach::new(&stretch, power)));
+            let mut next = TaylorModel::ZERO;
+            next.mul(&(), &power, &now).unwrap();
+            power = next;
+        }
+        all.push(Err(NoValue::Indeterminate));
+        let wide = Reach { range: Interval::new(-3.0, 5.0).unwrap(), ..Reach::new(&stretch, now) };
+        all.extend([Ok(wide), Ok(Reach::new(&stretch, TaylorModel::constant(time)))]);
+        let kept = Reaches::pack(&stretch, &all);
+        for (i, reach) in all.iter().enumerate() {
+            // Every digit, and what is not written.
+            assert_eq!(format!("{:?}", kept.get(i)), format!("{reach:?}"), "{i}");
+        }
+        assert!(kept.get(all.len()).is_err());
+        assert!(kept.numbers.len() < 16 * all.len());
     }
 }

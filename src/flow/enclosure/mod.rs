@@ -19,7 +19,7 @@ mod sharpen;
 mod step;
 mod tail;
 
-pub use compiled::{Compiled, Reach, Stretch};
+pub use compiled::{Compiled, Reach, Reaches, Stretch};
 pub use sharpen::Sharp;
 pub use step::Stop;
 

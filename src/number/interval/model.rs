@@ -157,6 +157,25 @@ impl TaylorModel {
         &self.coefficients[..self.length]
     }
 
+    /// Appends it to a list of numbers: the coefficients in use, then what is not known. How many numbers that are.
+    pub fn pack(&self, into: &mut Vec<f64>) -> usize {
+        into.extend_from_slice(self.coefficients());
+        into.push(self.rest);
+        self.length + 1
+    }
+
+    /// What [`TaylorModel::pack`] appended; 0 for an empty list.
+    pub fn unpack(packed: &[f64]) -> TaylorModel {
+        let mut new = TaylorModel::ZERO;
+        if let Some((rest, coefficients)) = packed.split_last() {
+            let length = coefficients.len().min(ROOM);
+            new.coefficients[..length].copy_from_slice(&coefficients[..length]);
+            new.length = length.max(1);
+            new.rest = *rest;
+        }
+        new
+    }
+
     /// Whether it is one number.
     #[inline(always)]
     fn is_point(&self) -> bool {
