@@ -64,25 +64,25 @@ pub struct Reaches {
     stretch: Interval,
     middle: f64,
     half: f64,
-    /// For each quantity where its numbers end, or why it has no value.
-    ends: Vec<Result<u32, NoValue>>,
+    /// For each quantity where its numbers begin, and how many coefficients there are; or why it has no value.
+    places: Vec<Result<(u32, u8), NoValue>>,
     /// The ends of a range, and a packed model, one quantity after the other.
     numbers: Vec<f64>,
 }
 
 impl Reaches {
     fn pack(stretch: &Stretch, all: &[Result<Reach, NoValue>]) -> Reaches {
-        let mut numbers = Vec::new();
+        let mut numbers = Vec::with_capacity(8 * all.len());
         let pack = |reach: &Result<Reach, NoValue>| {
             let reach = reach.as_ref().map_err(|&reason| reason)?;
+            let begin = numbers.len() as u32;
             numbers.extend([reach.range.lo(), reach.range.hi()]);
-            reach.model.pack(&mut numbers);
-            Ok(numbers.len() as u32)
+            Ok((begin, reach.model.pack(&mut numbers) as u8))
         };
-        let ends = all.iter().map(pack).collect();
+        let places = all.iter().map(pack).collect();
         numbers.shrink_to_fit();
         let Stretch { time, middle, half, .. } = *stretch;
-        Reaches { stretch: time, middle, half, ends, numbers }
+        Reaches { stretch: time, middle, half, places, numbers }
     }
 
     /// One of the quantities.
@@ -90,11 +90,10 @@ impl Reaches {
     /// # Errors
     /// Why it has no value at some of the times, or may have none.
     pub fn get(&self, at: usize) -> Result<Reach, NoValue> {
-        let end = *self.ends.get(at).unwrap_or(&Err(NoValue::Unsupported));
-        let end = end? as usize;
-        let begin = self.ends[..at].iter().rev().find_map(|end| end.ok()).unwrap_or(0) as usize;
+        let place = *self.places.get(at).unwrap_or(&Err(NoValue::Unsupported));
+        let (begin, length) = place.map(|(begin, length)| (begin as usize, usize::from(length)))?;
         let (stretch, middle, half) = (self.stretch, self.middle, self.half);
-        match &self.numbers[begin..end] {
+        match &self.numbers[begin..begin + 2 + length] {
             [lo, hi, model @ ..] => {
                 let range = Interval::new(*lo, *hi).map_err(|_| NoValue::Indeterminate)?;
                 Ok(Reach { stretch, middle, half, model: TaylorModel::unpack(model), range })
