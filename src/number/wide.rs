@@ -8,6 +8,9 @@
 //! what else an operation asks of its arguments is noted on the way. Where this does not hold in the whole block, the operation
 //! is made again lane by lane, and what comes out then counts. So the common case is free of branches, and there is one place
 //! that says why something has no value.
+//!
+//! The crate `pulp` finds out at run time which registers there are, and needs no unsafe code here. A loop over arrays is not
+//! enough: the compiler splits eight lanes into unequal parts, and the program is then slower than without.
 
 use super::bounded::{DOWN, TINY, U, UP};
 use super::operation::{Apply, run_each};
