@@ -2,11 +2,9 @@
 
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node};
 
-/// Replaces a leaf in all expressions. They share most of their nodes, and few of these depend on the leaf: every node is
-/// looked at once, and those without the leaf stay what they are.
-pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut Expr>, leaf: Leaf, value: Expr) {
-    let into: Vec<&mut Expr> = into.collect();
-    let order = graph.reachable(into.iter().map(|e| **e));
+/// What becomes of those of the nodes in `order` that depend on a leaf, when that is replaced. Children come before their
+/// parents in `order`; nodes without the leaf need not be there.
+pub(super) fn images(graph: &mut Graph, order: Vec<Expr>, leaf: Leaf, value: Expr) -> FastMap<Expr, Expr> {
     let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
     for node in order {
         let new = match *graph.node(node) {
@@ -26,6 +24,15 @@ pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut E
         };
         image.insert(node, new);
     }
+    image
+}
+
+/// Replaces a leaf in all expressions. They share most of their nodes, and few of these depend on the leaf: every node is
+/// looked at once, and those without the leaf stay what they are.
+pub(super) fn put_in<'e>(graph: &mut Graph, into: impl Iterator<Item = &'e mut Expr>, leaf: Leaf, value: Expr) {
+    let into: Vec<&mut Expr> = into.collect();
+    let order = graph.reachable(into.iter().map(|e| **e));
+    let image = images(graph, order, leaf, value);
     for e in into {
         *e = image.get(e).copied().unwrap_or(*e);
     }

@@ -5,6 +5,7 @@
 
 use std::rc::Rc;
 
+use super::insertion::images;
 use super::linear::Combinations;
 use super::polynomial::{fraction_of_node, powers_of_node};
 use super::values::Values;
@@ -173,25 +174,7 @@ impl Structure {
         self.look_below(graph, e);
         let number = self.number(leaf);
         let order = self.dependent(graph, e, number, |_| true);
-        let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
-        for node in order {
-            let new = match *graph.node(node) {
-                Node::Leaf(l) if l == leaf => value,
-                Node::Unary(op, a) => match image.get(&a) {
-                    Some(&a) => graph.unary(op, a),
-                    None => continue,
-                },
-                Node::Binary(op, a, b) => match (image.get(&a), image.get(&b)) {
-                    (None, None) => continue,
-                    (p, q) => {
-                        let (a, b) = (p.copied().unwrap_or(a), q.copied().unwrap_or(b));
-                        graph.binary(op, a, b)
-                    }
-                },
-                _ => continue,
-            };
-            image.insert(node, new);
-        }
+        let image = images(graph, order, leaf, value);
         image.get(&e).copied().unwrap_or(e)
     }
 
