@@ -20,7 +20,8 @@
 //! | [`derivation`] | the TOML file as written, every formula read | diag, expr, latex |
 //! | [`tape`] | graph → straight-line program; the one evaluation loop | expr, number |
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
-//! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number |
+//! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
+//! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number, verdict |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
@@ -44,3 +45,4 @@ pub mod number;
 pub mod paper;
 pub mod report;
 pub mod tape;
+pub mod verdict;

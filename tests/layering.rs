@@ -12,9 +12,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("derivation", &["diag", "expr", "latex"]),
     ("tape", &["expr", "number"]),
     ("flow", &["expr", "tape", "number"]),
-    ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
+    ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag", "verdict"]),
+    ("verdict", &[]),
     ("paper", &["diag", "derivation", "latex"]),
-    ("report", &["diag", "expr", "latex", "derivation", "check", "paper"]),
+    ("report", &["diag", "expr", "latex", "derivation", "check", "paper", "verdict"]),
 ];
 
 /// Files of `src/` that belong to no room.

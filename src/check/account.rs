@@ -6,7 +6,7 @@ use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
-use super::verdict::{Outcome, Strength, Verdict};
+use crate::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::Claim;
 
 /// A trajectory as it was computed.
@@ -265,7 +265,7 @@ impl Account {
             match pair.verdict.outcome() {
                 Outcome::Holds(_) => s.holds += 1,
                 Outcome::Fails(_) => s.fails += 1,
-                Outcome::NotApplicable => s.not_applicable += 1,
+                Outcome::NotApplicable(_) => s.not_applicable += 1,
                 Outcome::Undecided => {
                     s.undecided += 1;
                     s.open += usize::from(pair.expected.is_none());

@@ -59,7 +59,7 @@ impl<'a> Describer<'a> {
             times: self.times,
             left,
             precision: self.claim.precision,
-            one_sign_throughout: self.claim.branches_throughout,
+            first: false,
             shown: self.shown,
             describer: self,
         }

@@ -7,14 +7,14 @@
 use nalgebra::DMatrix;
 
 use super::comparison::traced_now;
-use super::trial::{Trial, assumptions_of};
-use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
+use super::trial::{Tried, Trial};
 use super::weigh::Left;
 use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
 use crate::number::Bounded;
 use crate::tape::Tape;
+use crate::verdict::{Evidence, Finding, Possible, Witness};
 
 /// Singular values below this share of the largest count as zero.
 const ZERO: f64 = 5e-15;
@@ -74,76 +74,76 @@ impl Gradients {
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         graph.leaves(self.entries.iter().copied())
     }
+}
 
-    /// Tries the independence along a motion.
-    pub fn try_on(&self, trial: &Trial) -> Verdict {
-        let Trial { graph, course, .. } = *trial;
-        let left = match assumptions_of(trial) {
-            Ok(left) => left,
-            Err(verdict) => return *verdict,
-        };
-        let undecided =
-            |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
-        let Ok(tape) = Tape::compile(graph, course.leaves, &self.entries) else {
-            return undecided("the functions depend on something that this motion does not have".to_owned());
-        };
-        let mut slots = tape.slots::<Bounded>(&());
-        let mut evidence = Evidence::default();
-        let step = (course.points.len() / POINTS).max(1);
-        let (mut unclear, mut smallest) = (None, f64::INFINITY);
-        let mut dependent = 0;
-        for ((i, &t), left) in course.times.iter().enumerate().zip(&left).step_by(step) {
-            if *left != Left::In {
-                continue;
+/// Tries the independence along a motion.
+pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
+    let Trial { graph, course, .. } = *trial;
+    let Ok(tape) = Tape::compile(graph, course.leaves, &of.entries) else {
+        return Finding::open("the functions depend on something that this motion does not have");
+    };
+    let mut slots = tape.slots::<Bounded>(&());
+    let mut evidence = Evidence::default();
+    let step = (tried.points.len() / POINTS).max(1);
+    let (mut unclear, mut smallest) = (None, f64::INFINITY);
+    let mut dependent = 0;
+    let mut selected = 0;
+    // Spread over the times that count.
+    let counting: Vec<usize> = (0..tried.times.len()).filter(|&i| tried.left[i] == Left::In).collect();
+    let spread = if counting.len() < POINTS * 2 { 1 } else { step.min(counting.len() / POINTS) };
+    for &i in counting.iter().step_by(spread.max(1)) {
+        let t = tried.times[i];
+        selected += 1;
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+        let all = normalised(rows, n, &values);
+        let some = normalised(of.constraints, n, &values[..of.constraints * n]);
+        let (full, full_gap) = rank(&all);
+        let (base, base_gap) = rank(&some);
+        evidence.samples += 1;
+        smallest = smallest.min(full_gap);
+        match (full, base) {
+            (Some(full), Some(base)) if full == base + of.functions => {}
+            (Some(full), Some(base)) => {
+                let found = full.saturating_sub(base);
+                dependent += 1;
+                evidence.witness.get_or_insert(Witness {
+                    t,
+                    formula: of.text.clone(),
+                    left: found as f64,
+                    right: of.functions as f64,
+                    bound: 0.0,
+                    values: vec![],
+                });
+                evidence
+                    .reason
+                    .get_or_insert(format!("only {found} of the {} functions are independent there", of.functions));
             }
-            let values = tape.evaluate(&(), &course.points.row(i), &mut slots);
-            let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
-            let (n, rows) = (self.variables.len(), self.constraints + self.functions);
-            let all = normalised(rows, n, &values);
-            let some = normalised(self.constraints, n, &values[..self.constraints * n]);
-            let (full, full_gap) = rank(&all);
-            let (base, base_gap) = rank(&some);
-            evidence.samples += 1;
-            smallest = smallest.min(full_gap);
-            match (full, base) {
-                (Some(full), Some(base)) if full == base + self.functions => {}
-                (Some(full), Some(base)) => {
-                    let found = full.saturating_sub(base);
-                    dependent += 1;
-                    evidence.witness.get_or_insert(Witness {
-                        t,
-                        formula: self.text.clone(),
-                        left: found as f64,
-                        right: self.functions as f64,
-                        bound: 0.0,
-                        values: vec![],
-                    });
-                    evidence.reason.get_or_insert(format!(
-                        "only {found} of the {} functions are independent there",
-                        self.functions
-                    ));
-                }
-                _ => unclear = Some((t, full_gap.min(base_gap))),
-            }
+            _ => unclear = Some((t, full_gap.min(base_gap))),
         }
-        if dependent > 0 && dependent == evidence.samples {
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
-        }
-        if dependent > 0 {
-            return undecided(format!(
-                "dependent at {dependent} of {} samples only: independence is generic at best",
-                evidence.samples
-            ));
-        }
-        if let Some((t, gap)) = unclear {
-            return undecided(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
-        }
-        if evidence.samples == 0 {
-            return undecided("the gradients have no value at any sample".to_owned());
-        }
-        evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
-        Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
     }
+    if dependent > 0 && dependent == evidence.samples {
+        return Finding::sampled(Possible::FALSE, evidence);
+    }
+    if dependent > 0 {
+        return Finding::open(format!(
+            "dependent at {dependent} of {} samples only: independence is generic at best",
+            evidence.samples
+        ));
+    }
+    if let Some((t, gap)) = unclear {
+        return Finding::open(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
+    }
+    if evidence.samples == 0 {
+        let reason = match selected {
+            0 => "there is no time at which it could be tried",
+            _ => "the gradients have no value at any sample",
+        };
+        return Finding::sampled(Possible::ANY, Evidence::because(reason));
+    }
+    evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
+    Finding::sampled(Possible::TRUE, evidence)
 }
 
 /// A matrix with rows scaled to length 1; zero rows stay.

@@ -1,7 +1,7 @@
 //! Quantities that are measured, not judged.
 
 use super::account::Measurement;
-use super::program::at_event;
+use super::denote::at_event;
 use super::trial::{Course, incomplete};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};

@@ -14,6 +14,7 @@ mod account;
 mod between;
 mod cache;
 mod comparison;
+mod denote;
 mod describe;
 mod enclose;
 mod follow;
@@ -25,7 +26,6 @@ mod measure;
 mod measured;
 mod memory;
 mod met;
-mod occurrence;
 mod part;
 mod picture;
 mod program;
@@ -45,7 +45,6 @@ mod telling;
 mod trial;
 pub mod units;
 mod variant;
-mod verdict;
 mod weigh;
 
 pub use account::{
@@ -57,12 +56,14 @@ pub use identity::{Certificate, Cofactor, Origin};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
-pub use series::{ResidualPoint, Residuals};
 pub use variant::{
     Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
     VariantAccount, WEAK, altered_formulas, says_the_same,
 };
-pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+pub use crate::verdict::{
+    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength, Verdict,
+    Witness,
+};
 
 use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
@@ -416,35 +417,7 @@ type Tried<'a> = ((Column, Shown), (Vec<Option<Verdict>>, (Option<Weighed>, Opti
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
-    let Trial { claim, program, course, .. } = *trial;
-    let mut verdicts = Vec::new();
-    if !program.groups.is_empty() {
-        verdicts.push(trial::try_claim(trial));
-    }
-    for form in &claim.forms {
-        match form {
-            Form::SameMotion { other, of } => verdicts.push(same_motion::try_on(derivation, trial, *other, of)),
-            Form::Independent { .. } => verdicts.push(match gradients {
-                Some(Ok(g)) => g.try_on(trial),
-                Some(Err(reason)) => undecided(reason.clone()),
-                None => undecided("no gradients were computed".to_owned()),
-            }),
-            _ => {}
-        }
-    }
-    let verdict = trial::all_of(verdicts);
-    // What was not reached was not tried.
-    match (course.motion.problem(), verdict.outcome()) {
-        (Some(problem), Outcome::Holds(_)) => {
-            let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
-            Verdict::new(Outcome::Undecided, evidence)
-        }
-        _ => trial::unless_unresolved(trial, verdict),
-    }
-}
-
-fn undecided(reason: String) -> Verdict {
-    Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
+    trial::try_claim(derivation, trial, gradients)
 }
 
 /// Gives verdicts the strength of the proofs behind them, and compares the two.
@@ -505,7 +478,8 @@ fn strengthen(
             return Ok(());
         }
         for (k, at) in ready {
-            claims[k].results[at].verdict.proved();
+            let from = claims[k].identity.as_ref().map(|i| i.from.clone()).unwrap_or_default();
+            claims[k].results[at].verdict.prove_claim(&Proof { from, conditions: Vec::new() });
         }
     }
 }

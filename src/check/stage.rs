@@ -133,6 +133,8 @@ pub(super) struct Built {
     pub places: Vec<Option<usize>>,
     /// The part of its span that is asked for, as far as the motion reaches.
     pub span: (f64, f64),
+    /// The time at which initial values are given.
+    pub initial_time: f64,
     /// Values of the parameters.
     pub given: Vec<(Symbol, Vec<Bounded>)>,
     /// Searches for the zeros of expressions that claims and measures ask for.
@@ -220,6 +222,11 @@ impl Stage {
     /// The times on which a motion is tried.
     pub fn span(&self, trajectory: usize) -> (f64, f64) {
         self.built(trajectory).map_or((f64::INFINITY, f64::NEG_INFINITY), |b| b.span)
+    }
+
+    /// The time at which the initial values of a motion are given.
+    pub fn initial_time(&self, trajectory: usize) -> f64 {
+        self.built(trajectory).map_or(f64::NAN, |b| b.initial_time)
     }
 
     /// A motion, by the position of its trajectory.
@@ -517,7 +524,9 @@ fn prepare(
     let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, Arc::new(s.ok()?)))).collect();
     let of = &derivation.trajectories[trajectory].parameters;
     let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
-    Ok(Built { motion: Arc::new(motion), known, asked, places, span, given, searches, samples: Arc::default() })
+    let initial_time = derivation.trajectories[trajectory].initial_time;
+    let (motion, samples) = (Arc::new(motion), Arc::default());
+    Ok(Built { motion, known, asked, places, span, initial_time, given, searches, samples })
 }
 
 /// What is searched for on a motion, each once: claims and measures ask for the same zeros again and again.

@@ -142,7 +142,7 @@ impl Terms {
 
 /// Marks the comparisons of all groups that are mute at the points at which they were measured.
 pub(super) fn silence(graph: &Graph, program: &Program, leaves: &[Leaf], points: &Points, all: &mut Measurements) {
-    for group in all.assumptions.iter_mut().chain(&mut all.groups) {
+    for group in all.selectors.iter_mut().chain(&mut all.hypotheses).chain(&mut all.parts) {
         let found: Vec<(usize, usize)> = (0..group.signs.len())
             .flat_map(|s| (0..group.signs[s].len()).map(move |c| (s, c)))
             .filter(|&(s, c)| is_mute(graph, program, leaves, points, group, (s, c)))

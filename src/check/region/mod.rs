@@ -30,7 +30,7 @@ pub use map::{Patch, RegionMap};
 pub use question::Part;
 
 use super::account::ClaimAccount;
-use super::verdict::Strength;
+use crate::verdict::Strength;
 use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf};

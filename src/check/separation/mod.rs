@@ -25,7 +25,7 @@ use super::memory::Recall;
 use super::one_pair;
 use super::program::Program;
 use super::trial::{Course, Trial};
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
 use ask::{Ask, Sides};
