@@ -11,7 +11,7 @@ mod claims;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use claims::claim::{Claim, file};
+use claims::claim::Claim;
 use claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
 use claims::judge::{Said, key, minimized, said};
 use claims::truth::{Truth, truth};
@@ -68,7 +68,9 @@ fn known_path() -> std::path::PathBuf {
 fn known() -> BTreeMap<String, String> {
     let text = std::fs::read_to_string(known_path()).unwrap_or_default();
     let lines = text.lines().filter(|l| !l.starts_with('#') && !l.trim().is_empty());
-    lines.map(|l| l.split_once(' ').map_or((l.to_owned(), String::new()), |(k, r)| (k.to_owned(), r.to_owned()))).collect()
+    lines
+        .map(|l| l.split_once(' ').map_or((l.to_owned(), String::new()), |(k, r)| (k.to_owned(), r.to_owned())))
+        .collect()
 }
 
 #[test]
@@ -102,7 +104,8 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let keys: BTreeSet<String> = wrong.iter().map(|(d, _)| key(&d.claim)).collect();
     let drawn_keys: BTreeSet<String> = drawn.iter().map(|d| key(&d.claim)).collect();
     if std::env::var_os("REDERIVE_CLAIMS_WRITE").is_some() {
-        let mut text = "# Random claims of which this version says what is not so: key, what it says, what is so.\n".to_owned();
+        let mut text =
+            "# Random claims of which this version says what is not so: key, what it says, what is so.\n".to_owned();
         for (d, s) in &wrong {
             text += &format!("{} {} {:?} {}\n", key(&d.claim), s.word(), d.truth, FORMS[d.profile[3]]);
         }
@@ -115,7 +118,6 @@ fn no_random_claim_gets_a_wrong_verdict() {
         println!("=== {} {:?} {s:?}, truth {:?}", key(&d.claim), d.profile, d.truth);
         println!("{:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.span, small.toml("c"));
     }
-    let _ = file;
     // Claims that are not drawn any more, and those that are right now.
     let stale: Vec<_> = known.keys().filter(|k| !drawn_keys.contains(*k) || !keys.contains(*k)).collect();
     assert!(new.is_empty(), "{} new wrong verdicts", new.len());
@@ -125,7 +127,8 @@ fn no_random_claim_gets_a_wrong_verdict() {
 #[test]
 fn every_pair_of_values_that_can_stand_together_is_tried() {
     let (drawn, covered) = draws(CLAIMS, SEED);
-    let possible: usize = (0..SIZES.len()).map(|i| (i + 1..SIZES.len()).map(|k| SIZES[i] * SIZES[k]).sum::<usize>()).sum();
+    let possible: usize =
+        (0..SIZES.len()).map(|i| (i + 1..SIZES.len()).map(|k| SIZES[i] * SIZES[k]).sum::<usize>()).sum();
     println!("{} of {possible} pairs in {} claims", covered.len(), drawn.len());
     assert!(covered.len() * 10 > possible * 7);
 }

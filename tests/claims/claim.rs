@@ -28,17 +28,6 @@ impl Kind {
             Kind::AtLeast => r"\ge ",
         }
     }
-
-    /// The relation with its sides in the other order.
-    pub fn turned(self) -> Kind {
-        match self {
-            Kind::Equal | Kind::Different => self,
-            Kind::Less => Kind::Greater,
-            Kind::AtMost => Kind::AtLeast,
-            Kind::Greater => Kind::Less,
-            Kind::AtLeast => Kind::AtMost,
-        }
-    }
 }
 
 /// How components stand together.
@@ -143,7 +132,12 @@ pub enum Form {
     /// x²+2bx+y and y, that is, gradients with the determinant 2(x+b); or y and 2y, which depend on one another.
     Independent(Option<Q>),
     /// u in a range with these factors of a product that is to vanish, each divided by 1 + its hole.
-    Exists { range: (Q, Q), equation: (Term, Term), also: Option<(Term, Kind, Term)>, unique: bool },
+    Exists {
+        range: (Q, Q),
+        equation: (Term, Term),
+        also: Option<(Term, Kind, Term)>,
+        unique: bool,
+    },
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -38,9 +38,8 @@ pub type Profile = [usize; 7];
 
 pub const RELATIONS: [&str; 9] = ["=", "!=", "<", "<=", ">", ">=", "chain", "defined", "limit"];
 pub const SIGNS: [&str; 5] = ["no sign", "one sign", "both signs", "sign assumed", "sign shared"];
-pub const FORMS: [&str; 9] = [
-    "always", "never", "eventually", "first-integral", "defined", "solves", "same-motion", "independent", "exists",
-];
+pub const FORMS: [&str; 9] =
+    ["always", "never", "eventually", "first-integral", "defined", "solves", "same-motion", "independent", "exists"];
 pub const RESTRICTIONS: [&str; 5] = ["none", "at", "selector", "hypothesis", "limit hypothesis"];
 pub const DEFINED: [&str; 6] = ["everywhere", "holes", "a part", "nowhere", "not at the start", "not at the events"];
 
@@ -81,7 +80,8 @@ struct Draw<'a> {
 pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
     let [relation, shape, sign, form, restriction, scene, defined] = *profile;
     let span = chance.below(3);
-    let mut claim = Claim { scene: SCENES[scene], span, forms: Vec::new(), assuming: Vec::new(), at: None, throughout: false };
+    let mut claim =
+        Claim { scene: SCENES[scene], span, forms: Vec::new(), assuming: Vec::new(), at: None, throughout: false };
     let range = claim.range();
     let mut draw = Draw { chance, scene: SCENES[scene], span, range, events: Vec::new() };
     let moving = draw.moving();
@@ -130,7 +130,8 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
     }
     claim.forms.insert(0, form);
     if claim.scene == Scene::All {
-        let single = matches!(&claim.forms[..], [Form::Always(t)] if t.len() == 1 && t[0].len() == 1 && t[0][0].is_equation());
+        let single =
+            matches!(&claim.forms[..], [Form::Always(t)] if t.len() == 1 && t[0].len() == 1 && t[0][0].is_equation());
         return single.then_some(claim);
     }
     Some(claim)
@@ -305,7 +306,10 @@ impl Draw<'_> {
         let p = self.point();
         let e = self.linear();
         match self.chance.below(if self.moving() { 12 } else { 7 }) {
-            0 => (mul(sub(Term::X, Term::Number(p.clone())), add(Term::X, Term::Number(p.clone()))), sub(power(Term::X, 2), Term::Number(&p * &p))),
+            0 => (
+                mul(sub(Term::X, Term::Number(p.clone())), add(Term::X, Term::Number(p.clone()))),
+                sub(power(Term::X, 2), Term::Number(&p * &p)),
+            ),
             1 => (power(abs(e.clone()), 2), power(e, 2)),
             2 => (of(Function::Root, power(e.clone(), 2)), abs(e)),
             3 => (add(Term::Y, number(1)), mul(number(2), Term::A)),
@@ -387,8 +391,11 @@ impl Draw<'_> {
                 sides[place].push(e);
                 // Chains mean what they say in one direction.
                 let up = self.chance.once_in(2);
-                let allowed: &[Kind] =
-                    if up { &[Kind::Less, Kind::AtMost, Kind::Equal] } else { &[Kind::Greater, Kind::AtLeast, Kind::Equal] };
+                let allowed: &[Kind] = if up {
+                    &[Kind::Less, Kind::AtMost, Kind::Equal]
+                } else {
+                    &[Kind::Greater, Kind::AtLeast, Kind::Equal]
+                };
                 let kinds = vec![self.chance.one(allowed), self.chance.one(allowed)];
                 (shape == Shape::Scalar).then_some(Statement::Relation { shape, sides, kinds })
             }
@@ -474,7 +481,11 @@ impl Draw<'_> {
             let p = self.point();
             self.events = vec![p.clone()];
             let kind = KINDS[relation];
-            return Statement::Relation { shape: Shape::Scalar, sides: vec![vec![Term::X], vec![Term::Number(p)]], kinds: vec![kind] };
+            return Statement::Relation {
+                shape: Shape::Scalar,
+                sides: vec![vec![Term::X], vec![Term::Number(p)]],
+                kinds: vec![kind],
+            };
         }
         self.statement(relation, shape, signs, defined).unwrap_or_else(|| self.limit())
     }
@@ -486,7 +497,11 @@ impl Draw<'_> {
         if !sign && self.chance.once_in(2) {
             let (l, r) = self.equal();
             let l = self.with_hole(l, defined);
-            return Statement::Relation { shape: Shape::Scalar, sides: vec![vec![l], vec![r]], kinds: vec![Kind::Equal] };
+            return Statement::Relation {
+                shape: Shape::Scalar,
+                sides: vec![vec![l], vec![r]],
+                kinds: vec![Kind::Equal],
+            };
         }
         self.statement(0, shape, signs, defined).unwrap_or_else(|| self.limit())
     }
@@ -534,9 +549,9 @@ impl Draw<'_> {
                 });
                 Form::FirstIntegral(vec![e])
             }
-            "defined" if RELATIONS[relation] == "defined" && self.scene != Scene::All => {
-                Form::Defined(vec![self.shaped(shape, signs, defined, |d| if d.chance.once_in(6) { d.difference() } else { d.plain() })])
-            }
+            "defined" if RELATIONS[relation] == "defined" && self.scene != Scene::All => Form::Defined(vec![
+                self.shaped(shape, signs, defined, |d| if d.chance.once_in(6) { d.difference() } else { d.plain() }),
+            ]),
             "solves" if moving && signs == 0 => {
                 let p = if self.chance.once_in(3) { self.difference() } else { number(1) };
                 let p = self.with_hole(p, defined);

@@ -77,7 +77,11 @@ fn together(claims: &[(usize, &Claim)], found: &mut [Option<Said>]) {
                         let verdict = judged.and_then(|c| c.verdicts().next()).map(|j| {
                             let outcome = j.verdict.outcome();
                             let reason = j.verdict.evidence().reason.clone().unwrap_or_default();
-                            Said::Verdict(outcome.word().to_owned(), outcome.strength().unwrap_or("").to_owned(), reason)
+                            Said::Verdict(
+                                outcome.word().to_owned(),
+                                outcome.strength().unwrap_or("").to_owned(),
+                                reason,
+                            )
                         });
                         found[*i] = verdict;
                     }
@@ -113,10 +117,13 @@ fn proposition(claim: &Claim) -> Said {
     let proposition = Proposition { formula, given, throughout: claim.throughout };
     match prove(&mut derivation, &proposition) {
         Ok(account) => {
-            let word = if account.verdict == "proved" && !account.exceptions.is_empty() { "except" } else { account.verdict };
+            let word =
+                if account.verdict == "proved" && !account.exceptions.is_empty() { "except" } else { account.verdict };
             Said::Verdict(word.to_owned(), String::new(), format!("{:?}", account.reason))
         }
-        Err(CheckError::Problems(problems)) => Said::Refused(problems.first().map_or(String::new(), |p| p.message.clone())),
+        Err(CheckError::Problems(problems)) => {
+            Said::Refused(problems.first().map_or(String::new(), |p| p.message.clone()))
+        }
         Err(CheckError::Defect(words)) => Said::Defect(words),
     }
 }
@@ -316,7 +323,9 @@ fn for_each_term(claim: &mut Claim, f: &mut dyn FnMut(&mut Term)) {
     }
     for form in &mut claim.forms {
         match form {
-            Form::Always(t) | Form::Never(t) | Form::Eventually(t) => t.iter_mut().flatten().for_each(|s| statement(s, f)),
+            Form::Always(t) | Form::Never(t) | Form::Eventually(t) => {
+                t.iter_mut().flatten().for_each(|s| statement(s, f))
+            }
             Form::FirstIntegral(e) | Form::Defined(e) => e.iter_mut().flat_map(|(_, c)| c).for_each(|t| f(t)),
             Form::Solves(p, q) => {
                 f(p);

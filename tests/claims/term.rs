@@ -170,11 +170,6 @@ impl Term {
         matches!(self, Signed(..)) || self.parts().iter().any(|p| p.has_sign())
     }
 
-    /// Whether a rate or a value at a time occurs: what has no place in a box.
-    pub fn moves(&self) -> bool {
-        matches!(self, Rate(_) | At(..)) || self.parts().iter().any(|p| p.moves())
-    }
-
     /// The terms that it is made of.
     pub fn parts(&self) -> Vec<&Term> {
         match self {
@@ -316,8 +311,7 @@ fn signed_value(sign: Option<i8>) -> Value {
 /// On pieces that are cut at the zeros, if one factor is known by its sign only.
 fn product(a: &Line<Value>, b: &Line<Value>) -> Result<Line<Value>, Irrational> {
     let opaque = |l: &Line<Value>| l.pieces.iter().any(|p| matches!(p, Value::Sign(_)));
-    let (a, b) =
-        if opaque(a) || opaque(b) { (a.cut_at_zeros()?, b.cut_at_zeros()?) } else { (a.clone(), b.clone()) };
+    let (a, b) = if opaque(a) || opaque(b) { (a.cut_at_zeros()?, b.cut_at_zeros()?) } else { (a.clone(), b.clone()) };
     let (a, b) = (a.cut(&b.cuts), b.cut(&a.cuts));
     let pieces = (0..a.pieces.len()).map(|i| match (&a.pieces[i], &b.pieces[i]) {
         (Value::Quotient(n, d), Value::Quotient(m, e)) => Value::Quotient(n.times(m), d.times(e)),
@@ -330,8 +324,12 @@ fn sum(a: &Line<Value>, b: &Line<Value>) -> Result<Line<Value>, Irrational> {
     let line = a.zip(b, |p, q| match (p, q) {
         (Value::Nothing, _) | (_, Value::Nothing) => Some(Value::Nothing),
         (Value::Quotient(n, d), Value::Quotient(m, e)) if d == e => Some(Value::Quotient(n.add(m), d.clone())),
-        (Value::Quotient(n, d), Value::Quotient(m, e)) => Some(Value::Quotient(n.times(e).add(&m.times(d)), d.times(e))),
-        (Value::Sign(s), Value::Quotient(n, _)) | (Value::Quotient(n, _), Value::Sign(s)) if n.is_zero() => Some(Value::Sign(*s)),
+        (Value::Quotient(n, d), Value::Quotient(m, e)) => {
+            Some(Value::Quotient(n.times(e).add(&m.times(d)), d.times(e)))
+        }
+        (Value::Sign(s), Value::Quotient(n, _)) | (Value::Quotient(n, _), Value::Sign(s)) if n.is_zero() => {
+            Some(Value::Sign(*s))
+        }
         (Value::Sign(s), Value::Sign(r)) if s == r => Some(Value::Sign(*s)),
         (Value::Sign(_), _) | (_, Value::Sign(_)) => None,
     });

@@ -210,7 +210,8 @@ impl<'a> Scope<'a> {
         }
         let Some(first) = limits.first().cloned() else { return Ok(Void) };
         let Some(limit) = first.filter(|f| limits.iter().all(|l| l.as_ref() == Some(f))) else { return Ok(False) };
-        let truth = self.atom(&Line::constant(Value::number(limit)), kind, &Line::constant(Value::number(value.clone())))?;
+        let truth =
+            self.atom(&Line::constant(Value::number(limit)), kind, &Line::constant(Value::number(value.clone())))?;
         Ok(truth.pieces[0])
     }
 
@@ -231,7 +232,9 @@ impl<'a> Scope<'a> {
         match s {
             Statement::Limit { .. } => false,
             Statement::Relation { kinds, .. } => {
-                self.claim.scene == Scene::Box || self.claim.scene == Scene::All || kinds.iter().any(|k| *k != Kind::Equal)
+                self.claim.scene == Scene::Box
+                    || self.claim.scene == Scene::All
+                    || kinds.iter().any(|k| *k != Kind::Equal)
             }
         }
     }
@@ -291,7 +294,11 @@ impl<'a> Scope<'a> {
                     Statement::Limit { .. } => self.together(statement, sign, &everywhere)?.pieces[0],
                     Statement::Relation { .. } => {
                         let links = self.links(statement, sign, &everywhere)?;
-                        let links = if self.reading.parts { links } else { vec![self.together(statement, sign, &everywhere)?] };
+                        let links = if self.reading.parts {
+                            links
+                        } else {
+                            vec![self.together(statement, sign, &everywhere)?]
+                        };
                         links.iter().map(|t| every(t, &selected[k], &self.range)).fold(True, and)
                     }
                 };
@@ -338,11 +345,8 @@ impl<'a> Scope<'a> {
             return Ok(given(self.forms(&counting)?, hypotheses[0]));
         }
         let signed = self.claim.assuming.iter().flatten().any(|s| !self.is_selector(s) && s.has_sign());
-        let hypothesis = if signed && self.reading.changing {
-            self.changing_hypothesis(&selected)?
-        } else {
-            some(hypotheses)
-        };
+        let hypothesis =
+            if signed && self.reading.changing { self.changing_hypothesis(&selected)? } else { some(hypotheses) };
         Ok(given(self.forms(&counting)?, hypothesis))
     }
 
@@ -397,7 +401,8 @@ impl<'a> Scope<'a> {
                     for (_, components) in shaped {
                         for (k, sign) in SIGNS.into_iter().enumerate() {
                             for c in components {
-                                together[k].push(self.line(c, sign)?.map(|v| if *v == Value::Nothing { False } else { True }));
+                                together[k]
+                                    .push(self.line(c, sign)?.map(|v| if *v == Value::Nothing { False } else { True }));
                             }
                         }
                     }
@@ -523,7 +528,8 @@ impl<'a> Scope<'a> {
         let mut each = Vec::new();
         let mut all_have = Line::constant(true);
         for c in components {
-            let line = self.line(c, sign)?.zip(s, |v, s| if *s { v.clone() } else { Value::Nothing }).cut(&ends(&self.range));
+            let line =
+                self.line(c, sign)?.zip(s, |v, s| if *s { v.clone() } else { Value::Nothing }).cut(&ends(&self.range));
             let mut first: Option<Q> = None;
             let mut t = Void;
             for i in line.within(&self.range) {
@@ -617,4 +623,3 @@ pub fn form_has_sign(form: &Form) -> bool {
         Form::Solves(..) | Form::SameMotion(..) | Form::Independent(_) | Form::Exists { .. } => false,
     }
 }
-
