@@ -98,7 +98,7 @@ impl<'a> Between<'a> {
         let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
         // Where the sign changes, the sides are equal.
-        for group in &mut measured.parts {
+        for group in measured.parts.iter_mut().chain(&mut measured.selectors) {
             group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
         }
         let (times, roles) = found.into_iter().unzip();

@@ -62,6 +62,18 @@ fn opposite(kind: RelationKind) -> RelationKind {
     }
 }
 
+/// The relation of the sides exchanged.
+fn turned(kind: RelationKind) -> RelationKind {
+    match kind {
+        RelationKind::Equal => RelationKind::Equal,
+        RelationKind::NotEqual => RelationKind::NotEqual,
+        RelationKind::Less => RelationKind::Greater,
+        RelationKind::LessEqual => RelationKind::GreaterEqual,
+        RelationKind::Greater => RelationKind::Less,
+        RelationKind::GreaterEqual => RelationKind::LessEqual,
+    }
+}
+
 /// Whether both sides are the same at every time: parameters, and values at fixed times.
 fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
     let all = relation.left.components.iter().chain(&relation.right.components).copied();
@@ -354,12 +366,25 @@ impl Denotation<'_> {
                 continue;
             }
             let label = label(text, &relation.indices, &relation.left.shape, component);
-            atoms.push(Proposition::Atom(group.comparisons.len()));
+            // What is presupposed of the times that count is so.
+            atoms.push(match self.is_selected(kind, left, right) {
+                true => Proposition::And(Vec::new()),
+                false => Proposition::Atom(group.comparisons.len()),
+            });
             group.comparisons.push(Comparison::new(self.graph, &self.claim.scope, label, kind, left, right));
         }
         // Some component differs; all are equal, or less.
         let some = denied != (relation.kind == RelationKind::NotEqual);
         one_or(atoms, if some { Proposition::Or } else { Proposition::And })
+    }
+
+    /// Whether a comparison, in this or the other direction, is a selector by itself.
+    fn is_selected(&self, kind: RelationKind, left: Expr, right: Expr) -> bool {
+        self.selectors.iter().map(|a| &a.part.group).filter(|g| g.formula.is_none() && !g.branching).any(|group| {
+            let same = |c: &Comparison| (c.kind, c.left, c.right) == (kind, left, right);
+            let turned = |c: &Comparison| (c.kind, c.left, c.right) == (turned(kind), right, left);
+            group.comparisons.iter().any(|c| same(c) || turned(c))
+        })
     }
 
     /// The components of a formula: compared with their values at the start, or with themselves.

@@ -12,7 +12,7 @@ use super::weigh::Left;
 use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
-use crate::number::Bounded;
+use crate::number::{Bounded, NoValue};
 use crate::tape::Tape;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 
@@ -20,6 +20,10 @@ use crate::verdict::{Evidence, Finding, Possible, Witness};
 const ZERO: f64 = 5e-15;
 /// Singular values above this share of the largest count as nonzero; between the two nothing is concluded.
 const NONZERO: f64 = 1e-6;
+/// Most minima of the smallest singular value that are followed between samples.
+const MINIMA: usize = 12;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Number of sample times at which the rank is taken.
 const POINTS: usize = 33;
 
@@ -136,14 +140,72 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
         return Finding::open(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
     }
     if evidence.samples == 0 {
-        let reason = match selected {
-            0 => "there is no time at which it could be tried",
-            _ => "the gradients have no value at any sample",
+        let out = |l: &Left| match l {
+            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
+            Left::In => None,
         };
-        return Finding::sampled(Possible::ANY, Evidence::because(reason));
+        let open = tried.left.iter().any(|l| matches!(l, Left::Open(_)));
+        return match (selected, open) {
+            (0, false) => {
+                let reason = tried.left.iter().find_map(out);
+                let reason = reason.unwrap_or_else(|| "there is no time at which it could be tried".to_owned());
+                Finding::sampled(Possible::VOID, Evidence::because(reason))
+            }
+            (0, true) => Finding::open("there is no time of which it is known that it counts"),
+            _ => Finding::open("the gradients have no value at any sample"),
+        };
+    }
+    if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
+        return Finding::open(format!("near t = {t}, between two samples, a singular value falls to {gap:.1e}"));
     }
     evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
     Finding::sampled(Possible::TRUE, evidence)
+}
+
+/// A time between samples near which the rank may fall, with the smallest singular value in units of the largest: where it is
+/// smallest among samples, it is followed by the golden section.
+fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Option<(f64, f64)> {
+    if trial.program.at.is_some() {
+        return None;
+    }
+    let mut slots = tape.slots::<Bounded>(&());
+    let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    // Redundant constraints are no loss.
+    let mut smallest = |point: &[Result<Bounded, NoValue>]| -> Option<f64> {
+        let values = tape.evaluate(&(), point, &mut slots);
+        let values = values.into_iter().collect::<Result<Vec<Bounded>, _>>().ok()?;
+        let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
+        let mut all: Vec<f64> = normalised(rows, n, &values).singular_values().iter().copied().collect();
+        all.sort_by(|a, b| b.total_cmp(a));
+        let wanted = base + of.functions;
+        Some(if wanted > all.len() { 0.0 } else { all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
+    };
+    let along: Vec<Option<f64>> = (0..tried.times.len()).map(|i| smallest(&tried.points.row(i))).collect();
+    let mut lowest: Vec<usize> = (1..tried.times.len().saturating_sub(1))
+        .filter(|&i| match (along[i - 1], along[i], along[i + 1]) {
+            (Some(a), Some(b), Some(c)) => b <= a && b <= c && tried.left[i] == Left::In,
+            _ => false,
+        })
+        .collect();
+    lowest.sort_by(|a, b| along[*a].unwrap_or(1.0).total_cmp(&along[*b].unwrap_or(1.0)));
+    for &i in lowest.iter().take(MINIMA) {
+        let (mut a, mut b) = (tried.times[i - 1], tried.times[i + 1]);
+        let mut least = (tried.times[i], along[i]?);
+        for _ in 0..60 {
+            let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else { break };
+            for (t, size) in [(x, u), (y, v)] {
+                if size < least.1 {
+                    least = (t, size);
+                }
+            }
+            if u < v { b = y } else { a = x }
+        }
+        if least.1 <= NONZERO {
+            return Some(least);
+        }
+    }
+    None
 }
 
 /// A matrix with rows scaled to length 1; zero rows stay.

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use super::comparison::{Group, judge};
 use super::part::{BLOCK, Block, Evaluation, Part as Tapes};
-use super::program::{Part, Program};
+use super::program::{Part, Program, What};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
@@ -260,6 +260,8 @@ pub(super) struct MeasuredGroup<'a> {
     pub signs: Vec<Vec<Series>>,
     /// Whether the group only says that its left sides have values.
     pub definedness: bool,
+    /// Whether equality within the error bound does not count: nothing is concluded from it for what should happen.
+    pub strict: bool,
     /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
     pub mute: Vec<Vec<bool>>,
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
@@ -303,7 +305,7 @@ impl<'a> MeasuredGroup<'a> {
         };
         let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(along).collect()).collect();
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
-        MeasuredGroup { group, signs, definedness, mute, equal, sizes, first, floors }
+        MeasuredGroup { group, signs, definedness, strict: false, mute, equal, sizes, first, floors }
     }
 
     /// The same group at other points, for which `along` says what is typical.
@@ -315,7 +317,8 @@ impl<'a> MeasuredGroup<'a> {
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        MeasuredGroup { group, signs, definedness: along.definedness, mute, equal, sizes, first, floors }
+        let (definedness, strict) = (along.definedness, along.strict);
+        MeasuredGroup { group, signs, definedness, strict, mute, equal, sizes, first, floors }
     }
 
     /// What is typical of the size of the terms of the group. The components of a vector share it: that one of them vanishes
@@ -366,7 +369,7 @@ impl<'a> MeasuredGroup<'a> {
         let mut whole = vec![Possible::TRUE; times];
         for (c, series) in all.iter().enumerate() {
             let equation = self.group.comparisons[c].kind == RelationKind::Equal;
-            let plain = equation && !self.definedness && !self.mute[sign][c] && series.missing.is_empty();
+            let plain = equation && !self.definedness && !self.strict && !self.mute[sign][c] && series.missing.is_empty();
             for (i, whole) in whole.iter_mut().enumerate() {
                 // Nearly all points of an equation that holds.
                 let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);
@@ -399,6 +402,7 @@ impl<'a> MeasuredGroup<'a> {
                 };
                 match judge(kind, d, scale, precision) {
                     Possible::FALSE if self.is_open(sign, comparison, d) => Possible::OPEN,
+                    Possible::TRUE if self.strict && d.error > 0.0 && d.contains_zero() => Possible::OPEN,
                     known => known,
                 }
             }
@@ -466,7 +470,11 @@ fn gathered<'a>(
         }
     };
     let mut each = |of: Vec<&'a Part>, known: Option<&Vec<MeasuredGroup>>| -> Vec<MeasuredGroup<'a>> {
-        let one = |(k, part): (usize, &'a Part)| gather(&part.group, part.is_definedness(), known.and_then(|m| m.get(k)));
+        let one = |(k, part): (usize, &'a Part)| {
+            let mut group = gather(&part.group, part.is_definedness(), known.and_then(|m| m.get(k)));
+            group.strict = matches!(part.what, What::Denied);
+            group
+        };
         of.into_iter().enumerate().map(one).collect()
     };
     let selectors = each(program.selectors.iter().map(|a| &a.part).collect(), along.map(|m| &m.selectors));

@@ -18,7 +18,6 @@ mod denote;
 mod describe;
 mod enclose;
 mod follow;
-pub mod identity;
 mod independence;
 mod kept;
 mod limit;
@@ -47,6 +46,7 @@ pub mod units;
 mod variant;
 mod weigh;
 
+pub use ::proof as identity;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };

@@ -344,7 +344,7 @@ impl Verdict {
 mod tests {
     use super::Proposition::{And, Atom};
     use super::*;
-    use crate::verdict::{Enclosed, Witness};
+    use crate::{Enclosed, Witness};
 
     fn witness() -> Option<Witness> {
         Some(Witness { t: 0.0, formula: String::new(), left: 0.0, right: 1.0, bound: 0.0, values: Vec::new() })
