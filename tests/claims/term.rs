@@ -153,6 +153,8 @@ impl Term {
             },
             At(e, c) => match &**e {
                 X => format!("x({})", latex_number(c)),
+                Rate(e) if **e == X => format!(r"\frac{{dx}}{{dt}}({})", latex_number(c)),
+                e if c.denominator().to_string() == "1" => format!(r"\left({}\right)({})", e.latex(), latex_number(c)),
                 e => format!(r"\left.{}\right|_{{t={}}}", e.factor(), latex_number(c)),
             },
             Named(_) => "k".to_owned(),
