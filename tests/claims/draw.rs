@@ -86,9 +86,15 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
     let scene = SCENES[scene];
     let motion = match scene {
         Scene::Box | Scene::All => Motion::Forward,
-        Scene::Integrated => {
-            chance.one(&[Motion::Forward, Motion::Forward, Motion::Backward, Motion::Turning, Motion::Fast])
-        }
+        // No kink in a right side: that is a matter of its own.
+        Scene::Integrated => chance.one(&[
+            Motion::Forward,
+            Motion::Forward,
+            Motion::Backward,
+            Motion::Turning,
+            Motion::Fast,
+            Motion::Around,
+        ]),
         Scene::Formula | Scene::Derived => chance.one(&MOTIONS),
     };
     let mut claim = Claim {

@@ -279,9 +279,12 @@ pub enum Motion {
     Bent,
     /// 2t
     Fast,
+    /// (1 − t²)/(1 + t²), the cosine of a motion around the circle
+    Around,
 }
 
-pub const MOTIONS: [Motion; 5] = [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast];
+pub const MOTIONS: [Motion; 6] =
+    [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast, Motion::Around];
 
 impl Motion {
     pub fn term(self) -> Term {
@@ -291,6 +294,7 @@ impl Motion {
             Motion::Turning => power(T, 2),
             Motion::Bent => abs(sub(T, number(1))),
             Motion::Fast => mul(number(2), T),
+            Motion::Around => div(sub(number(1), power(T, 2)), add(number(1), power(T, 2))),
         }
     }
 
@@ -302,6 +306,7 @@ impl Motion {
             Motion::Turning => mul(number(2), T),
             Motion::Bent => div(sub(T, number(1)), abs(sub(T, number(1)))),
             Motion::Fast => number(2),
+            Motion::Around => div(mul(number(-4), T), power(add(number(1), power(T, 2)), 2)),
         }
     }
 
@@ -313,6 +318,7 @@ impl Motion {
             Motion::Bent if *t < whole(1) => whole(1) - t,
             Motion::Bent => t - whole(1),
             Motion::Fast => whole(2) * t,
+            Motion::Around => (whole(1) - t * t) / (whole(1) + t * t),
         }
     }
 }
