@@ -258,6 +258,14 @@ pub struct Summary {
 }
 
 impl Account {
+    /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+        self.claims.iter().flat_map(|claim| {
+            let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+            claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))
+        })
+    }
+
     /// The counts.
     pub fn summary(&self) -> Summary {
         let mut s = Summary::default();

@@ -190,6 +190,10 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
     lowest.sort_by(|a, b| along[*a].unwrap_or(1.0).total_cmp(&along[*b].unwrap_or(1.0)));
     for &i in lowest.iter().take(MINIMA) {
         let (mut a, mut b) = (tried.times[i - 1], tried.times[i + 1]);
+        // Where a selector may change, the loss is at a time that does not count.
+        if changes(trial, (a, b)) {
+            continue;
+        }
         let mut least = (tried.times[i], along[i]?);
         for _ in 0..60 {
             let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
@@ -206,6 +210,17 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
         }
     }
     None
+}
+
+/// Whether the sides of a selector change their order between two times.
+fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
+    let program = trial.program;
+    let points = trial.course.points_at(program, &[a, b]);
+    let selected = program.selectors.iter().map(|s| s.part.group.comparisons.len()).sum();
+    program.measure((&points, 2), 1.0).iter().take(selected).any(|series| {
+        let signs = [0, 1].map(|i| series.difference(i).ok().map(|d| d.value.signum()));
+        signs[0] != signs[1]
+    })
 }
 
 /// A matrix with rows scaled to length 1; zero rows stay.

@@ -12,6 +12,7 @@
 
 mod account;
 mod between;
+mod by_formula;
 mod cache;
 mod comparison;
 mod denote;
@@ -69,13 +70,13 @@ use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
 use crate::expr::Rational;
 use crate::flow::Motion;
-use crate::latex::RelationKind;
 use independence::Gradients;
 use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
@@ -283,12 +284,17 @@ fn check_and(
     let done = AtomicUsize::new(0);
     let failed: Vec<AtomicBool> = prepared.iter().map(|_| AtomicBool::new(false)).collect();
     let column = |t: usize| -> Result<Tried, String> {
-        let mut course = stage.course(&derivation.graph, t, &wanted)?;
+        // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
+        let (mut course, contradiction) = stage.course(&derivation.graph, t, &wanted)?;
         let verdict = |k: usize| {
             let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
             claim.trajectories.contains(&t).then(|| {
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
-                recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
+                let mut verdict = recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()));
+                if let Some(contradiction) = &contradiction {
+                    verdict.contradict(contradiction.clone());
+                }
+                verdict
             })
         };
         let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
@@ -339,11 +345,11 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried);
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
-        enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
+        enclose::strengthen(&request, &mut account.claims);
     }
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
@@ -420,33 +426,27 @@ fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gr
     trial::try_claim(derivation, trial, gradients)
 }
 
-/// Gives verdicts the strength of the proofs behind them, and compares the two.
+/// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`].
 ///
-/// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
-/// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
-/// `sampled`, and so do proofs that leave out special cases.
-///
-/// # Errors
-/// A description of a claim that is proved and fails.
+/// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
+/// from claims that are themselves `proved` on it. What it presupposes is not proved by that.
 fn strengthen(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
-) -> Result<(), String> {
+) {
+    by_formula::settle(derivation, claims, claimed, tried);
+    let mut done: BTreeSet<(usize, usize)> = BTreeSet::new();
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
-        for (k, &c) in claimed.iter().enumerate() {
-            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+        for account in 0..claims.len().min(claimed.len()) {
+            let Some(identity) = claims[account].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
                 continue;
             };
-            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
-            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
-                continue;
-            }
-            for (at, pair) in claims[k].results.iter().enumerate() {
+            for (at, pair) in claims[account].results.iter().enumerate() {
                 let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
                     continue;
                 };
@@ -462,22 +462,22 @@ fn strengthen(
                     }
                     Premise::Definition => true,
                 };
-                if !identity.from.iter().all(given) {
-                    continue;
-                }
-                match pair.verdict.outcome() {
-                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
-                    Outcome::Fails(_) => {
-                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
-                    }
-                    _ => {}
+                // Where something special is left out, only what is seen to hold is given the strength of the proof.
+                let open = match pair.verdict.outcome() {
+                    Outcome::Holds(strength) => strength < Strength::Proved,
+                    Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
+                    Outcome::NotApplicable(_) => false,
+                };
+                if open && !done.contains(&(account, at)) && identity.from.iter().all(given) {
+                    ready.push((account, at));
                 }
             }
         }
         if ready.is_empty() {
-            return Ok(());
+            return;
         }
         for (k, at) in ready {
+            done.insert((k, at));
             let from = claims[k].identity.as_ref().map(|i| i.from.clone()).unwrap_or_default();
             claims[k].results[at].verdict.prove_claim(&Proof { from, conditions: Vec::new() });
         }

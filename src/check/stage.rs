@@ -261,16 +261,22 @@ impl Stage {
         self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
     }
 
-    /// Samples a motion, and compares the two routes to its values.
+    /// Samples a motion, and compares the two routes to its values: with a description of a value for which dual numbers and
+    /// propagated bounds disagree.
     ///
     /// # Errors
-    /// A description of a value for which dual numbers and propagated bounds disagree.
-    pub fn course<'a>(&'a self, graph: &Graph, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
+    /// That the trajectory was not built.
+    pub fn course<'a>(
+        &'a self,
+        graph: &Graph,
+        trajectory: usize,
+        leaves: &'a [Leaf],
+    ) -> Result<(Course<'a>, Option<String>), String> {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
+            return Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, None));
         }
         let mut times = motion.sample_times(DENSITY);
         // A derived motion may be tried on a part of the span of its source.
@@ -290,6 +296,7 @@ impl Stage {
         let points = motion.along(&times);
         let kept = self.keeping.then(|| (times.clone(), points.clone()));
         let points = points.arranged(&built.places);
+        let mut contradiction = None;
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
@@ -299,7 +306,7 @@ impl Stage {
                 // Both routes round on their own way: the bound of one covers its distance from the truth.
                 let room = 2.0 * bounded.error + 1e-12 * bounded.value.abs() + f64::MIN_POSITIVE;
                 if gap > room.max(1e-14) && gap > 1e3 * bounded.error {
-                    return Err(format!(
+                    contradiction.get_or_insert_with(|| format!(
                         "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
                         graph.leaf_latex(leaves[k]),
                         dual.re,
@@ -313,7 +320,7 @@ impl Stage {
             // Another thread can only have found the same.
             let _ = built.samples.set(kept);
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() })
+        Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, contradiction))
     }
 
     /// The value of an expression in parameters on a motion.

@@ -229,6 +229,10 @@ impl Verdict {
     }
 
     fn fold(&mut self) {
+        // What contradicts itself stays without a verdict.
+        if self.defect.is_some() {
+            return;
+        }
         let level = |strength: Strength| -> Option<Possible> {
             let known: Option<Vec<Possible>> = self.findings.iter().map(|f| f.known(strength)).collect();
             let known = known?;
@@ -253,18 +257,19 @@ impl Verdict {
             None => Outcome::Undecided,
         };
         self.evidence = self.told(decided);
-        // A proof says "wherever it has a value": that it has one was seen by weaker means.
-        if let Some((Truth::True, strength)) = decided
-            && strength < Strength::Proved
-        {
-            let with_value = |f: &Finding| match f.known(Strength::Sampled).and_then(Possible::decided) {
-                Some(Truth::True) if f.proved == Possible::TRUE_OR_VOID => Some(Possible::TRUE),
-                _ => f.known(Strength::Proved),
-            };
-            let known: Option<Vec<Possible>> = self.findings.iter().map(with_value).collect();
-            let value = known.map(|k| self.claim.value(&mut |n| k.get(n).copied().unwrap_or(Possible::ANY)));
-            if value == Some(Possible::TRUE) {
-                self.outcome = Outcome::Holds(Strength::Proved);
+        // "True wherever it has a value" was shown: that it has one somewhere may be seen by weaker means.
+        if let Some((Truth::True, weaker)) = decided {
+            for strength in [Strength::Proved, Strength::Enclosed].into_iter().filter(|s| *s > weaker) {
+                let with_value = |f: &Finding| match f.known(Strength::Sampled).and_then(Possible::decided) {
+                    Some(Truth::True) if f.known(strength) == Some(Possible::TRUE_OR_VOID) => Some(Possible::TRUE),
+                    _ => f.known(strength),
+                };
+                let known: Option<Vec<Possible>> = self.findings.iter().map(with_value).collect();
+                let value = known.map(|k| self.claim.value(&mut |n| k.get(n).copied().unwrap_or(Possible::ANY)));
+                if value == Some(Possible::TRUE) {
+                    self.outcome = Outcome::Holds(strength);
+                    break;
+                }
             }
         }
     }

@@ -68,24 +68,18 @@ pub(super) struct Request<'a> {
 type Change = (usize, usize, Verdict);
 
 /// Strengthens the verdicts that are not proved.
-///
-/// # Errors
-/// A description of an enclosure that contradicts a sampled verdict.
-pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let mut graph = request.derivation.graph.clone();
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
     // Long motions first: what is left at the end is short.
     let mut order = request.tried.to_vec();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
-    let changes: Vec<Result<Vec<Change>, String>> =
+    let changes: Vec<Vec<Change>> =
         order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
-    for change in changes {
-        for (k, at, verdict) in change? {
-            claims[k].results[at].verdict = verdict;
-        }
+    for (k, at, verdict) in changes.into_iter().flatten() {
+        claims[k].results[at].verdict = verdict;
     }
-    Ok(())
 }
 
 /// The enclosure of a motion, and of those that it comes from; beside it the parameters and initial states as they are given.
@@ -117,7 +111,7 @@ fn enclosure(
 /// What the systems conserve, in a graph that knows it.
 type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
-fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
+fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Vec<Change> {
     let trajectory = &request.derivation.trajectories[t];
     let mut changes: Vec<Change> = Vec::new();
     for (k, claim) in claims.iter().enumerate() {
@@ -125,14 +119,14 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
         changes.extend(here.filter(|(_, r)| !claim::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())));
     }
     if changes.is_empty() {
-        return Ok(changes);
+        return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
             changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
-            return Ok(changes);
+            return changes;
         }
     };
     let program = |k: usize| &request.prepared[k][request.start_of[t]];
@@ -145,7 +139,7 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
     }
     if let Err(reason) = along.compile() {
         changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
-        return Ok(changes);
+        return changes;
     }
     let mut withdrawn = None;
     for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
@@ -165,5 +159,5 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
         let reason = format!("the sampled motion is withdrawn: {contradiction}");
         changes.iter_mut().for_each(|(_, _, verdict)| verdict.withdraw_samples(&reason));
     }
-    Ok(changes)
+    changes
 }

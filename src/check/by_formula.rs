@@ -1,0 +1,287 @@
+//! Motions that are given by formulas are premises: a claim on one of them is first an identity in time.
+//!
+//! **In:** the verdicts of claims on motions, from samples. **Out:** the same verdicts, with what is proved of their parts: the
+//! states are replaced by their formulas, parameters by their exact values, observables by their definitions, rates by
+//! derivatives, and values at fixed times by values. What is left is an equation in time alone, which [`along`] decides.
+//!
+//! **Guaranteed.** A part is *true* if each of its equations is such an identity, and there is a time that counts at which the
+//! sides have values; *false* if sides differ for certain at a time of the span that counts. Inequalities, ± and limits are left
+//! to other methods, and so is everything at events.
+
+use super::account::ClaimAccount;
+use super::denote::denote;
+use super::identity::{Along, Apart, InTime, Memory, along};
+use super::program::{Assumption, Part, What};
+use crate::derivation::{Claim, Derivation, Motion};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
+use crate::latex::{RelationKind, Scope};
+use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
+use rayon::prelude::*;
+
+/// Settles what can be settled; `tried` are the motions of the results.
+pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claimed: &[usize], tried: &[usize]) {
+    let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
+        let Some(mut setting) = Setting::of(derivation, t) else { return Vec::new() };
+        let id = &derivation.trajectories[t].id;
+        let mut out = Vec::new();
+        for (k, &c) in claimed.iter().enumerate() {
+            let Some(at) = claims[k].results.iter().position(|r| r.trajectory == *id) else { continue };
+            let mut verdict = claims[k].results[at].verdict.clone();
+            // What an assumption or a formula leaves out stays out.
+            if !matches!(verdict.outcome(), Outcome::NotApplicable(_)) {
+                setting.claim(&derivation.claims[c], &derivation.trajectories[t], &mut verdict);
+                out.push((k, at, verdict));
+            }
+        }
+        out
+    };
+    let found: Vec<_> = tried.par_iter().with_max_len(1).map(column).collect();
+    for (k, at, verdict) in found.into_iter().flatten() {
+        claims[k].results[at].verdict = verdict;
+    }
+}
+
+/// A motion by formulas.
+struct Setting<'a> {
+    derivation: &'a Derivation,
+    graph: Graph,
+    memory: Memory,
+    time: Leaf,
+    span: (f64, f64),
+    /// Components of states, as formulas in time, and of parameters, as numbers.
+    values: FastMap<(Symbol, u16), Expr>,
+    /// What has a value wherever the formulas have.
+    needs: Vec<Expr>,
+}
+
+impl<'a> Setting<'a> {
+    /// The motion, where it is given by formulas in the end.
+    fn of(derivation: &'a Derivation, t: usize) -> Option<Setting<'a>> {
+        let time = derivation.scope.time()?;
+        let trajectory = &derivation.trajectories[t];
+        let mut setting = match &trajectory.motion {
+            Motion::Integrated { .. } => return None,
+            Motion::Formula { .. } => Setting {
+                derivation,
+                graph: derivation.graph.clone(),
+                memory: Memory::default(),
+                time,
+                span: trajectory.span,
+                values: FastMap::default(),
+                needs: Vec::new(),
+            },
+            Motion::Derived { from, .. } => Setting { span: trajectory.span, ..Setting::of(derivation, *from)? },
+        };
+        let mut known: Vec<(Symbol, Vec<Expr>)> =
+            trajectory.parameters.iter().map(|(s, w)| (*s, w.value.clone())).collect();
+        setting.note(&mut known);
+        let states = match &trajectory.motion {
+            Motion::Formula { states } => states,
+            Motion::Derived { map, .. } => map,
+            Motion::Integrated { .. } => return None,
+        };
+        for (symbol, written) in states {
+            let put: Option<Vec<Expr>> = written.value.iter().map(|&e| setting.put(&derivation.scope, e)).collect();
+            known.push((*symbol, put?));
+        }
+        setting.note(&mut known);
+        setting.needs.clear();
+        Some(setting)
+    }
+
+    fn note(&mut self, known: &mut Vec<(Symbol, Vec<Expr>)>) {
+        for (symbol, values) in known.drain(..) {
+            for (at, e) in values.into_iter().enumerate() {
+                self.values.insert((symbol, at as u16), e);
+            }
+        }
+    }
+
+    /// An expression in time alone; `None` if something in it is no function of time that is known by a formula.
+    fn put(&mut self, scope: &Scope, e: Expr) -> Option<Expr> {
+        let mut images: FastMap<Leaf, Expr> = FastMap::default();
+        for leaf in self.graph.leaves([e]) {
+            if leaf != self.time {
+                let image = self.leaf(scope, leaf)?;
+                images.insert(leaf, image);
+            }
+        }
+        Some(self.graph.substitute(e, |_, l| images.get(&l).copied()))
+    }
+
+    fn leaf(&mut self, scope: &Scope, leaf: Leaf) -> Option<Expr> {
+        let mut value = match self.values.get(&(leaf.symbol, leaf.component)) {
+            Some(&known) => known,
+            None => {
+                let definition = scope.definition(leaf.symbol)?;
+                let component = *definition.components.get(usize::from(leaf.component))?;
+                self.put(scope, component)?
+            }
+        };
+        if self.is_angle(leaf.symbol) && self.may_leap(value) {
+            return None;
+        }
+        let now = leaf.instant.is_none();
+        self.needs.extend(now.then_some(value));
+        for _ in 0..leaf.rate {
+            value = self.graph.time_derivative(value, self.time, |_| false).ok()?;
+            self.needs.extend(now.then_some(value));
+        }
+        let Some(instant) = leaf.instant else { return Some(value) };
+        let instant = self.put(scope, instant)?;
+        let time = self.time;
+        let fixed = !self.graph.leaves([instant]).contains(&time);
+        fixed.then(|| self.graph.substitute(value, |_, l| (l == time).then_some(instant)))
+    }
+
+    fn is_angle(&self, symbol: Symbol) -> bool {
+        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
+        self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.angle)
+    }
+
+    /// Whether a formula contains what may leap: then an angle is continued across it, and is not its formula.
+    fn may_leap(&self, e: Expr) -> bool {
+        self.graph.reachable([e]).iter().any(|&e| match *self.graph.node(e) {
+            Node::Unary(op, _) => {
+                matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
+                    || matches!(op, Op::Powi(n) if n < 0)
+            }
+            Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
+        })
+    }
+
+    /// Both sides, with everything put in.
+    fn sides(&mut self, scope: &Scope, (left, right): (Expr, Expr)) -> Option<(Expr, Expr)> {
+        Some((self.put(scope, left)?, self.put(scope, right)?))
+    }
+
+    /// What selects times; `None` for assumptions of other kinds.
+    fn guards(&mut self, scope: &Scope, selectors: &[Assumption]) -> Option<InTime> {
+        let mut out = InTime::default();
+        for Assumption { part, .. } in selectors {
+            if part.group.formula.is_some() || part.group.branching {
+                return None;
+            }
+            for c in &part.group.comparisons {
+                let (l, r) = self.sides(scope, (c.left, c.right))?;
+                let (over, under) = (self.graph.sub(l, r), self.graph.sub(r, l));
+                match c.kind {
+                    RelationKind::Equal => return None,
+                    RelationKind::NotEqual => out.nonzero.push(over),
+                    RelationKind::Greater => out.positive.push(over),
+                    RelationKind::Less => out.positive.push(under),
+                    RelationKind::GreaterEqual => out.not_negative.push(over),
+                    RelationKind::LessEqual => out.not_negative.push(under),
+                }
+            }
+        }
+        Some(out)
+    }
+
+    fn ask(&mut self, guards: &InTime, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
+        let question = InTime {
+            time: Some(self.time),
+            span: self.span,
+            sides: Some(sides),
+            needs,
+            ..guards.clone()
+        };
+        along(&mut self.memory, &mut self.graph, &question)
+    }
+
+    /// What is proved of a claim on the motion, part by part.
+    fn claim(&mut self, claim: &Claim, motion: &crate::derivation::Trajectory, verdict: &mut Verdict) {
+        let Ok(start) = Rational::try_from(motion.initial_time) else { return };
+        if claim.at.is_some() || claim.region.is_some() {
+            return;
+        }
+        let denoted = denote(&mut self.graph, &self.derivation.systems, claim, &start);
+        self.needs.clear();
+        let Some(guards) = self.guards(&claim.scope, &denoted.selectors) else { return };
+        // Where a selector has no value, nothing counts.
+        let presupposed = std::mem::take(&mut self.needs);
+        let parts = denoted.parts.iter().chain(denoted.hypotheses.iter().map(|a| &a.part));
+        for (position, part) in parts.enumerate() {
+            match self.part(claim, &guards, &presupposed, part) {
+                Some(Ok(())) => verdict.prove(position, Possible::TRUE, |e| {
+                    e.samples = e.samples.max(1);
+                    (e.witness, e.reason, e.proof) = (None, None, Some(Proof::default()));
+                }),
+                Some(Err((formula, Apart { time, left, right, bound }))) => {
+                    verdict.prove(position, Possible::FALSE, |e| {
+                        e.witness = Some(Witness { t: time, formula, left, right, bound, values: Vec::new() });
+                        e.reason = Some(format!(
+                            "with the formulas of the motion put in it is an equation in time alone, whose sides differ for \
+                             certain at t = {time}"
+                        ));
+                    });
+                }
+                None => {}
+            }
+            if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved)) {
+                return;
+            }
+        }
+    }
+
+    /// Whether a part is true, or where it is false; `None` where neither is proved.
+    fn part(
+        &mut self,
+        claim: &Claim,
+        guards: &InTime,
+        presupposed: &[Expr],
+        part: &Part,
+    ) -> Option<Result<(), (String, Apart)>> {
+        let group = &part.group;
+        let equations = group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
+        if group.formula.is_some() || group.branching || !equations || group.comparisons.is_empty() {
+            return None;
+        }
+        match part.what {
+            What::Every => {}
+            What::Constant => {
+                let constant = |c: &super::comparison::Comparison| self.is_constant(claim, guards, presupposed, c.left);
+                return group.comparisons.iter().all(constant).then_some(Ok(()));
+            }
+            What::Denied
+            | What::Defined
+            | What::Value
+            | What::Limit(_)
+            | What::SameMotion(..)
+            | What::Independent => return None,
+        }
+        let mut holds = true;
+        for c in &group.comparisons {
+            self.needs.clear();
+            let sides = self.sides(&claim.scope, (c.left, c.right));
+            let mut needs = std::mem::take(&mut self.needs);
+            needs.extend(presupposed);
+            let Some(sides) = sides else {
+                holds = false;
+                continue;
+            };
+            match self.ask(guards, needs, sides) {
+                Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
+                Along::Differ(apart) => return Some(Err((c.label.clone(), apart))),
+                Along::Agree { .. } | Along::Open => holds = false,
+            }
+        }
+        holds.then_some(Ok(()))
+    }
+
+    /// Whether something has, wherever it has a value, the value that it has at some time of the span that counts.
+    fn is_constant(&mut self, claim: &Claim, guards: &InTime, presupposed: &[Expr], e: Expr) -> bool {
+        self.needs.clear();
+        let Some(e) = self.put(&claim.scope, e) else { return false };
+        let mut needs = std::mem::take(&mut self.needs);
+        needs.extend(presupposed);
+        let (time, (from, to)) = (self.time, self.span);
+        [from, 0.5 * (from + to), to].into_iter().any(|at| {
+            let Ok(start) = Rational::try_from(at) else { return false };
+            let start = self.graph.constant(start);
+            let then = self.graph.substitute(e, |_, l| (l == time).then_some(start));
+            matches!(self.ask(guards, needs.clone(), (e, then)), Along::Agree { seen: Some(_), .. })
+        })
+    }
+}
