@@ -202,6 +202,20 @@ fn every_file_is_in_a_room() {
     }
 }
 
+/// Tests that no binary has are not run, and nobody would know.
+#[test]
+fn every_file_of_tests_is_run() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let all = fs::read_to_string(root.join("tests/all.rs")).expect("tests/all.rs");
+    for entry in fs::read_dir(root.join("tests")).expect("tests can be listed") {
+        let path = entry.expect("an entry can be read").path();
+        let name = path.file_stem().and_then(|s| s.to_str()).unwrap_or_default();
+        let is_module = path.extension().is_some_and(|e| e == "rs") || path.join("mod.rs").exists();
+        let is_there = name == "all" || all.lines().any(|line| line == format!("mod {name};"));
+        assert!(!is_module || is_there, "tests/all.rs has no line `mod {name};`: the tests of that file do not run");
+    }
+}
+
 #[test]
 fn a_violation_is_found() {
     let allowed = &["expr"];
