@@ -412,14 +412,6 @@ impl<'d> Checker<'d> {
     }
 }
 
-impl Derivation {
-    /// The definition of a symbol, wherever it is declared.
-    fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
-        let in_claims = || self.claims.iter().find_map(|c| c.scope.definition(symbol));
-        self.scope.definition(symbol).or_else(in_claims)
-    }
-}
-
 impl Fault {
     /// A fault between two terms, each with its unit.
     fn between(relation: &str, a: (String, &Unit), b: (String, &Unit)) -> Fault {
