@@ -11,15 +11,12 @@ use std::path::Path;
 
 use crate::claims::claim::Claim;
 use crate::claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
-use crate::claims::judge::{Said, key, minimized, said};
-use crate::claims::truth::{Truth, truth};
+use crate::claims::judge::{Said, key, minimized, number_of, said};
+use crate::claims::logic::Truth;
+use crate::claims::truth::truth;
 
 const CLAIMS: usize = 400;
 const SEED: u64 = 20_260_707;
-
-fn number_of(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
-}
 
 struct Drawn {
     profile: Profile,
@@ -114,7 +111,7 @@ fn no_random_claim_gets_a_wrong_verdict() {
     for (d, s) in new.iter().take(shown) {
         let (small, s2, t2) = minimized(&d.claim);
         println!("=== {} {:?} {s:?}, truth {:?}", key(&d.claim), d.profile, d.truth);
-        println!("{:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.span, small.toml("c"));
+        println!("{:?} {:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.motion, small.span, small.toml("c"));
     }
     // Claims that are not drawn any more, and those that are right now.
     let stale: Vec<_> = known.keys().filter(|k| !drawn_keys.contains(*k) || !keys.contains(*k)).collect();

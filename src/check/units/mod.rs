@@ -14,7 +14,7 @@ mod infer;
 use std::collections::HashMap;
 
 use crate::derivation::{Claim, Derivation, Form, SymbolEntry, Unit, Written};
-use crate::expr::{Expr, Graph, Leaf, Symbol, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Tensor};
 use crate::latex::{LimitPoint, Role, Statement};
 use infer::{Fault, Inference, State};
 
