@@ -191,7 +191,7 @@ impl<'a> Setting<'a> {
     }
 
     /// What is proved of a claim on the motion, part by part.
-    fn claim(&mut self, claim: &Claim, motion: &crate::derivation::Trajectory, verdict: &mut Verdict) {
+    fn claim(&mut self, claim: &Claim, motion: &derivation::Trajectory, verdict: &mut Verdict) {
         let Ok(start) = Rational::try_from(motion.initial_time) else { return };
         if claim.at.is_some() || claim.region.is_some() {
             return;

@@ -11,7 +11,7 @@ use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::Points;
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots};
+use crate::expr::tape::{Fault, Slots};
 
 /// Describes points in words and numbers, for witnesses and reasons.
 pub(super) struct Describer<'a> {

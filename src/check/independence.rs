@@ -13,7 +13,7 @@ use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
 use crate::number::{Bounded, NoValue};
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 
 /// Singular values below this share of the largest count as zero.

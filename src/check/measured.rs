@@ -18,7 +18,7 @@ use super::program::{Part, Program, What};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
-use crate::tape::Slots;
+use crate::expr::tape::Slots;
 use crate::verdict::Possible;
 
 /// Samples at which it is seen what is typical of the size of the terms.

@@ -10,7 +10,7 @@ use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 use crate::verdict::Proposition;
 
 /// After so many blocks in a row with points without a value, points are evaluated one by one.

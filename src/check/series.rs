@@ -41,7 +41,7 @@ pub(super) fn residuals(
     };
     Some(Arc::new(Residuals {
         formula: described.label.clone(),
-        equation: described.kind == crate::latex::RelationKind::Equal,
+        equation: described.kind == latex::RelationKind::Equal,
         sought,
         of: counted.len(),
         points: judged.shown(comparison, &kept).into_iter().map(point).collect(),

@@ -326,7 +326,7 @@ impl Stage {
     /// The value of an expression in parameters on a motion.
     pub fn constant(&self, graph: &Graph, trajectory: usize, e: Expr) -> Option<Bounded> {
         let leaves = graph.leaves([e]);
-        let tape = crate::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
+        let tape = expr::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
         let mut slots = tape.slots::<Bounded>(&());
         let values: Vec<_> = leaves.iter().map(|&l| self.parameter(trajectory, l)).collect();
         tape.evaluate(&(), &values, &mut slots).pop()?.ok()
@@ -555,7 +555,7 @@ pub(super) fn searched(derivation: &Derivation, requests: &Requests, trajectory:
 /// in the file is equal without an error.
 fn rounded(graph: &mut Graph, e: Expr) -> Expr {
     let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
-    match nearest.and_then(|x| crate::expr::Rational::try_from(x).ok()) {
+    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
         Some(r) => graph.constant(r),
         None => e,
     }
@@ -563,7 +563,7 @@ fn rounded(graph: &mut Graph, e: Expr) -> Expr {
 
 /// The values of expressions without leaves; those before the first that has none.
 fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
-    let Ok(tape) = crate::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
+    let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()
 }

@@ -19,7 +19,7 @@ use super::program::Program;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Points at which the terms are looked at first.
 const FEW: usize = 8;

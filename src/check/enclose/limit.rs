@@ -180,7 +180,7 @@ fn vanishes(along: &mut Along, e: Expr, at: &Rational, time: Interval) -> bool {
             return Some(instant);
         }
         let fixed = leaf.instant.is_some() || leaf.rate > 0;
-        (!fixed).then(|| graph.leaf(crate::expr::Leaf { instant: Some(instant), ..leaf }))
+        (!fixed).then(|| graph.leaf(expr::Leaf { instant: Some(instant), ..leaf }))
     });
     if along.graph.is_zero(there) {
         return true;

@@ -35,7 +35,7 @@ use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::Interval;
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 use question::{Insertion, Question};
 use rayon::prelude::*;
 use signs::{Cell, Scratch, Variable};

@@ -494,7 +494,7 @@ fn as_claim(
             (Form::FirstIntegral(Written { text, span, value }), FormKind::FirstIntegral)
         }
     };
-    let formulas = vec![crate::derivation::Formula { text: candidate.text.clone(), kind }];
+    let formulas = vec![derivation::Formula { text: candidate.text.clone(), kind }];
     let expect = vec![None; trajectories.len()];
     let id = id.to_owned();
     Some(Claim { id, reading: None, forms: vec![form], formulas, trajectories, expect, ..claim.clone() })

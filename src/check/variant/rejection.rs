@@ -41,7 +41,7 @@ impl Placed {
         (0..parts).all(|part| outputs.own(formula, part).is_ok())
     }
 
-    fn at(&self, point: Sample, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
+    fn at(&self, point: Sample, sign: f64, slots: &mut expr::tape::Slots<number::Bounded>) -> Outputs<'_> {
         let value = |i: &Option<usize>| i.map_or(Err(NoValue::Indeterminate), |i| point.get(i));
         self.battery.at(self.inputs.iter().map(value), sign, slots)
     }

@@ -1,6 +1,6 @@
 //! Verdicts as people and programs read them.
 //!
-//! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
+//! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
 //! from [`findings`];
@@ -8,6 +8,8 @@
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
+
+use ::{check, derivation, diag, expr, latex};
 
 mod alone;
 mod certificates;
@@ -40,6 +42,9 @@ mod units;
 mod wording;
 mod write;
 
+/// The name of the program, as reports give it.
+const PROGRAM: &str = "rederive";
+
 pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
@@ -57,10 +62,10 @@ pub use summary::{exceptions, summary};
 pub use tex::tex;
 pub use write::{WriteError, write_files, write_report};
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use crate::check::sample;
-    use crate::derivation::{Derivation, parse};
+    use derivation::{Derivation, parse};
     use crate::diag::{Source, render};
 
     /// The derivation that the handmade account is of.

@@ -10,6 +10,10 @@
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
+use crate as check;
+use ::{derivation, diag, expr, flow, latex, number, verdict};
+use expr::tape;
+
 mod account;
 mod between;
 mod by_formula;
@@ -32,8 +36,9 @@ mod program;
 mod proposition;
 pub mod region;
 mod same_motion;
-#[cfg(test)]
-pub(crate) mod sample;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub mod sample;
 pub mod search;
 mod second_route;
 pub mod separation;
@@ -61,15 +66,15 @@ pub use variant::{
     Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
     VariantAccount, WEAK, altered_formulas, says_the_same,
 };
-pub use crate::verdict::{
+pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength, Verdict,
     Witness,
 };
 
-use crate::derivation::{Claim, Derivation, Form, Premise};
+use derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
-use crate::expr::Rational;
-use crate::flow::Motion;
+use expr::Rational;
+use flow::Motion;
 use independence::Gradients;
 use memory::Recall;
 use program::Program;
@@ -409,7 +414,7 @@ fn known_verdict<'a>(
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
 fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize) -> bool {
     let motion = &derivation.trajectories[trajectory].motion;
-    matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
+    matches!(motion, derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
