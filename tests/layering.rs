@@ -219,7 +219,7 @@ fn a_violation_is_found() {
     let allowed = &["expr"];
     let check = |text: &str| violations("latex", allowed, text);
     assert_eq!(check("use crate::flow::Trajectory;"), ["flow"]);
-    assert_eq!(check("use crate::{expr::{Expr, Graph}, tape, check::Verdict as V};"), ["tape", "check"]);
+    assert_eq!(check("use crate::{expr::{Expr, Graph}, report, check::Verdict as V};"), ["report", "check"]);
     assert_eq!(check("fn f(x: &crate::number::NoValue) {}"), ["number"]);
     assert_eq!(check("use crate :: flow;"), ["flow"]);
     assert_eq!(check("use crate::\n    flow;"), ["flow"]);

@@ -128,11 +128,7 @@ pub fn units(derivation: &Derivation) -> UnitsAccount {
 
 /// Whether relations between pairs of sides, or expressions by themselves, are inconsistent in their units; `graph` is that of
 /// the derivation, or a copy with more in it. Nothing is inconsistent where nothing has a unit.
-pub fn inconsistent(
-    derivation: &Derivation,
-    graph: &Graph,
-    formulas: &[Vec<(Expr, Option<Expr>)>],
-) -> Vec<bool> {
+pub fn inconsistent(derivation: &Derivation, graph: &Graph, formulas: &[Vec<(Expr, Option<Expr>)>]) -> Vec<bool> {
     if !derivation.symbols.iter().any(|s| s.measured_in.is_some()) {
         return vec![false; formulas.len()];
     }
