@@ -12,7 +12,6 @@
 
 use crate as check;
 use ::{derivation, diag, expr, flow, latex, number, verdict};
-use expr::tape;
 
 mod account;
 mod between;
@@ -48,11 +47,12 @@ mod steep;
 mod step;
 mod telling;
 mod trial;
-pub mod units;
+
 mod variant;
 mod weigh;
 
 pub use ::proof as identity;
+pub use ::units;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };

@@ -6,8 +6,7 @@ use super::separation::{
 };
 use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use crate::verdict::{
-    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength, Verdict,
-    Witness,
+    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness,
 };
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 
