@@ -212,6 +212,8 @@ impl Denotation<'_> {
         let first = sign.is_none_or(|s| s > 0);
         let mut given = Vec::new();
         let mut selected: Vec<Said> = Vec::new();
+        // Among assumptions alone, too, ± is one sign: what has one is one statement.
+        let (mut signed_selectors, mut signed_hypotheses): (Vec<Said>, Vec<Said>) = Default::default();
         let claim = self.claim;
         for w in &claim.assuming {
             for (relation, written) in self.relations(w, sign).into_iter().zip(&w.value.relations) {
@@ -224,6 +226,10 @@ impl Denotation<'_> {
                     selected.push((text, relation));
                     continue;
                 }
+                if relation.has_branches && relation.limit.is_none() && !is_denied(&relation) {
+                    if selects { &mut signed_selectors } else { &mut signed_hypotheses }.push((text, relation));
+                    continue;
+                }
                 let what = relation.limit.as_ref().map_or(What::Every, |l| What::Limit(l.approaches.clone()));
                 let group = self.group(&[(text, relation)], false, &[]);
                 let assumption = Assumption { text: text.to_owned(), part: Part { what, group } };
@@ -234,6 +240,20 @@ impl Denotation<'_> {
                         given.push(self.hypotheses.len());
                         self.hypotheses.push(assumption);
                     }
+                }
+            }
+        }
+        for (selects, signed) in [(true, signed_selectors), (false, signed_hypotheses)] {
+            let Some((first, _)) = signed.first() else { continue };
+            let text = (*first).to_owned();
+            let mut group = self.group(&signed, false, &[]);
+            group.throughout = !selects && claim.branches_throughout;
+            let assumption = Assumption { text, part: Part { what: What::Every, group } };
+            match selects {
+                true => self.selectors.push(assumption),
+                false => {
+                    given.push(self.hypotheses.len());
+                    self.hypotheses.push(assumption);
                 }
             }
         }
@@ -262,20 +282,25 @@ impl Denotation<'_> {
                 }
                 Form::Eventually(w) => {
                     let (limits, others) = self.taken_apart(w, sign);
-                    let mut all: Vec<Proposition> =
+                    let mut both: Vec<Proposition> =
                         limits.into_iter().map(|said| self.relation(said, &selected)).collect();
                     if !others.is_empty() {
                         let group = self.group(&others, true, &selected);
-                        all.push(self.part(What::Denied, group).negated());
+                        both.push(self.part(What::Denied, group).negated());
                     }
-                    says.push(one_or(all, Proposition::And));
+                    says.push(one_or(both, Proposition::And));
                 }
                 Form::Solves { system } => {
                     for w in &self.systems[*system].equations {
                         for said in self.relations(w, sign) {
+                            let needs = self.needs(&said);
                             let mut group = self.group(&[said], false, &selected);
                             group.asserted = true;
                             says.push(self.part(What::Every, group));
+                            if !needs.is_empty() {
+                                let group = Group { comparisons: needs, asserted: true, ..Group::default() };
+                                says.push(self.part(What::Every, group));
+                            }
                         }
                     }
                 }
@@ -326,6 +351,15 @@ impl Denotation<'_> {
         let selected = if said.1.limit.is_some() { &[] } else { selected };
         let group = self.group(&[said], false, selected);
         self.part(what, group)
+    }
+
+    /// The conditions under which both sides of a relation have values.
+    fn needs(&mut self, (text, relation): &Said) -> Vec<Comparison> {
+        let of = [&relation.left, &relation.right].into_iter().flat_map(|side| {
+            let value = side.clone();
+            domain_conditions(self.graph, &self.claim.scope, &Written { text: (*text).to_owned(), span: 0..0, value })
+        });
+        of.collect()
     }
 
     fn part(&mut self, what: What, group: Group) -> Proposition {

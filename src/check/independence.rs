@@ -170,15 +170,27 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
     }
     let mut slots = tape.slots::<Bounded>(&());
     let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    // The lengths of gradients, which normalised rows do not show: against the longest of each along the motion.
+    let mut longest = vec![0.0_f64; rows];
+    let lengths = |values: &[Bounded]| -> Vec<f64> {
+        values.chunks(n.max(1)).map(|row| row.iter().map(|x| x.value * x.value).sum::<f64>().sqrt()).collect()
+    };
+    for i in 0..tried.times.len() {
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        longest.iter_mut().zip(lengths(&values)).for_each(|(most, now)| *most = most.max(now));
+    }
     // Redundant constraints are no loss.
     let mut smallest = |point: &[Result<Bounded, NoValue>]| -> Option<f64> {
         let values = tape.evaluate(&(), point, &mut slots);
         let values = values.into_iter().collect::<Result<Vec<Bounded>, _>>().ok()?;
+        let shrunk = lengths(&values).into_iter().zip(&longest).skip(of.constraints);
+        let shrunk = shrunk.filter(|(_, most)| **most > 0.0).map(|(now, most)| now / most).fold(1.0, f64::min);
         let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
         let mut all: Vec<f64> = normalised(rows, n, &values).singular_values().iter().copied().collect();
         all.sort_by(|a, b| b.total_cmp(a));
         let wanted = base + of.functions;
-        Some(if wanted > all.len() { 0.0 } else { all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
+        Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
     };
     let along: Vec<Option<f64>> = (0..tried.times.len()).map(|i| smallest(&tried.points.row(i))).collect();
     let mut lowest: Vec<usize> = (1..tried.times.len().saturating_sub(1))

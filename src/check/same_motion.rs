@@ -66,6 +66,9 @@ pub(super) fn try_on(
         sizes.push((0..of.len()).map(size).collect());
         series.push(of);
     }
+    if comparisons.is_empty() {
+        return Finding::open("the motions have no state in common that could be compared");
+    }
     let group = Group { comparisons, ..Group::default() };
     let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);
     let describer = Describer::new(trial, tried.times, tried.points);

@@ -169,7 +169,12 @@ pub(super) fn try_claim(
         let parts = program.parts.iter().map(|_| Finding::open("it was not tried, since an assumption is not met"));
         return decide(parts.collect(), unmet);
     }
-    let met = met::look(trial);
+    let mut met = met::look(trial);
+    // Other motions and gradients need more values than the comparisons of the claim.
+    let special = |p: &super::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent);
+    if program.parts.iter().any(special) && met.more.take().is_some() {
+        met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
+    }
     let (times, points) = match &met.more {
         Some(more) => (&more.times, &more.points),
         None => (&course.times, &course.points),
@@ -193,7 +198,13 @@ pub(super) fn try_claim(
         }
         (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
             let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
-            let points = course.points_at_events(program, &events);
+            let points = match program.parts.iter().any(special) {
+                true => {
+                    let at = |&(t, slack): &(f64, Option<f64>)| course.values_at_event(t, slack.unwrap_or(0.0));
+                    Arc::new(events.iter().map(at).collect())
+                }
+                false => course.points_at_events(program, &events),
+            };
             let describer = Describer::new(trial, &zeros.times, &points);
             let mut measured = measure(program, &points, None);
             silence(trial.graph, program, course.leaves, &points, &mut measured);
@@ -201,10 +212,7 @@ pub(super) fn try_claim(
             let tried = Tried { times: &zeros.times, points: &points, left };
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
-                match program.parts[position].what {
-                    What::Limit(_) => finding,
-                    _ => only_at_events(trial, zeros, finding),
-                }
+                only_at_events(trial, zeros, finding)
             };
             (0..program.parts.len()).map(each).collect()
         }
@@ -250,7 +258,7 @@ fn met_on(
 ) -> Finding {
     let Assumption { text, part } = &trial.program.hypotheses[position];
     let finding = match &part.what {
-        What::Limit(point) => limit(trial, &|m| &m.hypotheses[position], point),
+        What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
         _ => weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]),
     };
     let sides = |what: &str| match &finding.evidence().witness {
@@ -308,7 +316,7 @@ fn part(
         }
         What::Constant => constant(trial, (measured, describer), tried, position, closer),
         What::Value => Finding::open("nothing is said of it by itself"),
-        What::Limit(point) => limit(trial, &|m| &m.parts[position], point),
+        What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
         What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
         What::Independent => match gradients {
             Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
@@ -317,6 +325,31 @@ fn part(
         },
     };
     unless_unresolved(trial, part, finding)
+}
+
+/// A limit, where some time counts: without one, nothing is said of it.
+fn limit_where(
+    trial: &Trial,
+    tried: &Tried,
+    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m super::measured::MeasuredGroup<'p>,
+    point: &latex::LimitPoint,
+) -> Finding {
+    let out = |l: &Left| match l {
+        Left::Out(reason) => Some(reason.to_string()),
+        Left::In | Left::Open(_) => None,
+    };
+    let reason = || tried.left.iter().find_map(out).unwrap_or_else(|| "no time counts".to_owned());
+    if tried.left.contains(&Left::In) {
+        // Selectors may cut off the point itself: enclosures look on each side of it.
+        return match trial.program.selectors.is_empty() {
+            true => limit(trial, group, point),
+            false => Finding::open("a limit through the times that assumptions leave is not seen from samples"),
+        };
+    }
+    match tried.left.iter().all(|l| matches!(l, Left::Out(_))) {
+        true => Finding::sampled(Possible::VOID, Evidence::because(reason())),
+        false => Finding::open("whether any time counts cannot be told"),
+    }
 }
 
 /// A part that says that something never happens, for a claim that it happens: with words of the happening.

@@ -257,6 +257,10 @@ impl Verdict {
             None => Outcome::Undecided,
         };
         self.evidence = self.told(decided);
+        if !matches!(self.outcome, Outcome::Fails(_)) {
+            // A witness is one against the claim.
+            self.evidence.witness = None;
+        }
         // "True wherever it has a value" was shown: that it has one somewhere may be seen by weaker means.
         if let Some((Truth::True, weaker)) = decided {
             for strength in [Strength::Proved, Strength::Enclosed].into_iter().filter(|s| *s > weaker) {

@@ -244,7 +244,12 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
     }
     ready.weigh(along);
     let shown = match (&ready.part.what, ready.event) {
-        (What::Limit(point), _) => limit::limit(ready, point, along),
+        // Where no time counts, nothing is said of a limit, either.
+        (What::Limit(point), event) => match span::counts(ready, event, along) {
+            Some(true) => limit::limit(ready, point, along),
+            Some(false) => Shown::Void("no time of the span counts".to_owned()),
+            None => Shown::Nothing("whether any time counts is not certain".to_owned()),
+        },
         (_, Some(event)) => event::always(ready, event, along),
         (What::Value, None) => span::constant(ready, along),
         (

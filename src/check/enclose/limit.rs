@@ -54,13 +54,19 @@ fn at_time(ready: &Ready, comparison: &Comparison, at: Expr, along: &mut Along) 
     let mut missing = None;
     for &side in &sides {
         let ranges = along.over(&ready.roots, side);
-        if ready.selected(&ranges) != Some(true) {
-            return Err(format!("that the assumptions hold near t = {t} is not certain"));
+        match ready.selected(&ranges) {
+            Some(true) => {}
+            // The limit is one through the times that count.
+            Some(false) => continue,
+            None => return Err(format!("that the assumptions hold near t = {t} is not certain")),
         }
         match &ranges[place] {
             Ok(reach) => near = Some(near.map_or(reach.range(), |n| n.hull(reach.range()))),
             Err(reason) => missing = Some(*reason),
         }
+    }
+    if missing.is_none() && near.is_none() {
+        return Ok(Shown::Void(format!("no time near t = {t} counts")));
     }
     let there = match (missing, near) {
         (None, Some(near)) if time.is_point() => {

@@ -68,22 +68,25 @@ impl<'a> Rank<'a> {
         if self.ready.event.is_some() {
             return Shown::Nothing("independence at events is not enclosed".to_owned());
         }
-        let mut counted = 0;
+        let (mut may_say, mut says) = (false, false);
         let judge = |_: Interval, ranges: &Ranges| {
-            if self.ready.selected(ranges) == Some(false) {
+            let selected = self.ready.selected(ranges);
+            if selected == Some(false) {
                 return Judgement::Settled;
             }
-            counted += 1;
+            may_say = true;
+            says |= selected == Some(true);
             match self.independent(ranges) {
                 true => Judgement::Settled,
                 false => Judgement::Open("the gradients may be dependent".to_owned()),
             }
         };
         match along.cover(&self.ready.roots, judge, |_| false) {
-            Ok(_) if counted == 0 => Shown::Nothing("no stretch of time is left by the assumptions".to_owned()),
+            Ok(_) if !may_say => Shown::Void("no time of the span counts".to_owned()),
             Ok(looked) => {
                 let enclosed = Enclosed { places: looked, gap: 0.0, scale: 1.0 };
-                Shown::Holds(enclosed, format!("for every t of the span: in {looked} stretches"))
+                let reason = format!("for every t of the span: in {looked} stretches");
+                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
             }
             Err(reason) => Shown::Nothing(reason),
         }

@@ -109,6 +109,36 @@ fn exact_times(along: &Along) -> Vec<f64> {
     [along.enclosure.initial_time(), from, to].into_iter().filter(|t| (from..=to).contains(t)).collect()
 }
 
+/// Whether some time of the span counts: for certain, for certain not, or unknown.
+pub(super) fn counts(ready: &Ready, event: Option<(usize, usize)>, along: &mut Along) -> Option<bool> {
+    if !ready.is_restricted() {
+        return Some(true);
+    }
+    if let Some(event) = event {
+        let mut all = Some(false);
+        for time in super::event::events(ready, event, along).ok()? {
+            match ready.selected(&along.over(&ready.roots, time)) {
+                Some(true) => return Some(true),
+                Some(false) => {}
+                None => all = None,
+            }
+        }
+        return all;
+    }
+    let mut may = false;
+    for time in along.pieces().to_vec() {
+        match ready.selected(&along.over(&ready.roots, time)) {
+            Some(true) => return Some(true),
+            Some(false) => {}
+            None => may = true,
+        }
+        if ready.selected(&along.over(&ready.roots, Interval::point(time.mid()))) == Some(true) {
+            return Some(true);
+        }
+    }
+    if may { None } else { Some(false) }
+}
+
 /// Whether the part has a value at some time that counts.
 fn says_at_a_time(ready: &Ready, along: &mut Along) -> bool {
     let every = along.pieces().len().div_ceil(POINTS).max(1);
