@@ -208,7 +208,14 @@ impl Verdict {
     /// A proof of all that the claim says, on this motion: given what it presupposes, which is not proved by that.
     pub fn prove_claim(&mut self, proof: &Proof) {
         for part in self.claim.said() {
-            self.prove(part, Possible::TRUE_OR_VOID, |e| e.proof = Some(proof.clone()));
+            let open = self.findings.get(part).is_some_and(|f| f.known(Strength::Sampled) != Some(Possible::TRUE));
+            self.prove(part, Possible::TRUE_OR_VOID, |e| {
+                e.proof = Some(proof.clone());
+                if open {
+                    // Why it was open is of no interest any more.
+                    e.reason = None;
+                }
+            });
         }
     }
 
