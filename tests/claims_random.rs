@@ -24,8 +24,11 @@ struct Drawn {
     truth: Vec<Truth>,
 }
 
+/// Two dimensions, each with a value of it.
+type Pair = (usize, usize, usize, usize);
+
 /// All pairs of values that occur together.
-fn pairs(profile: &Profile) -> Vec<(usize, usize, usize, usize)> {
+fn pairs(profile: &Profile) -> Vec<Pair> {
     let n = profile.len();
     (0..n).flat_map(|i| (i + 1..n).map(move |k| (i, profile[i], k, profile[k]))).collect()
 }
@@ -39,7 +42,7 @@ fn triples(profile: &Profile) -> Vec<[(usize, usize); 3]> {
 }
 
 /// Claims whose profiles cover the pairs that can occur, as far as the number reaches, then chance.
-fn draws(n: usize, seed: u64) -> (Vec<Drawn>, BTreeSet<(usize, usize, usize, usize)>) {
+fn draws(n: usize, seed: u64) -> (Vec<Drawn>, BTreeSet<Pair>) {
     let mut chance = Chance::new(seed);
     let mut covered = BTreeSet::new();
     let mut found = Vec::new();
