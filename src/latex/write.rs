@@ -90,6 +90,7 @@ impl Text {
         match &node.kind {
             NodeKind::Number(r) => self.put(&number(r)),
             NodeKind::Pi => self.put(r"\pi"),
+            NodeKind::Euler { upright } => self.put(if *upright { r"\mathrm{e}" } else { "e" }),
             NodeKind::Identity => self.put(r"\mathbb{1}"),
             NodeKind::Symbol(s) => self.symbol(s),
             NodeKind::Group(inner, bracket) => {
@@ -177,6 +178,25 @@ impl Text {
                     self.node(of, Least::Factor);
                 }
             }
+            NodeKind::At { of, time, bar: None } => {
+                self.node(of, Least::Factor);
+                self.put("(");
+                self.node(time, Least::Sum);
+                self.put(")");
+            }
+            NodeKind::At { of, time, bar: Some(name) } => {
+                self.put(r"\left.");
+                self.node(of, Least::Sum);
+                self.put(r"\right|_{");
+                self.put(&name::to_latex(name));
+                self.put("=");
+                self.node(time, Least::Sum);
+                self.put("}");
+            }
+            NodeKind::Factorial(inner) => {
+                self.node(inner, Least::Factor);
+                self.put("!");
+            }
             NodeKind::Tuple(parts) => {
                 self.put("(");
                 self.joined(parts, ",", Least::Sum);
@@ -197,6 +217,12 @@ impl Text {
     }
 
     fn function(&mut self, function: &str, power: Option<i32>, arguments: &[Node]) {
+        if let ("binom", [n, k]) = (function, arguments) {
+            self.put(r"\binom");
+            self.braced(n);
+            self.braced(k);
+            return;
+        }
         let command = super::parse::spelled(function);
         self.put(&command);
         if let Some(n) = power {
