@@ -7,7 +7,8 @@ mod latex_support;
 
 use latex_support::World;
 use rederive::expr::Expr;
-use rederive::latex::Role;
+use rederive::latex::syntax::{Node, NodeKind, to_latex};
+use rederive::latex::{Role, elaborate_expression, parse};
 use std::collections::BTreeMap;
 
 fn world() -> World {
@@ -319,6 +320,74 @@ fn texts_that_happen_to_print_the_same_mean_the_same() {
         seen.entry(ink).or_insert((text, means));
     }
     assert!(met > 100, "{met}");
+}
+
+#[test]
+fn what_is_written_is_read() {
+    let mut w = world();
+    let mut dice = Dice(13);
+    let mut read = 0;
+    for _ in 0..rounds() {
+        let text = formula(&mut dice);
+        let Some(means) = meaning(&mut w, &text) else { continue };
+        let chains = parse(&text, &w.scope).unwrap_or_else(|p| panic!("{}", latex_support::shown(&text, &p)));
+        let written = chains.iter().map(to_latex).collect::<Vec<_>>().join(r",\quad ");
+        assert_eq!(meaning(&mut w, &written), Some(means), "`{text}` is written as `{written}`");
+        read += 1;
+    }
+    assert!(read > rounds() / 40, "{read}");
+}
+
+/// A tree with two factors of a product exchanged, or with a factor taken twice: what variants of a formula are made of.
+fn altered(node: &Node, dice: &mut Dice) -> Node {
+    let mut out = node.clone();
+    match &mut out.kind {
+        NodeKind::Product(parts) => {
+            let (a, b) = (dice.below(parts.len()), dice.below(parts.len()));
+            parts.swap(a, b);
+        }
+        NodeKind::Sum(terms) => {
+            for (_, term) in terms {
+                *term = altered(term, dice);
+            }
+        }
+        _ => {}
+    }
+    out
+}
+
+#[test]
+fn what_is_altered_is_written_so_that_it_is_read_or_refused() {
+    let mut w = world();
+    let mut dice = Dice(14);
+    let (mut read, mut refused) = (0, 0);
+    for _ in 0..rounds() {
+        let text = formula(&mut dice);
+        let Ok(mut chains) = parse(&text, &w.scope) else { continue };
+        let Some(mut chain) = chains.pop().filter(|c| c.relations.is_empty()) else { continue };
+        let node = altered(&chain.sides[0], &mut dice);
+        let Ok(means) = elaborate_expression(&node, &w.scope, &mut w.graph) else { continue };
+        chain.sides[0] = node;
+        let written = to_latex(&chain);
+        match meaning(&mut w, &written) {
+            Some(again) => {
+                // Other groupings of one product are other expressions: they are compared by value.
+                let p = latex_support::Point::new(3);
+                let (a, b) = (w.values(&means.components, &p), w.values(&again, &p));
+                let close = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
+                    (Some(a), Some(b)) => latex_support::close(&[*a], &[*b]),
+                    (a, b) => a.is_none() == b.is_none(),
+                };
+                assert!(
+                    a.iter().zip(&b).all(|(a, b)| close(a, b)),
+                    "`{text}` altered is written as `{written}`: {a:?}, {b:?}"
+                );
+                read += 1;
+            }
+            None => refused += 1,
+        }
+    }
+    assert!(read > 20 * refused, "{read} were read, {refused} refused");
 }
 
 // ---- by hand -------------------------------------------------------------------------------------------------------

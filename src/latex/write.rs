@@ -4,6 +4,7 @@
 //! that it needs; whether the result is clear enough to be read is for the reader to say.
 
 use super::name;
+use super::parse::begins_with_number;
 use super::syntax::{
     Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
 };
@@ -121,7 +122,14 @@ impl Text {
                     self.node(term, Least::Dot);
                 }
             }
-            NodeKind::Product(parts) => self.joined(parts, "", Least::Factor),
+            NodeKind::Product(parts) => {
+                for (i, part) in parts.iter().enumerate() {
+                    if let Some(before) = i.checked_sub(1).map(|i| &parts[i]) {
+                        self.put(between(before, part));
+                    }
+                    self.node(part, Least::Factor);
+                }
+            }
             NodeKind::Dot(parts) => self.joined(parts, r"\cdot", Least::Cross),
             NodeKind::Cross { left, right, bracket } => {
                 let (open, middle, close, least) =
@@ -288,6 +296,38 @@ impl Text {
         for text in first.iter().chain(&second) {
             self.put(text);
         }
+    }
+}
+
+/// What stands between two factors, so that they are read as two factors.
+fn between(before: &Node, after: &Node) -> &'static str {
+    // `x(y)` would be a value of x, `x2` no product that is printed.
+    if !matches!(before.kind, NodeKind::Number(_)) && (could_be_argument(after) || begins_with_number(after)) {
+        return r"\cdot ";
+    }
+    // A space that is printed ends the argument of a function.
+    let bare = match &before.kind {
+        NodeKind::Function(name, _, arguments) => {
+            super::parse::takes_bare_argument(name)
+                && matches!(arguments.as_slice(), [one] if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_) | NodeKind::Matrix(_)))
+        }
+        _ => false,
+    };
+    let ends_alike = matches!(after.kind, NodeKind::Function(..));
+    if bare && !ends_alike { r"\," } else { "" }
+}
+
+/// Whether something in parentheses could be the argument of what stands before it.
+fn could_be_argument(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Group(inner, Bracket::Round) => match &inner.kind {
+            NodeKind::Sum(_) => inner.is_numeric(),
+            NodeKind::Dot(_) | NodeKind::Cross { .. } => false,
+            _ => true,
+        },
+        NodeKind::Scripted { base, .. } => could_be_argument(base),
+        NodeKind::Number(r) => *r < Rational::ZERO,
+        _ => false,
     }
 }
 

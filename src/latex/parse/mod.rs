@@ -521,7 +521,7 @@ impl<'a> Parser<'a> {
 }
 
 /// Whether digits are printed first.
-fn begins_with_number(node: &Node) -> bool {
+pub(super) fn begins_with_number(node: &Node) -> bool {
     match &node.kind {
         NodeKind::Number(_) => true,
         NodeKind::Scripted { base: first, .. }

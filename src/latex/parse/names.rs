@@ -133,6 +133,10 @@ impl Parser<'_> {
             self.bump();
             return Ok(self.node(NodeKind::Pi, start));
         }
+        if *self.kind() == Kind::Letter('e') && !self.scope.declares("e") {
+            self.bump();
+            return Ok(self.node(NodeKind::Euler { upright: false }, start));
+        }
         match self.single_name()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
             None => {
