@@ -302,7 +302,9 @@ impl Text {
 /// What stands between two factors, so that they are read as two factors.
 fn between(before: &Node, after: &Node) -> &'static str {
     // `x(y)` would be a value of x, `x2` no product that is printed.
-    if !matches!(before.kind, NodeKind::Number(_)) && (could_be_argument(after) || begins_with_number(after)) {
+    let number = matches!(before.kind, NodeKind::Number(_));
+    let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
+    if begins_with_number(after) || mixed || !number && could_be_argument(after) {
         return r"\cdot ";
     }
     // A space that is printed ends the argument of a function.
@@ -327,7 +329,9 @@ fn could_be_argument(node: &Node) -> bool {
         },
         NodeKind::Scripted { base, .. } => could_be_argument(base),
         NodeKind::Number(r) => *r < Rational::ZERO,
-        _ => false,
+        NodeKind::Sum(_) => node.is_numeric(),
+        // What gets its parentheses from the writer.
+        _ => tightness(node) < Least::Factor,
     }
 }
 
