@@ -3,7 +3,6 @@
 //! The oracle is written from what TeX does, not from the reader: [`typeset`] drops what leaves no ink (spaces, braces,
 //! `\left`), takes arguments and scripts as TeX takes them, and lets digits touch.
 
-
 use crate::latex_support::{self, World};
 use rederive::expr::Expr;
 use rederive::latex::syntax::{Node, NodeKind, to_latex};
