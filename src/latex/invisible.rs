@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use super::lexer::{Kind, Token};
 use super::name;
-use super::parse::{DEEPEST, Parsed, refuse};
+use super::refusal::{DEEPEST, Parsed, refuse};
 
 /// Number of TeX arguments behind a command.
 fn arity(command: &str) -> usize {

@@ -15,6 +15,7 @@ mod invisible;
 mod lexer;
 mod name;
 mod parse;
+mod refusal;
 mod scope;
 pub mod syntax;
 mod tensor;

@@ -221,6 +221,19 @@ impl Node {
         matches!(&self.kind, NodeKind::Number(r) if *r == Rational::ZERO)
     }
 
+    /// Whether digits are printed first.
+    pub fn begins_with_number(&self) -> bool {
+        match &self.kind {
+            NodeKind::Number(_) => true,
+            NodeKind::Scripted { base: first, .. }
+            | NodeKind::Factorial(first)
+            | NodeKind::At { of: first, bar: None, .. } => first.begins_with_number(),
+            NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.first().is_some_and(Node::begins_with_number),
+            NodeKind::Quotient { top, slash: true, .. } => top.begins_with_number(),
+            _ => false,
+        }
+    }
+
     /// Whether this is made of numbers alone.
     pub fn is_numeric(&self) -> bool {
         match &self.kind {

@@ -4,7 +4,6 @@
 //! that it needs; whether the result is clear enough to be read is for the reader to say.
 
 use super::name;
-use super::parse::begins_with_number;
 use super::syntax::{
     Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
 };
@@ -304,7 +303,7 @@ fn between(before: &Node, after: &Node) -> &'static str {
     // `x(y)` would be a value of x, `x2` no product that is printed.
     let number = matches!(before.kind, NodeKind::Number(_));
     let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
-    if begins_with_number(after) || mixed || !number && could_be_argument(after) {
+    if after.begins_with_number() || mixed || !number && could_be_argument(after) {
         return r"\cdot ";
     }
     // A space that is printed ends the argument of a function.

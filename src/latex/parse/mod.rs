@@ -18,6 +18,7 @@ use std::ops::Range;
 
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
+use super::refusal::{DEEPEST, Parsed, refuse};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
@@ -25,21 +26,6 @@ use expr::Rational;
 
 pub(super) use function::{spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
-
-/// Deepest nesting of brackets, roots, fractions, accents and operators.
-pub(super) const DEEPEST: usize = 100;
-
-pub(super) type Parsed<T> = Result<T, Box<Problem>>;
-
-pub(super) fn refuse<T>(
-    code: &'static str,
-    message: impl Into<String>,
-    span: Range<usize>,
-    hint: impl Into<String>,
-) -> Parsed<T> {
-    let hint = hint.into();
-    Err(Box::new(Problem { code, message: message.into(), span, hint: (!hint.is_empty()).then_some(hint) }))
-}
 
 /// What was read last, if its end cannot be seen in print.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -520,24 +506,11 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// Whether digits are printed first.
-pub(super) fn begins_with_number(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Number(_) => true,
-        NodeKind::Scripted { base: first, .. }
-        | NodeKind::Factorial(first)
-        | NodeKind::At { of: first, bar: None, .. } => begins_with_number(first),
-        NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.first().is_some_and(begins_with_number),
-        NodeKind::Quotient { top, slash: true, .. } => begins_with_number(top),
-        _ => false,
-    }
-}
-
 /// Refuses numbers where they could be read as part of what stands before them.
 fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
     let span = last.span.start..factor.span.end;
     let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
-    if begins_with_number(factor) {
+    if factor.begins_with_number() {
         return if number(last) {
             refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
         } else {
