@@ -46,6 +46,7 @@ mod latex_meaning;
 mod latex_print;
 mod latex_refused;
 mod latex_robust;
+mod latex_typeset;
 mod layering;
 mod mutants;
 mod number_laws;

@@ -28,7 +28,11 @@ fn blocks(page: &str, kind: &str) -> Vec<(usize, String)> {
 fn world(page: &str) -> World {
     let mut w = World::empty();
     for (number, line) in blocks(page, "symbols") {
-        let (keys, rest) = line.split_once("  ").unwrap_or_else(|| panic!("line {number}"));
+        let (keys, rest) = match line.split_once("  ") {
+            Some(parts) => parts,
+            // A key as wide as the column.
+            None => line.rsplit_once(' ').unwrap_or_else(|| panic!("line {number}")),
+        };
         let (role, more) = rest.trim().split_once(' ').unwrap_or((rest.trim(), ""));
         for key in keys.split(", ") {
             let role = match role {

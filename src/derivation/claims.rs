@@ -331,11 +331,11 @@ impl Loader<'_> {
         let mut functions = Vec::new();
         for formula in table.formulas(&mut self.problems, "functions") {
             claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Independent });
-            functions.extend(self.expression(&formula, &claim.scope));
+            functions.extend(self.quantity(&formula, &claim.scope));
         }
         let mut subject_to = Vec::new();
         for formula in table.formulas(&mut self.problems, "subject-to") {
-            subject_to.extend(self.statements(&formula, &claim.scope));
+            subject_to.extend(self.with_one_sign(&formula, &claim.scope));
         }
         if table.get("functions").is_none() {
             table.missing(&mut self.problems, "functions");
@@ -443,7 +443,7 @@ impl Loader<'_> {
             table.missing(&mut self.problems, "formula");
         }
         let formula: Option<Literal<'_>> = table.formula(&mut self.problems, "formula");
-        let formula = formula.and_then(|f| self.expression(&f, &scope));
+        let formula = formula.and_then(|f| self.quantity(&f, &scope));
         let at = table.formula(&mut self.problems, "at").and_then(|f| self.event(&f, &scope));
         let trajectories = match table.get("trajectories") {
             Some(_) => self.some_trajectories(&table),

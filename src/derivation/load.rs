@@ -14,7 +14,7 @@ use super::model::{Derivation, System, Trajectory, Written};
 use super::table::{Literal, Problems, Table, check_id, text_of};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
-use latex::{self, Relation, RelationKind, Scope, Statement};
+use latex::{self, Logarithm, Relation, RelationKind, Scope, Statement};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;
@@ -146,6 +146,16 @@ impl<'s> Loader<'s> {
                 DeValue::Table(entries) => {
                     for (key, value) in entries {
                         if let Some(text) = text_of(problems, value, key.get_ref()) {
+                            if key.get_ref() == "log" {
+                                match text.trim() {
+                                    "natural" => self.out.scope.set_logarithm(Logarithm::Natural),
+                                    "decimal" => self.out.scope.set_logarithm(Logarithm::Decimal),
+                                    other => {
+                                        let message = format!("`log` is `natural` or `decimal`, not `{other}`");
+                                        problems.note("derivation::wrong-type", value.span(), message);
+                                    }
+                                }
+                            }
                             self.out.conventions.push((key.get_ref().to_string(), text.trim().to_owned()));
                         }
                     }
@@ -196,6 +206,29 @@ impl<'s> Loader<'s> {
                 None
             }
         }
+    }
+
+    /// A formula that stands for one value: without ±.
+    pub fn quantity(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Tensor>> {
+        match latex::read_quantity(formula.text, scope, &mut self.out.graph) {
+            Ok(tensor) => Some(written(formula, 0..formula.text.len(), tensor)),
+            Err(found) => {
+                self.note_formula(formula, found);
+                None
+            }
+        }
+    }
+
+    /// Relations where ± has no scope: it is refused.
+    pub fn with_one_sign(&mut self, formula: &Literal<'_>, scope: &Scope) -> Vec<Written<Statement>> {
+        let statements = self.statements(formula, scope);
+        for statement in statements.iter().filter(|s| s.value.relations.iter().any(|r| r.has_branches)) {
+            let message = "± has no meaning here: there is no claim that it belongs to";
+            self.problems
+                .note("latex::branches", statement.span.clone(), message)
+                .hint("write the relation for one sign, or for both");
+        }
+        statements
     }
 
     /// An event: one `=` between scalars.

@@ -11,9 +11,11 @@
 //! reference of the language, and its examples are tests.
 
 mod elaborate;
+mod invisible;
 mod lexer;
 mod name;
 mod parse;
+mod refusal;
 mod scope;
 pub mod syntax;
 mod tensor;
@@ -21,7 +23,7 @@ mod write;
 
 use std::ops::Range;
 
-pub use scope::{Declaration, DeclareError, Role, Scope};
+pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope};
 pub use syntax::RelationKind;
 
 use diag::Problem;
@@ -113,6 +115,15 @@ pub fn elaborate(chain: &syntax::Chain, scope: &Scope, graph: &mut Graph) -> Res
 /// As for [`elaborate`].
 pub fn elaborate_expression(node: &syntax::Node, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Problem> {
     Elaborator::new(scope, graph).closed_expression(node).map_err(|problem| *problem)
+}
+
+/// Reads one expression that stands for one value: ± is refused, with its place. What is defined, given or measured is
+/// read so.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read_quantity(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
+    Elaborator::new(scope, graph).quantity(text)
 }
 
 /// Reads one expression.

@@ -342,6 +342,9 @@ impl<'a> Editor<'a> {
             }
             NodeKind::Number(_)
             | NodeKind::Pi
+            | NodeKind::Euler { .. }
+            | NodeKind::At { .. }
+            | NodeKind::Factorial(_)
             | NodeKind::Identity
             | NodeKind::Group(..)
             | NodeKind::Dot(_)
@@ -446,6 +449,8 @@ pub(super) fn place_of(parent: &Node, at: usize, child: &Node, vocabulary: &Voca
             if exponent(child).is_some() || is_transpose(child) { Place::Fixed } else { Place::Whole }
         }
         NodeKind::Limit(_, Target::Finite(_)) if at == 0 => Place::Fixed,
+        NodeKind::At { .. } if at == 1 => Place::Fixed,
+        NodeKind::Factorial(_) => Place::Fixed,
         NodeKind::Limit(..) => Place::Whole,
         NodeKind::Group(..) | NodeKind::Absolute(_) => match child.kind {
             NodeKind::Sum(_) => Place::Part,

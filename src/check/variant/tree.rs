@@ -182,7 +182,7 @@ pub(super) fn is_transpose(node: &Node) -> bool {
 /// The parts of a node, to be replaced, in the order of [`Node::children`].
 pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     match &mut node.kind {
-        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
+        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Vec::new(),
         NodeKind::Symbol(s) => s.sup.as_deref_mut().into_iter().chain(s.arguments.iter_mut().flatten()).collect(),
         NodeKind::Scripted { base, sup, .. } => std::iter::once(&mut **base).chain(sup.as_deref_mut()).collect(),
         NodeKind::Sum(terms) => terms.iter_mut().map(|(_, n)| n).collect(),
@@ -191,7 +191,8 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
         NodeKind::Cross { left, right, .. } => vec![left, right],
         NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
         NodeKind::Derivative { of, by, .. } => vec![of, by],
-        NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+        NodeKind::At { of, time, .. } => vec![of, time],
+        NodeKind::Factorial(a) | NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
         NodeKind::Exponential { exponent, .. } => vec![exponent],
         NodeKind::Matrix(rows) => rows.iter_mut().flatten().collect(),
         NodeKind::Limit(body, target) => match target {
