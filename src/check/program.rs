@@ -8,7 +8,8 @@ use super::measured::{Measured, Series};
 use super::part::{BLOCK, Evaluation, Part};
 use super::steep::exponents;
 use crate::derivation::{Derivation, Form, Written};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
+use crate::expr::domain::Sign;
+use crate::expr::{Expr, Graph, Leaf, Shape, Tensor};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
 use crate::number::{Bounded, NoValue, Rational};
@@ -150,34 +151,25 @@ fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
 /// The conditions under which every operation of an expression has a value, observables traced back.
 fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
     let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
-    let (zero, one) = (graph.integer(0), graph.integer(1));
+    let zero = graph.integer(0);
     let mut out = Vec::new();
-    for node in graph.reachable(traced) {
-        let conditions = match *graph.node(node) {
-            Node::Unary(Op::Sqrt, a) => vec![(a, RelationKind::GreaterEqual, zero)],
-            Node::Unary(Op::Ln, a) => vec![(a, RelationKind::Greater, zero)],
-            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
-                let size = graph.unary(Op::Abs, a);
-                vec![(size, RelationKind::LessEqual, one)]
-            }
-            Node::Binary(Op::Div, _, b) => vec![(b, RelationKind::NotEqual, zero)],
-            Node::Binary(Op::Arctan2, a, b) => {
-                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
-                let length = graph.add(aa, bb);
-                vec![(length, RelationKind::NotEqual, zero)]
-            }
-            _ => continue,
-        };
-        for (left, kind, right) in conditions {
-            // What does not depend on anything is settled by the value itself.
-            if graph.leaves([left]).is_empty() {
-                continue;
-            }
+    for need in graph.needs_below(traced) {
+        // What does not depend on anything is settled by the value itself.
+        if !graph.leaves([need.value]).is_empty() {
             let label = format!("{} has a value", w.text);
-            out.push(Comparison::new(graph, scope, label, kind, left, right));
+            out.push(Comparison::new(graph, scope, label, relation(need.sign), need.value, zero));
         }
     }
     out
+}
+
+/// What is asked of a term, as a relation to 0.
+pub(super) fn relation(sign: Sign) -> RelationKind {
+    match sign {
+        Sign::Positive => RelationKind::Greater,
+        Sign::NotNegative => RelationKind::GreaterEqual,
+        Sign::NotZero => RelationKind::NotEqual,
+    }
 }
 
 /// What vanishes where the first relation of a statement holds, for events.

@@ -2,7 +2,8 @@
 //!
 //! From each row follow a variant of [`Op`], a method that every [`Number`] must have, the arm of the evaluation loop,
 //! the spelling in formulas and the row of the grammar page. To add an operation: add a row here, then implement the
-//! method where the compiler asks for it (one per number type, plus the derivative in `expr`).
+//! method where the compiler asks for it (one per number type, plus its derivative and its row in the table of domains, which
+//! says where it has a value, in `expr`).
 
 use super::{NoValue, Rational};
 
@@ -58,14 +59,14 @@ pub(super) fn run_each<N>(
 
 macro_rules! operations {
     (
-        unary { $( $U:ident $u:ident $uspell:literal on $udom:literal; )* }
-        binary { $( $B:ident $b:ident $bspell:literal on $bdom:literal; )* }
+        unary { $( $U:ident $u:ident $uspell:literal; )* }
+        binary { $( $B:ident $b:ident $bspell:literal; )* }
     ) => {
         /// An operation of the table. `Powi` carries its integer exponent and is unary.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Op {
-            $( #[doc = concat!("`", $uspell, "` on ", $udom, ".")] $U, )*
-            $( #[doc = concat!("`", $bspell, "` on ", $bdom, ".")] $B, )*
+            $( #[doc = concat!("`", $uspell, "`.")] $U, )*
+            $( #[doc = concat!("`", $bspell, "`.")] $B, )*
             /// Integer power xⁿ; x ≠ 0 where n < 0; x⁰ = 1.
             Powi(i32),
         }
@@ -82,11 +83,6 @@ macro_rules! operations {
             /// How the operation is written in a formula.
             pub fn spelling(self) -> &'static str {
                 match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^" }
-            }
-
-            /// The real domain, in words.
-            pub fn domain(self) -> &'static str {
-                match self { $( Op::$U => $udom, )* $( Op::$B => $bdom, )* Op::Powi(_) => "ℝ; without 0 for a negative exponent" }
             }
 
             /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
@@ -119,9 +115,9 @@ macro_rules! operations {
             fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue>;
             /// `self` := aⁿ.
             fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue>;
-            $( #[doc = concat!("`self` := `", $uspell, "` of `a`, on ", $udom, ".")]
+            $( #[doc = concat!("`self` := `", $uspell, "` of `a`.")]
                fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue>; )*
-            $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`, on ", $bdom, ".")]
+            $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`.")]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
 
             /// Carries out the steps of a program. A type whose operations want wider registers than every processor has
@@ -137,28 +133,28 @@ macro_rules! operations {
 
 operations! {
     unary {
-        Neg neg "-" on "ℝ";
-        Sqrt sqrt r"\sqrt" on "[0, ∞)";
-        Exp exp r"\exp" on "ℝ";
-        Ln ln r"\ln" on "(0, ∞)";
-        Sin sin r"\sin" on "ℝ";
-        Cos cos r"\cos" on "ℝ";
-        Tan tan r"\tan" on "ℝ without the odd multiples of π/2";
-        Arcsin arcsin r"\arcsin" on "[−1, 1]";
-        Arccos arccos r"\arccos" on "[−1, 1]";
-        Arctan arctan r"\arctan" on "ℝ";
-        Sinh sinh r"\sinh" on "ℝ";
-        Cosh cosh r"\cosh" on "ℝ";
-        Tanh tanh r"\tanh" on "ℝ";
-        Abs abs r"|\cdot|" on "ℝ";
+        Neg neg "-";
+        Sqrt sqrt r"\sqrt";
+        Exp exp r"\exp";
+        Ln ln r"\ln";
+        Sin sin r"\sin";
+        Cos cos r"\cos";
+        Tan tan r"\tan";
+        Arcsin arcsin r"\arcsin";
+        Arccos arccos r"\arccos";
+        Arctan arctan r"\arctan";
+        Sinh sinh r"\sinh";
+        Cosh cosh r"\cosh";
+        Tanh tanh r"\tanh";
+        Abs abs r"|\cdot|";
     }
     binary {
-        Add add "+" on "ℝ²";
-        Sub sub "-" on "ℝ²";
-        Mul mul r"\cdot" on "ℝ²";
-        Div div r"\frac" on "a ∈ ℝ, b ≠ 0";
-        Pow pow "^" on "a > 0, or a = 0 with b > 0";
-        Arctan2 arctan2 r"\operatorname{atan2}" on "ℝ² without (0, 0)";
-        Agm agm r"\operatorname{agm}" on "a ≥ 0, b ≥ 0";
+        Add add "+";
+        Sub sub "-";
+        Mul mul r"\cdot";
+        Div div r"\frac";
+        Pow pow "^";
+        Arctan2 arctan2 r"\operatorname{atan2}";
+        Agm agm r"\operatorname{agm}";
     }
 }
