@@ -3,7 +3,7 @@
 //! **In:** the forms and assumptions of a claim. **Out:** a [`Program`] that measures every comparison at a point of any
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
 
-use super::comparison::{Comparison, Group, at_instant, traced};
+use super::comparison::{Comparison, Group, at_instant, behind_rates, traced};
 use super::measured::{Measured, Series};
 use super::part::{BLOCK, Evaluation, Part};
 use super::steep::exponents;
@@ -148,19 +148,29 @@ fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
     graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
 }
 
-/// The conditions under which every operation of an expression has a value, observables traced back.
-fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
-    let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
+/// The conditions under which every operation of an expression has a value, observables traced back; and what vanishes where
+/// it is not known whether there is a value: edges of a rate.
+fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (Vec<Comparison>, Vec<Expr>) {
+    let traced = |e: &Expr| {
+        let e = behind_rates(graph, scope, *e);
+        traced(graph, scope, e)
+    };
+    let traced: Vec<Expr> = w.value.components.iter().map(traced).collect();
     let zero = graph.integer(0);
-    let mut out = Vec::new();
+    let (mut out, mut edges) = (Vec::new(), Vec::new());
     for need in graph.needs_below(traced) {
         // What does not depend on anything is settled by the value itself.
-        if !graph.leaves([need.value]).is_empty() {
-            let label = format!("{} has a value", w.text);
-            out.push(Comparison::new(graph, scope, label, relation(need.sign), need.value, zero));
+        if graph.leaves([need.value]).is_empty() {
+            continue;
+        }
+        let label = format!("{} has a value", w.text);
+        let condition = Comparison::new(graph, scope, label, relation(need.sign), need.value, zero);
+        match need.certain {
+            true => out.push(condition),
+            false => edges.extend(condition.boundaries),
         }
     }
-    out
+    (out, edges)
 }
 
 /// What is asked of a term, as a relation to 0.
@@ -232,7 +242,12 @@ impl Program {
                 comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
             }
             if let Use::Defined = how {
-                comparisons.extend(domain_conditions(graph, &claim.scope, w));
+                let (conditions, edges) = domain_conditions(graph, &claim.scope, w);
+                if let Some(first) = comparisons.first_mut() {
+                    // The search between the samples looks there, too.
+                    first.boundaries.extend(edges);
+                }
+                comparisons.extend(conditions);
             }
             groups.push((how, Group { comparisons, branching: false }));
         }

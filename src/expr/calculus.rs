@@ -151,6 +151,7 @@ impl Graph {
                 let sign = self.div(a, node);
                 self.mul(sign, da)
             }
+            Op::Restrict => da,
             Op::Powi(0) => self.integer(0),
             Op::Powi(n) => {
                 let factor = self.integer(i64::from(n));

@@ -13,7 +13,7 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
-use super::{Expr, Graph, Node, Op, Rational};
+use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
 
 /// What is asked of a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -166,6 +166,9 @@ pub struct Need {
     pub value: Expr,
     /// What is asked of it.
     pub sign: Sign,
+    /// Whether there is no value where it is not met. Otherwise nothing is known there: it belongs to the formula for a rate,
+    /// and not to the function that the rate is of.
+    pub certain: bool,
 }
 
 /// An edge of a node.
@@ -275,6 +278,8 @@ pub fn row(op: Op) -> Row {
             range: from_zero,
             slopes: [Rising, Rising],
         },
+        // Its own domain is that of its arguments.
+        Op::Restrict => smooth(REAL, Rising, Flat),
         Op::Powi(n) => {
             let (even, falls) = (n % 2 == 0, n < 0);
             Row {
@@ -359,13 +364,87 @@ impl Graph {
             let sign = if *exponent > Rational::ZERO { Sign::NotNegative } else { Sign::Positive };
             needs = vec![(Term::First, sign)];
         }
-        let need = |(term, sign): (Term, Sign)| Need { op, first: a, term, value: term.of(self, a, b), sign };
+        let need = |(term, sign): (Term, Sign)| Need { op, first: a, term, value: term.of(self, a, b), sign, certain: true };
         needs.into_iter().map(need).collect()
     }
 
     /// What everything that the roots depend on needs: they have values where all of it holds, and the leaves have values.
     pub fn needs_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Need> {
-        self.reachable(roots).into_iter().flat_map(|node| self.needs(node)).collect()
+        let roots: Vec<Expr> = roots.into_iter().collect();
+        let asked = self.asked(&roots);
+        let mut out = Vec::new();
+        for node in self.reachable(roots) {
+            let certain = asked.contains(&node);
+            out.extend(self.needs(node).into_iter().map(|need| Need { certain, ..need }));
+        }
+        out
+    }
+
+    /// The nodes without whose values the roots have none: all, but what stands in a formula for a rate only.
+    fn asked(&self, roots: &[Expr]) -> FastSet<Expr> {
+        let (mut seen, mut open) = (FastSet::default(), roots.to_vec());
+        while let Some(e) = open.pop() {
+            if seen.insert(e) {
+                match *self.node(e) {
+                    Node::Binary(Op::Restrict, _, of) => open.push(of),
+                    Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                        open.extend(self.node(e).children());
+                    }
+                }
+            }
+        }
+        seen
+    }
+
+    /// The rate `formula` of `function`, with the domain that a rate has: no value where the function has none; unknown where
+    /// the function has a value and the formula none, as at a kink or where a slope grows without bound. `partial` says of a
+    /// leaf whether it may lack a value.
+    ///
+    /// A derivative drops terms that do not change (ln of a constant, x⁰), and with them what they need.
+    pub fn rate_of(&mut self, function: Expr, formula: Expr, partial: impl Fn(Leaf) -> bool) -> Expr {
+        let asked = |graph: &mut Graph, e: Expr| -> FastSet<(Expr, Sign)> {
+            let needs = graph.needs_below([e]);
+            let open = needs.into_iter().filter(|need| !graph.is_met(need));
+            open.map(|need| (need.value, need.sign)).collect()
+        };
+        let same_needs = asked(self, function) == asked(self, formula);
+        let kept: FastSet<Symbol> = self.leaves([formula]).into_iter().map(|leaf| leaf.symbol).collect();
+        let same_leaves = self.leaves([function]).into_iter().all(|leaf| !partial(leaf) || kept.contains(&leaf.symbol));
+        if same_needs && same_leaves { formula } else { self.binary(Op::Restrict, formula, function) }
+    }
+
+    /// Whether a need is met whatever the leaves are: a positive number and squares.
+    fn is_met(&self, need: &Need) -> bool {
+        let Node::Binary(Op::Add, a, b) = *self.node(need.value) else {
+            return self.as_constant(need.value).is_some_and(|r| match need.sign {
+                Sign::Positive => *r > Rational::ZERO,
+                Sign::NotNegative => *r >= Rational::ZERO,
+                Sign::NotZero => *r != Rational::ZERO,
+            });
+        };
+        let positive = |e: Expr| self.as_constant(e).is_some_and(|r| *r > Rational::ZERO);
+        let square = |e: Expr| matches!(self.node(e), Node::Unary(Op::Powi(n), _) if n % 2 == 0 && *n >= 0);
+        positive(a) && square(b) || positive(b) && square(a)
+    }
+
+    /// A formula without what restricts it: equal to it wherever that has a value.
+    pub fn unrestricted(&mut self, e: Expr) -> Expr {
+        let order = self.reachable([e]);
+        let is_restriction = |node: &Expr| matches!(self.node(*node), Node::Binary(Op::Restrict, ..));
+        if !order.iter().any(is_restriction) {
+            return e;
+        }
+        let mut image: FastMap<Expr, Expr> = FastMap::default();
+        for node in order {
+            let new = match *self.node(node) {
+                Node::Binary(Op::Restrict, a, _) => image[&a],
+                Node::Unary(op, a) => self.unary(op, image[&a]),
+                Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
+            };
+            image.insert(node, new);
+        }
+        image[&e]
     }
 
     /// The edges of a node: where it is not analytic though its arguments are.

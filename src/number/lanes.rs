@@ -108,6 +108,9 @@ impl<const N: usize> Number for Lanes<N> {
         *self = Lanes::splat(std::f64::consts::PI);
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        self.zip(a, b, |a, b| only(!b.is_nan(), a))
+    }
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {
             2 => self.map(a, |x| x * x),
@@ -323,6 +326,9 @@ impl<const N: usize> Number for DualLanes<N> {
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         *self = DualLanes::constant(std::f64::consts::PI);
         Ok(())
+    }
+    fn restrict(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        self.zip(a, b, |[a, da], [b, _]| [only(!b.is_nan(), a), da])
     }
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {

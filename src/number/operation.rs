@@ -36,6 +36,16 @@ impl<N: Number> Apply<N> for Plain<'_, N::Context> {
     }
 }
 
+/// Why there is no result where an argument is missing: for the reason of the first one that is. What is restricted to where
+/// something else has a value is *unknown* where that has one: a formula for a rate may miss what its function has.
+fn absent(op: Op, a: Option<NoValue>, b: Option<NoValue>) -> Option<NoValue> {
+    match (op, a, b) {
+        (Op::Restrict, Some(_), None) => Some(NoValue::Indeterminate),
+        (Op::Restrict, _, Some(of)) => Some(of),
+        _ => a.or(b),
+    }
+}
+
 /// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
 #[inline(always)]
 pub(super) fn run_each<N>(
@@ -48,7 +58,7 @@ pub(super) fn run_each<N>(
         let (a, b, out) = (a as usize, b as usize, out as usize);
         let reason = missing[a].or(missing[b]);
         missing[out] = if reason.is_some() {
-            reason
+            absent(op, missing[a], missing[b])
         } else {
             // Arguments lie before the result, so the borrow can be split there.
             let (before, rest) = values.split_at_mut(out);
@@ -69,20 +79,23 @@ macro_rules! operations {
             $( #[doc = concat!("`", $bspell, "`.")] $B, )*
             /// Integer power xⁿ; x ≠ 0 where n < 0; x⁰ = 1.
             Powi(i32),
+            /// a, where b has a value. No formula is written with it: it makes a rate (a) have no value where its function (b)
+            /// has none. Where b has a value and a has none, nothing is known.
+            Restrict,
         }
 
         impl Op {
-            /// Every operation of the table, with two exponents standing for all integer powers.
+            /// Every operation that formulas are written with; two exponents stand for all integer powers.
             pub const ALL: &'static [Op] = &[ $( Op::$U, )* $( Op::$B, )* Op::Powi(3), Op::Powi(-2) ];
 
             /// Number of arguments.
             pub fn arity(self) -> usize {
-                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1 }
+                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1, Op::Restrict => 2 }
             }
 
             /// How the operation is written in a formula.
             pub fn spelling(self) -> &'static str {
-                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^" }
+                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^", Op::Restrict => r"\restriction" }
             }
 
             /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
@@ -95,6 +108,7 @@ macro_rules! operations {
                     $( Op::$U => out.$u(cx, a), )*
                     $( Op::$B => out.$b(cx, a, b), )*
                     Op::Powi(n) => out.powi(cx, a, n),
+                    Op::Restrict => out.restrict(cx, a, b),
                 }
             }
         }
@@ -113,6 +127,8 @@ macro_rules! operations {
             fn rational(&mut self, cx: &Self::Context, r: &Rational) -> Result<(), NoValue>;
             /// `self` := π.
             fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue>;
+            /// `self` := a, where b has a value: see [`Op::Restrict`].
+            fn restrict(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>;
             /// `self` := aⁿ.
             fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue>;
             $( #[doc = concat!("`self` := `", $uspell, "` of `a`.")]

@@ -75,6 +75,10 @@ impl Number for f64 {
         *self = std::f64::consts::PI;
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &f64, _: &f64) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
         domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
         *self = finite(powi(*a, n))?;

@@ -127,6 +127,8 @@ fn decide(
     let mut insertion = Insertion::new(&solved.definitions);
     let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
+    // What is proved is proved where the formulas have values: the needs of what restricts a rate are conditions below.
+    let claim: Pairs = claim.into_iter().map(|(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();

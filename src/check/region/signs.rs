@@ -77,8 +77,8 @@ struct Compiled {
     slopes: Option<Tape>,
     /// D with some variables at an end of their ranges, by [`pattern`].
     exact: FastMap<usize, Tape>,
-    /// What the operations of D need, by number.
-    needs: Vec<usize>,
+    /// What the operations of D need, by number, and whether there is no value where it is not met.
+    needs: Vec<(usize, bool)>,
 }
 
 /// Relations `D ? 0` over some variables.
@@ -139,7 +139,7 @@ impl Signs {
         let value = Tape::compile(graph, &inputs, &[d])?;
         let mut needs = Vec::new();
         for need in graph.needs_below([d]) {
-            needs.push(self.add(graph, need.value, relation(need.sign))?);
+            needs.push((self.add(graph, need.value, relation(need.sign))?, need.certain));
         }
         let slopes: Result<Vec<Expr>, _> = inputs.iter().map(|&l| graph.partial_derivative(d, l)).collect();
         let slopes = slopes.ok().and_then(|roots| Tape::compile(graph, &inputs, &roots).ok());
@@ -200,9 +200,9 @@ impl Signs {
             _ => {}
         }
         let mut all = true;
-        for &need in &self.all[relation].needs {
+        for &(need, certain) in &self.all[relation].needs {
             match self.look(need, cell, scratch) {
-                (None, _) | (_, Truth::False) => return Domain::Nowhere,
+                (None, _) | (_, Truth::False) if certain => return Domain::Nowhere,
                 (_, truth) => all &= truth == Truth::True,
             }
         }
