@@ -10,6 +10,7 @@
 //! the two, because the error of a trajectory is an estimate.
 
 use super::telling::Told;
+use crate::expr::domain::row;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::number::{Bounded, NoValue};
@@ -170,8 +171,7 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
                 graph.div(image[&a], under)
             }
             // Bounded functions and angles are of the size 1, also where they happen to vanish.
-            Node::Unary(Op::Sin | Op::Cos | Op::Tanh | Op::Arcsin | Op::Arccos | Op::Arctan, _)
-            | Node::Binary(Op::Arctan2, ..) => graph.integer(1),
+            Node::Unary(op, _) | Node::Binary(op, ..) if row(op).is_bounded() => graph.integer(1),
             Node::Unary(..) | Node::Binary(..) => graph.unary(Op::Abs, node),
         };
         image.insert(node, m);

@@ -1,7 +1,7 @@
 //! What can go wrong with a system or a motion.
 
-use crate::expr::{Graph, Leaf};
-use crate::number::NoValue;
+use expr::{Graph, Leaf};
+use number::NoValue;
 
 /// Why a system cannot be solved for its rates, or a motion cannot be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -61,7 +61,7 @@ pub enum FlowError {
         /// The leaf, as a formula writes it.
         leaf: String,
         /// Which operation has no derivative.
-        reason: crate::expr::NoDerivative,
+        reason: expr::NoDerivative,
     },
     /// A state without an initial value among those given.
     #[error("no initial value is given for {state}")]
@@ -123,6 +123,15 @@ pub enum Problem {
         time: f64,
         /// Why.
         reason: NoValue,
+    },
+    /// A right side that jumps or has an infinite slope there.
+    #[error(
+        "the motion is not determined after t = {time}: a right side jumps there, or its slope by a state is infinite, so \
+         that several motions may go on, or none"
+    )]
+    Undetermined {
+        /// The time up to which it is.
+        time: f64,
     },
     /// The independent integration, from which the error is estimated, ends earlier.
     #[error("the error is not known after t = {time}")]

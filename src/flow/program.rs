@@ -4,10 +4,10 @@ use num_dual::Dual;
 
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
-use crate::expr::domain::{Change, Place as At, Term, row};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Orders, Scalar};
-use crate::tape::{Slots, Tape};
+use expr::domain::{Change, Place as At, Term, row};
+use expr::{Expr, Graph, Leaf};
+use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Orders, Scalar};
+use expr::tape::{Slots, Tape};
 
 /// Where an input of a program comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +107,7 @@ fn branches(tape: &Tape) -> Vec<(Term, usize)> {
 }
 
 /// Whether a term of one argument vanishes for certain.
-fn vanishes<B: Scalar>(term: Term, x: B) -> bool {
+pub(super) fn vanishes<B: Scalar>(term: Term, x: B) -> bool {
     match term {
         Term::Unit => {
             let one = B::integer(1);

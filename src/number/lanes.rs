@@ -58,7 +58,8 @@ fn pow(a: f64, b: f64) -> f64 {
 /// The angle of a point other than the origin.
 #[inline(always)]
 fn arctan2(y: f64, x: f64) -> f64 {
-    only(y != 0.0 || x != 0.0, pxfm::f_atan2(y, x))
+    // −0 is 0: never the other side of the cut.
+    only(y != 0.0 || x != 0.0, pxfm::f_atan2(y + 0.0, x + 0.0))
 }
 
 /// The mean of numbers that are not negative.

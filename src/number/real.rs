@@ -168,7 +168,8 @@ impl Number for f64 {
     }
     fn arctan2(&mut self, _: &(), y: &f64, x: &f64) -> Result<(), NoValue> {
         domain(*y != 0.0 || *x != 0.0)?;
-        *self = finite(pxfm::f_atan2(*y, *x))?;
+        // −0 is 0: never the other side of the cut.
+        *self = finite(pxfm::f_atan2(*y + 0.0, *x + 0.0))?;
         Ok(())
     }
     fn agm(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {

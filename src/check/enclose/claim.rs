@@ -112,6 +112,7 @@ pub(super) fn strengthen(
             Part::Comparisons(_, group, _) => Some(group),
             Part::Rank(_) | Part::Same(_) => None,
         };
+        let definedness = matches!(part, Part::Comparisons(Use::Defined, _, Ok(_)));
         let shown = match part {
             Part::Comparisons(how, _, Ok(mut ready)) => {
                 ready.weigh(along);
@@ -144,6 +145,12 @@ pub(super) fn strengthen(
                 }
                 let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
                 *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);
+                return Ok(());
+            }
+            Shown::Nothing(reason) if definedness => {
+                // That there is a value everywhere is what was asked, and somewhere it is open.
+                let reason = Some(format!("whether there is a value everywhere is open: {reason}"));
+                *verdict = Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() });
                 return Ok(());
             }
             Shown::Nothing(reason) => {
