@@ -73,6 +73,10 @@ fn what_has_no_value_is_not_defined_and_says_nothing() {
                     (format!("eventually = ['0\\cdot {f}=1']"), wrong),
                 ];
                 for (claim, forbidden) in claims {
+                    // The mean has no derivative among the operations: refused.
+                    if op == Op::Agm && claim.contains("{dt}") {
+                        continue;
+                    }
                     text.push_str(&format!("[[claim]]\nid = \"c{}\"\nsays = \"an edge\"\n{claim}\n", never.len()));
                     never.push((claim, forbidden));
                 }
