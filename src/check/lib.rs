@@ -10,8 +10,13 @@
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
+use crate as check;
+use ::{derivation, diag, expr, flow, latex, number};
+use expr::tape;
+
 mod account;
 mod between;
+mod by_formula;
 mod cache;
 mod comparison;
 mod describe;
@@ -31,8 +36,9 @@ mod program;
 mod proposition;
 pub mod region;
 mod same_motion;
-#[cfg(test)]
-pub(crate) mod sample;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub mod sample;
 pub mod search;
 mod second_route;
 pub mod separation;
@@ -338,7 +344,8 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried, &account.trajectories)
+        .map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
@@ -447,7 +454,8 @@ fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
 }
 
-/// Gives verdicts the strength of the proofs behind them, and compares the two.
+/// Gives verdicts the strength of the proofs behind them, and compares the two. Motions that are given by formulas come first, see
+/// [`by_formula`].
 ///
 /// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
 /// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
@@ -461,7 +469,10 @@ fn strengthen(
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
+    trajectories: &[TrajectoryAccount],
 ) -> Result<(), String> {
+    by_formula::settle(derivation, claims, claimed, tried)?;
+    let problem = |id: &str| trajectories.iter().any(|t| t.id == id && t.problem.is_some());
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
@@ -494,6 +505,14 @@ fn strengthen(
                 }
                 match pair.verdict.outcome() {
                     Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
+                    // Samples that do not settle it say at least that it has a value; what was not reached is not known.
+                    Outcome::Undecided
+                        if pair.verdict.evidence().samples > 0
+                            && identity.exceptions.is_empty()
+                            && !problem(&pair.trajectory) =>
+                    {
+                        ready.push((k, at));
+                    }
                     Outcome::Fails(_) => {
                         return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
                     }
