@@ -442,6 +442,8 @@ fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gr
     let verdict = trial::all_of(verdicts);
     // What was not reached was not tried.
     match (course.motion.problem(), verdict.outcome()) {
+        // What was found at one time remains found.
+        (Some(_), Outcome::Holds(_)) if trial.claim.forms.iter().all(|f| matches!(f, Form::Eventually(_))) => verdict,
         (Some(problem), Outcome::Holds(_)) => {
             let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
             Verdict::new(Outcome::Undecided, evidence)

@@ -13,6 +13,8 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
+use number::Scalar;
+
 use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
 
 /// What is asked of a term.
@@ -317,6 +319,19 @@ impl EdgeOf {
 }
 
 impl Term {
+    /// Whether the term vanishes for certain, as far as it is one of a single argument: that of steep edges.
+    pub fn vanishes<B: Scalar>(self, x: B) -> bool {
+        match self {
+            Term::Unit => {
+                let one = B::integer(1);
+                (one - x).is_zero() || (one + x).is_zero()
+            }
+            Term::Excess => (x - B::integer(1)).is_zero(),
+            Term::First => x.is_zero(),
+            Term::Second | Term::Opposite | Term::Cosine | Term::Sine | Term::Squares | Term::Support => false,
+        }
+    }
+
     /// The term, for the arguments of a node.
     fn of(self, graph: &mut Graph, a: Expr, b: Expr) -> Expr {
         let one = graph.integer(1);

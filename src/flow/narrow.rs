@@ -9,8 +9,7 @@
 //! **In:** a step, as polynomials of the states. **Out:** whether the rates are polynomials on it, up to a small part of the
 //! size of the states. Right sides that are polynomials themselves have nothing to hide.
 
-use super::taylor::Flow;
-use expr::tape::Slots;
+use expr::tape::{Slots, Tape};
 use number::{Interval, Jet, Op, Orders};
 
 /// Order of the series over intervals.
@@ -23,6 +22,7 @@ const FLOOR: f64 = 1e-100;
 /// The memory of series over steps.
 pub(super) struct Narrow {
     slots: Slots<Jet<Interval>>,
+    dimension: usize,
 }
 
 /// Whether an operation is a polynomial in what moves.
@@ -49,22 +49,24 @@ fn is_polynomial(op: Op, first: bool, second: bool) -> bool {
 }
 
 impl Narrow {
-    /// Memory for a field; nothing where its right sides are polynomials.
-    pub(super) fn new(flow: &Flow, constants: &[f64]) -> Option<Narrow> {
-        let moving = flow.moving(true);
+    /// Memory for a field of some dimension, whose inputs are the time, then the states; nothing where its right sides are
+    /// polynomials in the slots that are `moving`. `slots` makes memory for series up to an order.
+    pub(super) fn new(
+        tape: &Tape,
+        moving: &[bool],
+        dimension: usize,
+        slots: impl FnOnce(usize) -> Slots<Jet<Interval>>,
+    ) -> Option<Narrow> {
         let polynomial = |op: Op, a: u32, b: u32| is_polynomial(op, moving[a as usize], moving[b as usize]);
-        if flow.tape.instructions().iter().all(|i| polynomial(i.op, i.a, i.b)) {
-            return None;
-        }
-        let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
-        Some(Narrow { slots: flow.slots(ORDER, &constants) })
+        let hides_nothing = tape.instructions().iter().all(|i| polynomial(i.op, i.a, i.b));
+        (!hides_nothing).then(|| Narrow { slots: slots(ORDER), dimension })
     }
 
     /// Whether all rates are polynomials over the step from `time` to `time + h`, on which the states are the polynomials
     /// `series` in the time since its start; `scale` is the size of a state.
     pub(super) fn resolves(
         &mut self,
-        flow: &Flow,
+        tape: &Tape,
         (time, h): (f64, f64),
         series: &[f64],
         scale: impl Fn(usize) -> f64,
@@ -73,7 +75,7 @@ impl Narrow {
         let slot = self.slots.value_mut(0);
         slot.set_coefficient(0, Interval::point(time).hull(Interval::point(time + h)));
         slot.set_coefficient(1, Interval::point(1.0));
-        for (i, c) in series.chunks(series.len() / flow.dimension.max(1)).enumerate() {
+        for (i, c) in series.chunks(series.len() / self.dimension.max(1)).enumerate() {
             let slot = self.slots.value_mut(1 + i);
             // The coefficients around all times of the step: ∑ⱼ (j over k)·cⱼ·sʲ⁻ᵏ.
             let mut weights: Vec<f64> = vec![1.0; c.len()];
@@ -87,9 +89,9 @@ impl Narrow {
                 }
             }
         }
-        flow.tape.run(&Orders::all(ORDER), &mut self.slots);
-        (0..flow.dimension).all(|i| {
-            let slot = flow.tape.output_slot(i);
+        tape.run(&Orders::all(ORDER), &mut self.slots);
+        (0..self.dimension).all(|i| {
+            let slot = tape.output_slot(i);
             if self.slots.missing(slot).is_some() {
                 return false;
             }

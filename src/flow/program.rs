@@ -106,20 +106,6 @@ fn branches(tape: &Tape) -> Vec<(Term, usize)> {
     out
 }
 
-/// Whether a term of one argument vanishes for certain.
-pub(super) fn vanishes<B: Scalar>(term: Term, x: B) -> bool {
-    match term {
-        Term::Unit => {
-            let one = B::integer(1);
-            (one - x).is_zero() || (one + x).is_zero()
-        }
-        Term::Excess => (x - B::integer(1)).is_zero(),
-        Term::First => x.is_zero(),
-        // No steep edge of one argument lies there.
-        Term::Second | Term::Opposite | Term::Cosine | Term::Sine | Term::Squares | Term::Support => false,
-    }
-}
-
 /// 2π·n with its rounding error.
 fn turns(n: i64) -> Result<Bounded, NoValue> {
     if n == 0 {
@@ -426,7 +412,7 @@ impl Program {
     pub(super) fn is_at_branch_value<B: Base>(&self, bench: &Bench<B>) -> bool {
         self.branches.iter().any(|&(term, slot)| {
             let argument = bench.slots.value(slot);
-            let branch = vanishes(term, argument.coefficient(0));
+            let branch = term.vanishes(argument.coefficient(0));
             bench.slots.missing(slot).is_none() && argument.is_constant() && branch
         })
     }
@@ -441,7 +427,7 @@ impl Program {
         bench.degree > 0
             && self.branches.iter().any(|&(term, slot)| {
                 let argument = bench.slots.value(slot).coefficient(0);
-                bench.slots.missing(slot).is_none() && (0..N).any(|i| vanishes(term, argument.lane(i)))
+                bench.slots.missing(slot).is_none() && (0..N).any(|i| term.vanishes(argument.lane(i)))
             })
     }
 

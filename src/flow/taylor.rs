@@ -7,11 +7,10 @@
 //! e⁻²ᵖ of the first.
 
 use super::narrow::Narrow;
-use super::program::vanishes;
 use expr::Leaf;
 use expr::domain::{Change, Place, Term, row};
 use expr::tape::{Slots, Tape};
-use number::{Jet, NoValue, Orders, Scalar};
+use number::{Interval, Jet, NoValue, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug)]
@@ -134,7 +133,7 @@ impl Kinks {
     /// Whether a right side is steep at the present state: exactly at an edge.
     fn is_steep(&self, slots: &Slots<Jet<f64>>) -> bool {
         self.steep.iter().any(|&(term, slot)| {
-            slots.missing(slot).is_none() && vanishes(term, slots.value(slot).coefficient(0))
+            slots.missing(slot).is_none() && term.vanishes(slots.value(slot).coefficient(0))
         })
     }
 
@@ -292,7 +291,10 @@ impl<'a> Walker<'a> {
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
             kinks: Kinks::new(flow),
-            narrow: Narrow::new(flow, constants),
+            narrow: Narrow::new(&flow.tape, &flow.moving(true), flow.dimension, |order| {
+                let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
+                flow.slots(order, &constants)
+            }),
             late: vec![0.0; n],
         };
         flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
@@ -323,6 +325,10 @@ impl<'a> Walker<'a> {
             size = if size >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        // The slots hold the series at the present time: of what was tried, the last was accepted.
+        if self.kinks.is_near_steep(&self.slots, 4.0 * smallest) {
+            return Err(Stop::Undetermined);
+        }
         let mut why = Stop::Collapsed;
         // A step that meets a kink ends behind it, as closely as time can tell.
         let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
@@ -432,7 +438,7 @@ impl<'a> Walker<'a> {
             return false;
         }
         let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-        !narrow.resolves(self.flow, (self.time, h), &self.now, scale)
+        !narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale)
     }
 
     /// The step went on for a time behind a kink, at the rates before it.

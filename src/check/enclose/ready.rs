@@ -69,7 +69,7 @@ pub(super) fn median(mut sizes: Vec<f64>) -> f64 {
 }
 
 /// Terms below this size are lost among the last numbers before 0.
-const LOST: f64 = 1e-290;
+const LOST: f64 = 1e-280;
 
 /// Most points at which sizes are taken.
 pub(super) const POINTS: usize = 40;
