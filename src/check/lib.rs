@@ -48,12 +48,13 @@ mod steep;
 mod step;
 mod telling;
 mod trial;
-pub mod units;
+
 mod variant;
 mod verdict;
 mod weigh;
 
 pub use ::proof as identity;
+pub use ::units;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };
@@ -130,7 +131,7 @@ pub fn check(
     check_recalling(derivation, options, Recall::default(), progress)
 }
 
-/// [`check`], with what is known from before.
+/// [`check()`], with what is known from before.
 fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,
