@@ -330,8 +330,8 @@ fn no_wildcard_stands_for_operations_or_forms() {
             wrong.push(format!("{name}: {found}"));
         }
     }
-    let named = |name: &&str| wrong.iter().all(|line| !line.starts_with(**name));
-    assert!(EXHAUSTIVE.iter().all(|name| named(&name)), "name every operation and every form:\n{}", wrong.join("\n"));
+    let named = |name: &&str| wrong.iter().all(|line: &String| !line.starts_with(*name));
+    assert!(EXHAUSTIVE.iter().all(named), "name every operation and every form:\n{}", wrong.join("\n"));
     assert!(EXHAUSTIVE.iter().all(|name| root.join(name).exists()), "a file has moved");
     assert!(count <= MOST_RECOGNISING, "{count} wildcards over operations or forms:\n{}", wrong.join("\n"));
     assert_eq!(wildcards("match op { Op::Sin => 1, _ => 2 }"), 1);
