@@ -22,6 +22,8 @@ mod derivation_docs;
 mod derivation_errors;
 mod determinism;
 mod diff;
+mod domain_edges;
+mod domain_table;
 mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;

@@ -126,10 +126,7 @@ fn the_table_of_operations_is_that_of_the_program() {
     let page = page();
     let mut rows: Vec<String> = Vec::new();
     for op in Op::ALL {
-        let row = format!("| `{}` | {} |", op.spelling().replace('|', r"\|"), op.domain());
-        if !rows.contains(&row) {
-            rows.push(row);
-        }
+        rows.push(rederive::expr::domain::line(*op));
     }
     let section = page.split("## Operations").nth(1).and_then(|s| s.split("##").next()).unwrap_or("");
     let found: Vec<&str> = section.lines().filter(|l| l.starts_with("| `")).collect();

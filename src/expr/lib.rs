@@ -11,6 +11,7 @@
 //! while reading leaves nothing for later rooms to misunderstand.
 
 mod calculus;
+pub mod domain;
 mod graph;
 mod hash;
 mod print;

@@ -124,6 +124,15 @@ pub enum Problem {
         /// Why.
         reason: NoValue,
     },
+    /// A right side that jumps or has an infinite slope there.
+    #[error(
+        "the motion is not determined after t = {time}: a right side jumps there, or its slope by a state is infinite, so \
+         that several motions may go on, or none"
+    )]
+    Undetermined {
+        /// The time up to which it is.
+        time: f64,
+    },
     /// The independent integration, from which the error is estimated, ends earlier.
     #[error("the error is not known after t = {time}")]
     ErrorUnknown {

@@ -33,6 +33,7 @@ mod expansion;
 mod field;
 mod hoist;
 mod motion;
+mod narrow;
 mod points;
 mod program;
 mod resolve;

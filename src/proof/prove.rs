@@ -121,12 +121,18 @@ fn decide(
     options: &Options,
 ) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
-    let premises = with_rates(graph, given, equations)?;
+    let mut premises = with_rates(graph, given, equations)?;
+    // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
+    let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    for p in &mut premises {
+        (p.left, p.right) = (graph.unrestricted(p.left), graph.unrestricted(p.right));
+    }
     let solved = explicit(graph, &premises, equations, given);
-    let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    let premises = whole;
     let mut insertion = Insertion::new(&solved.definitions);
     let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
+    let claim: Pairs = claim.into_iter().map(|(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();

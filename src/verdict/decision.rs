@@ -230,6 +230,15 @@ impl Verdict {
         self.fold();
     }
 
+    /// Gives up that samples say that a part is true: what is asked of every time is seen to be open at one.
+    pub fn doubt(&mut self, part: usize, reason: String) {
+        if let Some(finding) = self.findings.get_mut(part).filter(|f| f.sampled == Possible::TRUE) {
+            finding.sampled = Possible::OPEN;
+            finding.evidence.reason = Some(reason);
+            self.fold();
+        }
+    }
+
     /// Adds to what is said of a verdict, without changing it.
     pub fn remark(&mut self, reason: String) {
         self.evidence.reason = Some(reason);

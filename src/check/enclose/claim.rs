@@ -174,6 +174,10 @@ pub(super) fn strengthen(
             }
         }
         if let Shown::Nothing(reason) = &shown {
+            if part.is_definedness() {
+                // That there is a value everywhere is what was asked, and somewhere it is open.
+                verdict.doubt(position, format!("whether there is a value everywhere is open: {reason}"));
+            }
             reasons.push(reason.clone());
         }
         learn(verdict, position, shown, (part, beyond));

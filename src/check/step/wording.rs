@@ -5,6 +5,7 @@ use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Sid
 use super::super::second_route::IdentityEvidence;
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
+use crate::expr::domain::{Change, EdgeOf};
 use crate::expr::{Expr, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
@@ -21,12 +22,12 @@ impl Step<'_> {
     /// Whether something that is shown to be locally constant may still jump: it contains a function with several
     /// branches, and the motion may pass from one to another. Quotients, sines and exponentials have one branch: what is
     /// constant on one side of a pole is the same constant on the other, since motions are analytic.
-    pub(super) fn jumps(&self, equations: &Pairs) -> bool {
+    pub(super) fn jumps(&mut self, equations: &Pairs) -> bool {
         !self.leaps(equations).is_empty()
     }
 
     /// What a proof that goes along a motion does not reach, in words.
-    pub(super) fn continuation(&self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<String> {
+    pub(super) fn continuation(&mut self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<String> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
         if !(moved || integral) {
             return Vec::new();
@@ -36,13 +37,7 @@ impl Step<'_> {
         let divided = self.divided_by_systems();
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
-        for e in self.graph.reachable(roots) {
-            let under = match *self.graph.node(e) {
-                Node::Binary(Op::Div, _, a) => a,
-                Node::Unary(Op::Powi(n), a) if n < 0 => a,
-                Node::Unary(Op::Tan, _) => e,
-                _ => continue,
-            };
+        for under in self.poles(roots) {
             let mut base = under;
             while let Node::Unary(Op::Powi(_) | Op::Sqrt | Op::Abs, a) = *self.graph.node(base) {
                 base = a;
@@ -50,12 +45,7 @@ impl Step<'_> {
             if divided.contains(&under) || divided.contains(&base) || !self.moves(base) {
                 continue;
             }
-            let line = match under == e {
-                true => format!("beyond a pole of {}, unless the motion is analytic there", self.shown(e)),
-                false => {
-                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base))
-                }
-            };
+            let line = format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base));
             if !out.contains(&line) {
                 out.push(line);
             }
@@ -73,23 +63,44 @@ impl Step<'_> {
     }
 
     /// The functions with several branches in what is claimed along a motion.
-    pub(super) fn leaps(&self, equations: &Pairs) -> Vec<Expr> {
+    pub(super) fn leaps(&mut self, equations: &Pairs) -> Vec<Expr> {
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
         let divided = self.divided_by_systems();
-        let branching = |&e: &Expr| match *self.graph.node(e) {
+        let mut out = self.graph.reachable(roots);
+        out.retain(|&e| {
             // A motion of a system that divides by a root does not pass its zero.
-            Node::Unary(Op::Sqrt, _) if divided.contains(&e) => false,
-            Node::Unary(Op::Abs | Op::Sqrt | Op::Ln | Op::Arcsin | Op::Arccos, a) => self.moves(a),
-            Node::Unary(Op::Arctan, a) => self.has_poles(a),
-            Node::Binary(Op::Arctan2 | Op::Pow | Op::Agm, a, b) => self.moves(a) || self.moves(b),
-            _ => false,
-        };
-        self.graph.reachable(roots).into_iter().filter(branching).collect()
+            let root = matches!(self.graph.node(e), Node::Unary(Op::Sqrt, _)) && divided.contains(&e);
+            !root && self.is_branching(e)
+        });
+        out
+    }
+
+    /// Whether an operation passes from one of its branches to another, if its arguments move so: at an edge that is no pole.
+    fn is_branching(&mut self, e: Expr) -> bool {
+        let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+        self.graph.edges(e).into_iter().any(|edge| match edge.change {
+            // Both sides of a pole belong to the same function; a pole with one side comes with the base of a power.
+            Change::Pole(..) => false,
+            Change::Log | Change::Jump(_) | Change::Kink | Change::Steep => match edge.vanishing {
+                Some(_) => arguments.iter().any(|&a| self.moves(a)),
+                None => arguments.iter().any(|&a| self.has_poles(a)),
+            },
+        })
+    }
+
+    /// What vanishes where something below is infinite.
+    fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for e in self.graph.reachable(roots) {
+            let poles = self.graph.edges(e).into_iter().filter(EdgeOf::is_pole);
+            out.extend(poles.filter_map(|edge| edge.vanishing));
+        }
+        out
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
-    fn divided_by_systems(&self) -> Vec<Expr> {
+    fn divided_by_systems(&mut self) -> Vec<Expr> {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
             Premise::System(system) => Some(&self.derivation.systems[system]),
@@ -98,16 +109,7 @@ impl Step<'_> {
         let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
         let mut roots: Vec<Expr> = relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
         self.add_definitions(&mut roots);
-        let mut open: Vec<Expr> = self
-            .graph
-            .reachable(roots)
-            .iter()
-            .filter_map(|&e| match *self.graph.node(e) {
-                Node::Binary(Op::Div, _, a) => Some(a),
-                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
-                _ => None,
-            })
-            .collect();
+        let mut open = self.poles(roots);
         let mut out = Vec::new();
         while let Some(e) = open.pop() {
             if out.contains(&e) {
@@ -159,15 +161,10 @@ impl Step<'_> {
     }
 
     /// Whether something may be infinite at some time.
-    fn has_poles(&self, e: Expr) -> bool {
+    fn has_poles(&mut self, e: Expr) -> bool {
         let mut roots = vec![e];
         self.add_definitions(&mut roots);
-        let pole = |&e: &Expr| match *self.graph.node(e) {
-            Node::Binary(Op::Div, _, a) | Node::Unary(Op::Tan, a) => self.moves(a),
-            Node::Unary(Op::Powi(n), a) => n < 0 && self.moves(a),
-            _ => false,
-        };
-        self.graph.reachable(roots).iter().any(pole)
+        self.poles(roots).into_iter().any(|under| self.moves(under))
     }
 
     /// Whether a condition is a false statement about a number.

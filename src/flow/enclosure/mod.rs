@@ -381,13 +381,14 @@ impl Enclosure {
     }
 
     fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
-        graph.directional_derivative(e, |graph, leaf| {
+        let rate = graph.directional_derivative(e, |graph, leaf| {
             if leaf == self.time {
                 return Some(graph.integer(1));
             }
             let tube = self.tube.as_deref()?;
             tube.states.iter().position(|&l| l == leaf).map(|i| tube.rates[i])
-        })
+        })?;
+        Ok(graph.rate_of(e, rate, |_| false))
     }
 
     fn constant(&mut self, graph: &mut Graph, value: Result<Precise, NoValue>) -> Expr {

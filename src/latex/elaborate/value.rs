@@ -523,7 +523,7 @@ impl Elaborator<'_> {
             let scope = self.scope;
             let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
             match self.graph.time_derivative(e, time, moves) {
-                Ok(d) => components.push(d),
+                Ok(d) => components.push(self.graph.rate_of(e, d, |l| scope.role(l.symbol) == Some(Role::Observable))),
                 Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
             }
         }
