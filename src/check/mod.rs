@@ -39,6 +39,7 @@ mod second_route;
 pub mod separation;
 mod series;
 mod stage;
+pub mod standing;
 mod steep;
 mod step;
 mod telling;
@@ -466,13 +467,14 @@ fn strengthen(
     tried: &[usize],
     trajectories: &[TrajectoryAccount],
 ) -> Result<(), String> {
+    standing::conditional(derivation, claims, known);
     by_formula::settle(derivation, claims, claimed, tried)?;
     let problem = |id: &str| trajectories.iter().any(|t| t.id == id && t.problem.is_some());
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
         for (k, &c) in claimed.iter().enumerate() {
-            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else {
                 continue;
             };
             let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
