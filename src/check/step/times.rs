@@ -7,7 +7,7 @@
 
 use super::gather::Gathered;
 use super::{Definitions, Pairs, Step};
-use crate::check::identity::{Identity, Options, Premises, Wanted, identity_test_after};
+use crate::identity::{Identity, Options, Premises, Wanted, identity_test_after};
 use crate::expr::{Expr, Leaf};
 use crate::latex::Role;
 
