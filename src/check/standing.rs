@@ -5,7 +5,7 @@
 //!
 //! | decision | means |
 //! |---|---|
-//! | *proved* | no case is left out |
+//! | *proved* | no case is left out (perhaps there is none: then [`Exception::Unseen`] says so) |
 //! | *proved except* | the cases listed are open |
 //! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
 //! | *undecided* | else |
@@ -111,7 +111,9 @@ impl Finding {
                     exceptions.push(Exception::Unseen);
                 }
                 exceptions.extend(along);
-                let decision = if exceptions.is_empty() { Decision::Proved } else { Decision::ProvedExcept };
+                // That no point was found that satisfies what is given leaves no case out: it is said beside the proof.
+                let complete = exceptions.iter().all(|e| *e == Exception::Unseen);
+                let decision = if complete { Decision::Proved } else { Decision::ProvedExcept };
                 Finding { decision, exceptions, void: None }
             }
             Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },

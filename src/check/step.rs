@@ -329,7 +329,14 @@ impl<'a> Step<'a> {
         if let Identity::Proved(proof) = &identity
             && has_exceptions(proof)
         {
-            identity = self.without_empty_cases(identity, &gathered, &equations);
+            identity = match moved {
+                false => self.without_empty_cases(identity, &gathered, &equations, true),
+                // What was proved is about rates; a point that refutes it says nothing of values.
+                true => match self.start_and_rates(&gathered, &equations) {
+                    Some(all) => self.without_empty_cases(identity, &gathered, &all, false),
+                    None => identity,
+                },
+            };
         }
         if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
             let still = self.at_rest(&gathered, &equations);
@@ -390,7 +397,13 @@ impl<'a> Step<'a> {
     ///
     /// What is claimed holds where what was divided by is not 0. Along a motion it holds at the limits of such times, too, since both
     /// sides are continuous; what is left is that it is 0 on an interval, with all its derivatives: a premise like others.
-    fn without_empty_cases(&mut self, identity: Identity, gathered: &Gathered, equations: &Pairs) -> Identity {
+    fn without_empty_cases(
+        &mut self,
+        identity: Identity,
+        gathered: &Gathered,
+        equations: &Pairs,
+        refutes: bool,
+    ) -> Identity {
         let Identity::Proved(mut proof) = identity else { return identity };
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let leaps = self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
@@ -428,14 +441,15 @@ impl<'a> Step<'a> {
                     clean
                 }
                 Identity::Undecided(Reason::Contradiction) => true,
-                Identity::Refuted(refutation) if gathered.complete && !self.loosened => {
+                Identity::Refuted(refutation) if refutes && gathered.complete && !self.loosened => {
                     self.settled = None;
                     return Identity::Refuted(refutation);
                 }
                 Identity::Refuted(_) | Identity::Undecided(_) => {
                     let mut case = gathered.clone();
                     case.premises.equations.insert(0, (pivot, zero));
-                    if gathered.complete
+                    if refutes
+                        && gathered.complete
                         && !self.loosened
                         && let Some(refuted) = self.at_rest(&case, equations)
                     {

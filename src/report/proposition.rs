@@ -26,15 +26,12 @@ pub fn proposition_text(
     match account.finding.decision() {
         decision @ (Decision::Proved | Decision::ProvedExcept) => {
             let where_true = if proposition.given.is_empty() { "" } else { " for which the premises hold" };
-            let words = match (decision, account.exceptions.is_empty()) {
-                (Decision::Proved, _) => {
-                    format!("Holds for all values of the symbols{where_true} and both sides have a value.")
-                }
-                (_, false) => format!(
-                    "Holds for values of the symbols{where_true} and both sides have a value, but it is open whether it holds in \
-                     the cases that the proof does not reach."
+            let words = match decision {
+                Decision::ProvedExcept => format!(
+                    "Holds for values of the symbols{where_true} and both sides have a value, but whether it holds in the \
+                     cases that the proof does not reach is open."
                 ),
-                (_, true) => format!("Would hold for values of the symbols{where_true}; whether there are any is open."),
+                _ => format!("Holds for all values of the symbols{where_true} and both sides have a value."),
             };
             out.push_str(&paragraph(&words, 2));
             if let Some(branch) = evidence.branch {

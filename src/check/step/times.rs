@@ -54,6 +54,14 @@ impl Step<'_> {
             not_negative: keep(self, &gathered.premises.not_negative),
             ..Premises::default()
         };
+        let mut premises = premises;
+        let named = instants.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        for leaf in self.graph.leaves(named) {
+            if self.is_positive_parameter(leaf) {
+                let node = self.graph.leaf(leaf);
+                premises.positive.push(node);
+            }
+        }
         let mut same: Vec<(Expr, Expr)> = Vec::new();
         let mut at = 0;
         while at < instants.len() {

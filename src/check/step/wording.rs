@@ -284,7 +284,7 @@ impl Step<'_> {
                 }
                 let lines = self.beyond_in_words(out.finding.exceptions());
                 out.exceptions.extend(lines);
-                out.generic = !out.finding.is_proved();
+                out.generic = !out.finding.exceptions().is_empty();
                 out.log2_error = out.finding.is_proved_in_part().then_some(proof.log2_error);
                 if out.finding.exceptions().contains(&Exception::Unseen) {
                     out.reason = Some("no real point was found that satisfies what is given".to_owned());
