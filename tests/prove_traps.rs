@@ -436,7 +436,12 @@ fn signs_vectors_and_angles() {
         (true, r"x=0", "u: 2; v: 2; x", r"u\ne v; (u_1-v_1)x=0; (u_2-v_2)x=0"),
         (false, r"\lambda=0", r"A: 2x2; \lambda", r"A\ne 0; A_{12}\lambda=0"),
         (false, r"V=\operatorname{atan2}(y,x)", r"x,y: state; V: observable, angle = \operatorname{atan2}(y,x)", ""),
-        (true, r"\cos V=\cos(\operatorname{atan2}(y,x))", r"x,y: state; V: observable, angle = \operatorname{atan2}(y,x)", ""),
+        (
+            true,
+            r"\cos V=\cos(\operatorname{atan2}(y,x))",
+            r"x,y: state; V: observable, angle = \operatorname{atan2}(y,x)",
+            "",
+        ),
         (false, r"V=V(0)", r"x: state; V: observable, angle = \arctan x", r"\dot x=1"),
         (false, r"V=V(0)", r"x,y: state; V: observable, angle = \arctan\frac{y}{x}", r"y\dot x=x\dot y"),
         (false, r"V=V(0)", r"x: state; V: observable = \frac{x}{|x|}", r"\dot x=1"),

@@ -3,8 +3,8 @@
 use super::picture::PictureAccount;
 use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
-use super::standing::{Decision, Exception, Finding, Given};
 use super::separation::ConditionsAccount;
+use super::standing::{Decision, Exception, Finding, Given};
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
 use super::verdict::{Outcome, Strength, Verdict};
@@ -131,7 +131,7 @@ pub struct AssumptionsUsed {
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentityAccount {
-    /// What was decided, and of what: only [`Finding::weigh`](super::standing::Finding) makes one.
+    /// What was decided, and of what: only `Finding::weigh` makes one.
     pub finding: Finding,
     /// Claims that it follows from, through all steps, which are not proved themselves; assumptions of those that it does not
     /// make. What is proved is proved given these.
@@ -226,10 +226,9 @@ impl IdentityAccount {
         match (decision, self.log2_error) {
             (Decision::Proved | Decision::ProvedExcept, bound) => {
                 let how = match bound {
-                    Some(bound) => format!(
-                        "proved by random evaluation, with an error probability of at most 2^{}",
-                        bound.ceil()
-                    ),
+                    Some(bound) => {
+                        format!("proved by random evaluation, with an error probability of at most 2^{}", bound.ceil())
+                    }
                     None => "proved by signs, for every order of the sizes".to_owned(),
                 };
                 let head = match (decision, open.is_empty(), bound) {

@@ -10,9 +10,9 @@
 //! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
 //! | *undecided* | else |
 //!
-//! **Guaranteed.** The fields are private, and [`Finding::weigh`] is the only way to a decision other than *undecided*, beside [`Finding::of_motion`]
-//! and [`Finding::of_signs`], which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
-//! derivation, see [`conditional`].
+//! **Guaranteed.** The fields are private, and `Finding::weigh` is the only way to a decision other than *undecided*, beside `Finding::of_motion`
+//! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
+//! derivation, see `conditional`.
 
 use super::account::ClaimAccount;
 use super::identity::{Condition, Identity, Reason, order};
@@ -227,7 +227,10 @@ pub(super) fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], 
                 };
                 if at == own {
                     // In a circle nothing is proved.
-                    out.push(Given { name: derivation.claims[at].name(), standing: Some("itself what is to be proved") });
+                    out.push(Given {
+                        name: derivation.claims[at].name(),
+                        standing: Some("itself what is to be proved"),
+                    });
                 }
                 if seen.contains(&at) {
                     continue;
@@ -236,10 +239,9 @@ pub(super) fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], 
                 open.extend(derivation.claims[at].follows_from.iter().cloned());
                 match decision(claims, at) {
                     Some(Decision::Proved) => {}
-                    other => out.push(Given {
-                        name: derivation.claims[at].name(),
-                        standing: other.map(Decision::word),
-                    }),
+                    other => {
+                        out.push(Given { name: derivation.claims[at].name(), standing: other.map(Decision::word) })
+                    }
                 }
             }
             out.sort_by(|a, b| a.name.cmp(&b.name));

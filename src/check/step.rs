@@ -314,7 +314,8 @@ impl<'a> Step<'a> {
             return None;
         }
         let times = self.unite_times(&mut gathered, &mut equations);
-        let several = self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
+        let several =
+            self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
         if let Some(present) = self.at_present(&mut gathered, &equations) {
             equations = present;
         }
@@ -406,7 +407,8 @@ impl<'a> Step<'a> {
     ) -> Identity {
         let Identity::Proved(mut proof) = identity else { return identity };
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let leaps = self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
+        let leaps =
+            self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
         let zero = self.graph.integer(0);
         let pivots = proof.conditions.iter().filter_map(|c| match *c {
             Condition::Pivot(e) => Some(e),
@@ -420,7 +422,9 @@ impl<'a> Step<'a> {
             if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
                 continue;
             }
-            let moves = leaves.iter().any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
+            let moves = leaves
+                .iter()
+                .any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
             if moves && leaps {
                 continue;
             }

@@ -142,8 +142,7 @@ impl Dynamics {
                     if reach[j].checked_sub(depth[i]) == Some(order) {
                         let (symbol, component) = variables[j];
                         let leaf = Leaf { symbol, component, rate: order, instant: None };
-                        let slope =
-                            graph.partial_derivative(residual, leaf).map_err(|_| Reason::NoDerivative)?;
+                        let slope = graph.partial_derivative(residual, leaf).map_err(|_| Reason::NoDerivative)?;
                         row.push((j, slope));
                     }
                 }

@@ -30,8 +30,7 @@ pub(super) fn with_rates(
     };
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
     let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
-    let asked: Vec<Expr> =
-        equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
+    let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
     let dynamics = Dynamics::of(graph, &premises.equations, &asked, time, &moves)?;
     for &pair in &dynamics.parts {
         if !premises.equations.contains(&pair) {

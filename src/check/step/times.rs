@@ -7,8 +7,8 @@
 
 use super::gather::Gathered;
 use super::{Definitions, Pairs, Step};
-use crate::identity::{Identity, Options, Premises, Wanted, identity_test_after};
 use crate::expr::{Expr, Leaf};
+use crate::identity::{Identity, Options, Premises, Wanted, identity_test_after};
 use crate::latex::Role;
 
 /// What is known of the fixed times.
@@ -114,8 +114,7 @@ impl Step<'_> {
         }
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
         let &chosen = instants.first()?;
-        let of_premises: Vec<Leaf> =
-            self.graph.leaves(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let of_premises: Vec<Leaf> = self.graph.leaves(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
         let alone = instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
         if alone {
             for leaf in of_premises.into_iter().filter(|l| l.instant.is_some()) {
