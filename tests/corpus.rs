@@ -136,7 +136,7 @@ fn given(account: &Account, from: &[String], trajectory: &str) -> bool {
 fn contradictions(file: &str, account: &Account) -> Vec<String> {
     let integrated = |id: &str| account.trajectories.iter().any(|t| t.id == id && t.source == "integrated");
     // A proof that presupposes what the premises assume says nothing of motions on which that is not so.
-    let everywhere = |i: &IdentityAccount| i.verdict == "proved" && i.presupposed.is_empty();
+    let everywhere = |i: &IdentityAccount| i.verdict() == "proved" && i.presupposed.is_empty();
     let proved = account.claims.iter().filter(|c| c.identity.as_ref().is_some_and(everywhere));
     let refuted = proved.filter(|c| {
         let from = c.identity.as_ref().map_or(&[][..], |i| &i.from);

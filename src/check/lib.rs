@@ -43,6 +43,7 @@ mod second_route;
 pub mod separation;
 mod series;
 mod stage;
+pub mod standing;
 mod steep;
 mod step;
 mod telling;
@@ -442,13 +443,14 @@ fn strengthen(
     known: &[ClaimAccount],
     tried: &[usize],
 ) {
+    standing::conditional(derivation, claims, known);
     by_formula::settle(derivation, claims, claimed, tried);
     let mut done: BTreeSet<(usize, usize)> = BTreeSet::new();
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
         for account in 0..claims.len().min(claimed.len()) {
-            let Some(identity) = claims[account].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+            let Some(identity) = claims[account].identity.as_ref().filter(|i| i.lends_strength()) else {
                 continue;
             };
             for (at, pair) in claims[account].results.iter().enumerate() {

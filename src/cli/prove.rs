@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use rederive::check::standing::Decision;
 use rederive::check::{Proposition, with_symbols_of};
 use rederive::derivation::{Derivation, load};
 use rederive::diag::Diagnostic;
@@ -21,10 +22,10 @@ and no time, t is the time.
   rederive prove '2E={\bf m}^TI^{-1}{\bf m}' --in derivations/top.toml --given t8 --given 'm_1=0'
 
 Exit codes:
-  0   proved
+  0   proved: no case is left out
   1   refuted
   2   the command line, a formula or a file could not be read
-  3   undecided; also when what is given contradicts itself
+  3   undecided, also when what is given contradicts itself; or proved except in cases that are named
   70  a defect of rederive itself";
 
 /// For which points a sign of ± must serve.
@@ -97,10 +98,10 @@ pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
         (Output::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
     };
     print(&text)?;
-    Ok(match account.verdict {
-        "proved" => Exit::Good,
-        "refuted" => Exit::Different,
-        _ => Exit::Undecided,
+    Ok(match account.finding.decision() {
+        Decision::Proved => Exit::Good,
+        Decision::Refuted => Exit::Different,
+        Decision::ProvedExcept | Decision::Undecided => Exit::Undecided,
     })
 }
 

@@ -39,7 +39,7 @@ pub(super) fn certify(
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
     let wrong = NoCertificate::NotPolynomial;
-    let premises = with_rates(graph, given, equations).map_err(wrong)?;
+    let (premises, _) = with_rates(graph, given, equations).map_err(wrong)?;
     let solved = explicit(graph, &premises, equations, given);
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();

@@ -20,7 +20,7 @@ pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
 
 /// Whether a proof has certificates for all of its equations.
 pub(super) fn is_certified(identity: &IdentityAccount) -> bool {
-    identity.verdict == "proved" && !identity.evidence.certificates.is_empty()
+    identity.finding.is_proved_in_part() && !identity.evidence.certificates.is_empty()
 }
 
 /// Path and text of every certificate of a report.
@@ -118,7 +118,7 @@ pub(super) fn certificate_note(claim: &ClaimAccount, identity: &IdentityAccount)
         (Some(file), _) => {
             out.push_str(&format!("Exact, too: the certificate [`{file}`]({file}) can be expanded by hand.\n\n"));
         }
-        (None, Some(reason)) if identity.verdict == "proved" => {
+        (None, Some(reason)) if identity.finding.is_proved_in_part() => {
             out.push_str(&format!("There is no certificate: {reason}.\n\n"));
         }
         _ => {}

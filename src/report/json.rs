@@ -103,7 +103,9 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "precision": declared.map(|d| number(d.precision)),
         "remark": claim.remark,
         "identity": claim.identity.as_ref().map(|i| json!({
-            "verdict": i.verdict,
+            "verdict": i.verdict(),
+            "standing": i.standing(),
+            "conditional_on": i.conditional_on.iter().map(|g| json!({ "id": g.name, "standing": g.standing })).collect::<Vec<_>>(),
             "log2_error": i.log2_error.map(number),
             "from": i.from,
             "conditions": i.conditions,

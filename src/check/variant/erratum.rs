@@ -408,7 +408,7 @@ impl Search<'_> {
             .par_iter()
             .with_max_len(1)
             .map(|(_, at)| match Step::of(scratch, &scratch.claims[*at]).and_then(Step::decide).transpose() {
-                Ok(identity) => Ok(identity.is_some_and(|i| i.verdict == "proved")),
+                Ok(identity) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
                 Err(defect) => Err(CheckError::Defect(defect)),
             })
             .collect::<Result<_, _>>()?;
