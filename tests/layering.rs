@@ -5,16 +5,18 @@ use std::path::{Path, PathBuf};
 
 /// Each room, and the rooms that it may import beside itself.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("diag", &[]),
+    ("shown", &[]),
+    ("diag", &["shown"]),
+    ("files", &[]),
     ("number", &[]),
     ("expr", &["number"]),
-    ("latex", &["diag", "expr"]),
-    ("derivation", &["diag", "expr", "latex"]),
+    ("latex", &["diag", "expr", "shown"]),
+    ("derivation", &["diag", "expr", "files", "latex", "shown"]),
     ("tape", &["expr", "number"]),
     ("flow", &["expr", "tape", "number"]),
     ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
-    ("paper", &["diag", "derivation", "latex"]),
-    ("report", &["diag", "expr", "latex", "derivation", "check", "paper"]),
+    ("paper", &["diag", "derivation", "files", "latex", "shown"]),
+    ("report", &["shown", "diag", "expr", "latex", "derivation", "check", "paper"]),
 ];
 
 /// Files of `src/` that belong to no room.

@@ -14,6 +14,7 @@ mod elaborate;
 mod lexer;
 mod name;
 mod parse;
+mod printed;
 mod scope;
 pub mod syntax;
 mod tensor;
@@ -21,6 +22,7 @@ mod write;
 
 use std::ops::Range;
 
+pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Role, Scope};
 pub use syntax::RelationKind;
 

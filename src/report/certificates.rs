@@ -6,14 +6,18 @@
 use super::tally::name;
 use crate::check::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use crate::derivation::Derivation;
+use crate::shown::in_one_line;
 
-/// The folder of the certificates in that of a report, and the ending of their names.
-pub const CERTIFICATES: (&str, &str) = ("certificates", "py");
+/// The folder of the certificates in that of a report, and the endings of their names.
+pub const CERTIFICATES: (&str, &[&str]) = ("certificates", &["py", "lean"]);
+
+/// The ending of a program for SymPy.
+const SYMPY: &str = "py";
 
 /// The certificate's file of a claim, below the folder of the report; `None` where it has none.
 pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
     let identity = claim.identity.as_ref().filter(|i| is_certified(i))?;
-    let (folder, ending) = CERTIFICATES;
+    let (folder, ending) = (CERTIFICATES.0, SYMPY);
     (!identity.evidence.certificates.is_empty())
         .then(|| format!("{folder}/{}.{ending}", name(claim).replace('/', "--")))
 }
@@ -60,8 +64,7 @@ pub fn certificate_text(title: &str, given: &[String], certificates: &[Certifica
 
 /// A comment of one line.
 fn comment(out: &mut String, text: &str) {
-    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    out.push_str(&format!("# {line}\n"));
+    out.push_str(&format!("# {}\n", in_one_line(text)));
 }
 
 fn one_equation(out: &mut String, certificate: &Certificate) {

@@ -46,15 +46,16 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
     }
     claims(derivation, account, &mut out);
     trajectories(derivation, account, &mut out);
+    let path = super::project_path(&derivation.file.path);
     out.push_str(&format!(
         "\\subsection*{{How it was made}}\n{} {}, from the file {}, SHA-256\\\\\\texttt{{\\footnotesize {}}}.\\\\\nTo repeat it: \
          \\texttt{{{} check {}}}\n\n\\end{{document}}\n",
         env!("CARGO_PKG_NAME"),
         env!("CARGO_PKG_VERSION"),
-        escaped(&derivation.file.path),
+        escaped(&path),
         derivation.sha256,
         env!("CARGO_PKG_NAME"),
-        escaped(&derivation.file.path)
+        escaped(&path)
     ));
     out
 }
