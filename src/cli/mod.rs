@@ -23,9 +23,9 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use rederive::check::{CheckError, Rigor};
+use rederive::diag::shown::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
 use rederive::files::FileError;
-use rederive::shown::{in_one_line, spoken};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,9 +6,9 @@ use clap::ValueEnum;
 use rederive::check::{Proposition, with_symbols_of};
 use rederive::derivation::{Derivation, load};
 use rederive::diag::Diagnostic;
+use rederive::diag::shown::shown;
 use rederive::files::named;
 use rederive::report;
-use rederive::shown::shown;
 
 use super::{Exit, Stop, print, say};
 

@@ -11,11 +11,11 @@ use toml::de::{DeTable, DeValue};
 use super::keys;
 use super::model::{Derivation, System, Trajectory, Written};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
+use crate::diag::shown::{in_one_line, shown};
 use crate::diag::{Diagnostic, Source, sort};
 use crate::expr::{Symbol, Tensor};
 use crate::files::{self, Why};
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
-use crate::shown::{in_one_line, shown};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;

@@ -26,9 +26,9 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare};
 pub use draft::{Draft, draft};
 
+use crate::diag::shown::{in_one_line, shown};
 use crate::diag::{Diagnostic, Source};
 use crate::files::{self, Why};
-use crate::shown::{in_one_line, shown};
 use mark::{Mark, group_text, marks, parts, text_of};
 use token::{Kind, Token};
 

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::shown::in_json;
+use crate::diag::shown::in_json;
 
 use super::finding::{Finding, Level, Place, rule_says};
 
