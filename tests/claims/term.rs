@@ -153,6 +153,8 @@ impl Term {
             },
             At(e, c) => match &**e {
                 X => format!("x({})", latex_number(c)),
+                Rate(e) if **e == X => format!(r"\frac{{dx}}{{dt}}({})", latex_number(c)),
+                e if c.denominator().to_string() == "1" => format!(r"\left({}\right)({})", e.latex(), latex_number(c)),
                 e => format!(r"\left.{}\right|_{{t={}}}", e.factor(), latex_number(c)),
             },
             Named(_) => "k".to_owned(),
@@ -277,9 +279,12 @@ pub enum Motion {
     Bent,
     /// 2t
     Fast,
+    /// (1 − t²)/(1 + t²), the cosine of a motion around the circle
+    Around,
 }
 
-pub const MOTIONS: [Motion; 5] = [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast];
+pub const MOTIONS: [Motion; 6] =
+    [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast, Motion::Around];
 
 impl Motion {
     pub fn term(self) -> Term {
@@ -289,6 +294,7 @@ impl Motion {
             Motion::Turning => power(T, 2),
             Motion::Bent => abs(sub(T, number(1))),
             Motion::Fast => mul(number(2), T),
+            Motion::Around => div(sub(number(1), power(T, 2)), add(number(1), power(T, 2))),
         }
     }
 
@@ -300,6 +306,7 @@ impl Motion {
             Motion::Turning => mul(number(2), T),
             Motion::Bent => div(sub(T, number(1)), abs(sub(T, number(1)))),
             Motion::Fast => number(2),
+            Motion::Around => div(mul(number(-4), T), power(add(number(1), power(T, 2)), 2)),
         }
     }
 
@@ -311,6 +318,7 @@ impl Motion {
             Motion::Bent if *t < whole(1) => whole(1) - t,
             Motion::Bent => t - whole(1),
             Motion::Fast => whole(2) * t,
+            Motion::Around => (whole(1) - t * t) / (whole(1) + t * t),
         }
     }
 }
