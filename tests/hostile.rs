@@ -62,7 +62,7 @@ always = ['x=2a{formula}']
 id = "right"
 says = "{text} G"
 assuming = ['x>0{formula}']
-always = ['a=2x % </script>{formula}', '''x=x % <script>
+always = ['\dot x=-kx % </script>{formula}', '''\dot x=-kx % <script>
 ''']
 [[claim]]
 id = "open"

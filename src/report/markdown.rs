@@ -45,7 +45,11 @@ pub(super) fn prose(text: &str) -> String {
         let after = &rest[c.len_utf8()..];
         if let Some(end) = after.find(c).filter(|end| (c == '`' || c == '$') && *end > 0) {
             let inner = &after[..end];
-            out.push_str(&if c == '$' { written_math(inner) } else { code(inner) });
+            out.push_str(&if c == '$' {
+                written_math(inner)
+            } else {
+                code(&printed(inner).unwrap_or_else(|| inner.to_owned()))
+            });
             rest = &after[end + 1..];
             continue;
         }
