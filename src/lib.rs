@@ -26,6 +26,8 @@
 //!
 //! Each of the lower rooms is a crate, with its own `Cargo.toml`; `tests/layering.rs` keeps these rules in them and above.
 
+#![forbid(unsafe_code)]
+
 pub mod check;
 pub mod derivation;
 pub mod files;

@@ -226,7 +226,7 @@ fn every_hostile_text_in_every_format() {
             written += 1;
         }
     }
-    assert_eq!(written, HOSTILE.len() * 16);
+    assert_eq!(written, HOSTILE.len() * 17);
 }
 
 /// Problems quote the file as it is, and are shown.
@@ -287,6 +287,7 @@ fn the_table_has_every_writer() {
     let in_the_table = [
         "certificate_text",
         "certificates",
+        "lean_text",
         "diff",
         "diff_text",
         "exceptions",

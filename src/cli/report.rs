@@ -128,6 +128,7 @@ fn made(program: &Path, way: Way, sources: &[(&str, String)]) -> Result<Vec<u8>,
             let mut browser = command(program, folder, &["--headless", "--disable-gpu", "--no-pdf-header-footer"]);
             if is_privileged(folder) {
                 // It refuses to build its sandbox then. The page fetches nothing, and its only script is ours.
+                complain("the browser runs without its sandbox, since this is the administrator's account\n");
                 browser.arg("--no-sandbox");
             }
             browser.arg(format!("--user-data-dir={}", folder.join("profile").display()));

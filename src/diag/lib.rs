@@ -7,6 +7,8 @@
 //! one order, by file and place, so the same input always prints the same text. What it prints of files cannot act on a
 //! terminal: see [`shown`].
 
+#![forbid(unsafe_code)]
+
 pub mod shown;
 
 use std::ops::Range;

@@ -10,6 +10,8 @@
 //! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
 //! reference of the language, and its examples are tests.
 
+#![forbid(unsafe_code)]
+
 mod elaborate;
 mod lexer;
 mod name;

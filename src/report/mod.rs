@@ -38,7 +38,7 @@ mod text;
 mod units;
 mod wording;
 
-pub use certificates::{CERTIFICATES, certificate_text, certificates};
+pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};

@@ -332,7 +332,8 @@ fn escaped(text: &str) -> String {
             c => out.push_str(&sign(c)),
         }
     }
-    out
+    // In the log of a workflow a line that begins so is a command.
+    out.replace("::", ":{}:")
 }
 
 /// A sign of the range Latin-1 and Latin Extended-A.
