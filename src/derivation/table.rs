@@ -6,10 +6,10 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::diag::shown::shown;
-use crate::diag::{Diagnostic, Label, Source, nearest};
-use crate::files::is_portable;
-use crate::latex::printed;
+use diag::shown::shown;
+use files::is_portable;
+use latex::printed;
+use diag::{Diagnostic, Label, Source, nearest};
 
 /// A value and its place.
 pub(super) type Value<'s> = Spanned<DeValue<'s>>;

@@ -334,7 +334,7 @@ impl Search<'_> {
             .filter(|(_, occurs)| *occurs)
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
-        let Given { equations, solved } = self.origin;
+        let Given { equations, solved, .. } = self.origin;
         let graph = &*self.graph;
         let (l, r) = equations.get(equation).copied().ok_or(NoCertificate::TooLarge)?;
         let formula = format!("{} = {}", shown(graph, l), shown(graph, r));

@@ -6,7 +6,7 @@
 use super::tally::name;
 use crate::check::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use crate::derivation::Derivation;
-use crate::diag::shown::in_one_line;
+use diag::shown::in_one_line;
 
 /// The folder of the certificates in that of a report, and the endings of their names.
 pub const CERTIFICATES: (&str, &[&str]) = ("certificates", &["py", "lean"]);

@@ -13,7 +13,7 @@ use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
-use crate::diag::shown::{in_one_line, shown};
+use diag::shown::{in_one_line, shown};
 use crate::diag::{Diagnostic, Source};
 
 /// How serious a finding is.
@@ -319,11 +319,11 @@ pub fn rule_says(rule: &str) -> &'static str {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
     use crate::check::sample::account;
-    use crate::report::tests::derivation;
+    use crate::tests::derivation;
 
     #[test]
     fn what_is_not_as_expected_and_what_is_open_is_found_and_nothing_else() {

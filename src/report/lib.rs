@@ -8,6 +8,10 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+#![forbid(unsafe_code)]
+
+use ::{check, derivation, diag, expr, latex};
+
 mod alone;
 mod certificates;
 mod conditions;
@@ -38,6 +42,9 @@ mod text;
 mod units;
 mod wording;
 
+/// The name of the program, as reports give it.
+const PROGRAM: &str = "rederive";
+
 pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
@@ -62,7 +69,7 @@ fn project_path(path: &str) -> String {
     if outside { path.rsplit('/').next().unwrap_or_default().to_owned() } else { path.to_owned() }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use crate::check::sample;
     use crate::derivation::{Derivation, parse};

@@ -14,6 +14,8 @@
 //!
 //! Paths that differ in spelling only are one: [`named`] gives all of them the same name, so that reports have the same bytes.
 
+#![forbid(unsafe_code)]
+
 pub mod write;
 
 use std::ffi::OsString;
