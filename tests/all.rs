@@ -15,6 +15,7 @@ mod schema_support;
 mod claims_random;
 mod cli;
 mod cli_mangled;
+mod contributing;
 mod corpus;
 mod derivation_docs;
 mod derivation_errors;

@@ -36,7 +36,10 @@ fuzz_target!(|text: &str| {
     let printed = latex::printed(text).expect("what is read can be printed");
     let again = latex::read(&printed, &scope, &mut graph).expect("what is printed is read");
     let sides = |all: &[latex::Statement]| -> Vec<_> {
-        all.iter().flat_map(|s| &s.relations).map(|r| (r.kind, r.left.components.clone(), r.right.components.clone())).collect()
+        all.iter()
+            .flat_map(|s| &s.relations)
+            .map(|r| (r.kind, r.left.components.clone(), r.right.components.clone()))
+            .collect()
     };
     assert_eq!(sides(&read), sides(&again), "{printed}");
 });

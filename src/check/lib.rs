@@ -50,12 +50,13 @@ mod steep;
 mod step;
 mod telling;
 mod trial;
-pub mod units;
+
 mod variant;
 mod verdict;
 mod weigh;
 
 pub use ::proof as identity;
+pub use ::units;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };

@@ -11,10 +11,10 @@ use toml::de::{DeTable, DeValue};
 use super::keys;
 use super::model::{Derivation, System, Trajectory, Written};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
-use files::Why;
 use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
+use files::Why;
 use latex::{self, Relation, RelationKind, Scope, Statement};
 
 /// Largest size of a derivation file, in bytes.

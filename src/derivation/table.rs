@@ -7,9 +7,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use diag::shown::shown;
+use diag::{Diagnostic, Label, Source, nearest};
 use files::is_portable;
 use latex::printed;
-use diag::{Diagnostic, Label, Source, nearest};
 
 /// A value and its place.
 pub(super) type Value<'s> = Spanned<DeValue<'s>>;

@@ -29,8 +29,8 @@ pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, comp
 pub use draft::{Draft, draft};
 
 use diag::shown::{in_one_line, shown};
-use files::Why;
 use diag::{Diagnostic, Source};
+use files::Why;
 use mark::{Mark, group_text, marks, parts, text_of};
 use token::{Kind, Token};
 

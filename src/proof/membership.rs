@@ -17,16 +17,16 @@ use super::linear::Combinations;
 use super::lower::Generator;
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
-use super::written::{Writer, functions, meaning};
 use super::prepare::{Explicit, explicit, with_rates};
 use super::prove::{Lowered, lower};
 use super::solve::insert_definitions;
+use super::written::{Writer, functions, meaning};
 use ::groebner::{LiftBasis, Monomial, MonomialOrder, Polynomial, PolynomialExt, verify_lift};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 use num_bigint::BigInt;
-use std::rc::Rc;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::rc::Rc;
 
 type Poly = Polynomial<Coefficient>;
 
@@ -156,7 +156,14 @@ impl Search<'_> {
         variables.dedup();
         let variables: Vec<Expr> = variables.into_iter().map(|(_, e)| e).collect();
         let place = variables.iter().enumerate().map(|(i, &e)| (e, i)).collect();
-        let mut system = System { variables, place, relations: Vec::new(), basis: None, quotients: FastMap::default(), only_circles };
+        let mut system = System {
+            variables,
+            place,
+            relations: Vec::new(),
+            basis: None,
+            quotients: FastMap::default(),
+            only_circles,
+        };
         let own: Vec<(Expr, (Expr, Expr))> =
             system.variables.iter().filter_map(|&e| Some((e, own_relation(self.graph, lowered, e)?))).collect();
         for (e, sides) in own {
@@ -372,7 +379,9 @@ impl Search<'_> {
         let used: Vec<&Relation> =
             system.relations.iter().zip(cofactors).filter(|(_, q)| !q.terms.is_empty()).map(|(r, _)| r).collect();
         let mut roots = vec![l, r];
-        roots.extend(used.iter().filter(|r| matches!(r.source, Source::Premise(_))).flat_map(|r| [r.sides.0, r.sides.1]));
+        roots.extend(
+            used.iter().filter(|r| matches!(r.source, Source::Premise(_))).flat_map(|r| [r.sides.0, r.sides.1]),
+        );
         // What variables mean: a generator's function, or the root itself.
         let mut meanings = Vec::new();
         for &e in &system.variables {
@@ -387,7 +396,8 @@ impl Search<'_> {
         }
         let graph = &*self.graph;
         let named = functions(graph, roots.iter().copied(), &origin.solved.definitions);
-        let mut names: FastMap<Expr, String> = system.variables.iter().copied().zip(variables.iter().cloned()).collect();
+        let mut names: FastMap<Expr, String> =
+            system.variables.iter().copied().zip(variables.iter().cloned()).collect();
         let mut list = variables.to_vec();
         let texts = roots.iter().copied().chain(meanings.iter().map(|&(_, (e, _))| e));
         let values = origin.solved.definitions.values().copied();
@@ -533,9 +543,7 @@ impl System {
                     }
                     Rc::new(out)
                 }
-                ([a, b], Node::Binary(op, ..)) => {
-                    Rc::new(combined(*op, &self.quotients[a], &self.quotients[b], most)?)
-                }
+                ([a, b], Node::Binary(op, ..)) => Rc::new(combined(*op, &self.quotients[a], &self.quotients[b], most)?),
                 _ => return Err(NoCertificate::TooLarge),
             };
             if value.0.terms.len().max(value.1.terms.len()) > most {
@@ -730,15 +738,112 @@ struct Names {
 
 /// Words that are no names in Python or in Lean, and names that the texts use.
 const TAKEN: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
-    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
-    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N", "D",
-    "sqrt", "Abs", "sin", "cos", "tan", "exp", "log", "sinh", "cosh", "tanh", "asin", "acos", "atan", "atan2", "agm", "power",
-    "pi", "at", "by", "do", "end", "fun", "have", "let", "match", "open", "show", "then", "where", "theorem", "def", "example",
-    "axiom", "variable", "section", "namespace", "instance", "structure", "universe", "local", "macro", "mutual", "partial",
-    "private", "protected", "unsafe", "notation", "prefix", "infix", "syntax", "calc", "suffices", "obtain", "key", "top",
-    "same", "set_option", "deriving", "extends", "include", "omit", "attribute", "noncomputable", "opaque", "abbrev",
-
+    "False",
+    "None",
+    "True",
+    "and",
+    "as",
+    "assert",
+    "async",
+    "await",
+    "break",
+    "class",
+    "continue",
+    "def",
+    "del",
+    "elif",
+    "else",
+    "except",
+    "finally",
+    "for",
+    "from",
+    "global",
+    "if",
+    "import",
+    "in",
+    "is",
+    "lambda",
+    "nonlocal",
+    "not",
+    "or",
+    "pass",
+    "raise",
+    "return",
+    "try",
+    "while",
+    "with",
+    "yield",
+    "print",
+    "expand",
+    "symbols",
+    "d",
+    "N",
+    "D",
+    "sqrt",
+    "Abs",
+    "sin",
+    "cos",
+    "tan",
+    "exp",
+    "log",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "agm",
+    "power",
+    "pi",
+    "at",
+    "by",
+    "do",
+    "end",
+    "fun",
+    "have",
+    "let",
+    "match",
+    "open",
+    "show",
+    "then",
+    "where",
+    "theorem",
+    "def",
+    "example",
+    "axiom",
+    "variable",
+    "section",
+    "namespace",
+    "instance",
+    "structure",
+    "universe",
+    "local",
+    "macro",
+    "mutual",
+    "partial",
+    "private",
+    "protected",
+    "unsafe",
+    "notation",
+    "prefix",
+    "infix",
+    "syntax",
+    "calc",
+    "suffices",
+    "obtain",
+    "key",
+    "top",
+    "same",
+    "set_option",
+    "deriving",
+    "extends",
+    "include",
+    "omit",
+    "attribute",
+    "noncomputable",
+    "opaque",
+    "abbrev",
 ];
 
 impl Names {

@@ -18,8 +18,7 @@ const SYMPY: &str = "py";
 pub(super) fn file_name(claim: &ClaimAccount) -> Option<String> {
     let identity = claim.identity.as_ref().filter(|i| is_certified(i))?;
     let (folder, ending) = (CERTIFICATES.0, SYMPY);
-    (!identity.evidence.certificates.is_empty())
-        .then(|| format!("{folder}/{}.{ending}", file_stem(claim)))
+    (!identity.evidence.certificates.is_empty()).then(|| format!("{folder}/{}.{ending}", file_stem(claim)))
 }
 
 /// A name of a file for each claim and reading. No id has an `@`, but one may have two hyphens.
@@ -43,7 +42,10 @@ pub fn certificates(derivation: &Derivation, account: &Account) -> Vec<(String, 
         let title = format!("{} / {}: {}", derivation.id, name(claim), claim.says);
         let (file, found) = (file_name(claim)?, &identity.evidence.certificates);
         let lean = file.replace(&format!(".{SYMPY}"), ".lean");
-        Some([(file, certificate_text(&title, &identity.from, found)), (lean, lean_text(&title, &identity.from, found))])
+        Some([
+            (file, certificate_text(&title, &identity.from, found)),
+            (lean, lean_text(&title, &identity.from, found)),
+        ])
     };
     account.claims.iter().filter_map(one).flatten().collect()
 }
@@ -182,7 +184,8 @@ fn lean_equation(out: &mut String, certificate: &Certificate) {
         sum.push(format!("({}) * h{}", lean(&term.cofactor), i + 1));
     }
     let (d, n, under) = (lean(&certificate.multiplier), lean(&certificate.conclusion), lean(&certificate.under));
-    let combination = if sum.is_empty() { "ring".to_owned() } else { format!("linear_combination {}", sum.join(" + ")) };
+    let combination =
+        if sum.is_empty() { "ring".to_owned() } else { format!("linear_combination {}", sum.join(" + ")) };
     out.push_str(&format!("    (hd : ({d} : ℝ) ≠ 0) : ({n} : ℝ) / ({under}) = 0 := by\n"));
     out.push_str(&format!("  have key : ({d} : ℝ) * ({n}) = 0 := by {combination}\n"));
     out.push_str(&format!("  have top : ({n} : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd\n"));

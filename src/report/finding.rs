@@ -13,8 +13,8 @@ use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
-use diag::shown::{in_one_line, shown};
 use crate::diag::{Diagnostic, Source};
+use diag::shown::{in_one_line, shown};
 
 /// How serious a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -9,8 +9,8 @@ use super::paper::paper_data;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
-use diag::shown::in_json;
 use ::paper::Comparison;
+use diag::shown::in_json;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
