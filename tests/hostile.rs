@@ -194,9 +194,13 @@ fn every_hostile_text_in_every_format() {
             }
             written += 1;
         }
-        for (name, format) in
-            [("report.json", "json"), ("report.md", "md"), ("index.html", "html"), ("certificates/right.py", "py")]
-        {
+        for (name, format) in [
+            ("report.json", "json"),
+            ("report.md", "md"),
+            ("index.html", "html"),
+            ("certificates/right.py", "py"),
+            ("certificates/right.lean", "lean"),
+        ] {
             let out = fs::read_to_string(project.path().join("reports/h").join(name)).expect("a report");
             inert(name, &out);
             plain_in(format, &out);
