@@ -10,11 +10,14 @@
 //! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
 //! reference of the language, and its examples are tests.
 
+#![forbid(unsafe_code)]
+
 mod elaborate;
 mod invisible;
 mod lexer;
 mod name;
 mod parse;
+mod printed;
 mod refusal;
 mod scope;
 pub mod syntax;
@@ -23,6 +26,7 @@ mod write;
 
 use std::ops::Range;
 
+pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope};
 pub use syntax::RelationKind;
 
