@@ -232,8 +232,8 @@ fn reductions(claim: &Claim) -> Vec<Claim> {
                             }
                         }
                         if kinds.len() == 1 && sides[0].len() > 1 {
-                            for m in 0..sides[0].len() {
-                                let s = vec![vec![sides[0][m].clone()], vec![sides[1][m].clone()]];
+                            for (l, r) in sides[0].iter().zip(&sides[1]) {
+                                let s = vec![vec![l.clone()], vec![r.clone()]];
                                 simpler.push(Statement::Relation { shape: scalar, sides: s, kinds: kinds.clone() });
                             }
                         }
