@@ -58,6 +58,12 @@ impl Text {
         if command && piece.starts_with(|c: char| c.is_ascii_alphabetic()) {
             self.0.push(' ');
         }
+        // `\ln^2 0` is no power 20.
+        let mut last = self.0.chars().rev();
+        let script = last.next().is_some_and(|c| c.is_ascii_digit()) && matches!(last.next(), Some('^' | '_'));
+        if script && piece.starts_with(|c: char| c.is_ascii_digit()) {
+            self.0.push(' ');
+        }
         self.0.push_str(piece);
     }
 

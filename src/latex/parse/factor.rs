@@ -159,7 +159,7 @@ impl Parser<'_> {
         if *self.kind() != Kind::Letter('e') || named || !self.is_euler(1) {
             return Ok(false);
         }
-        if *self.kind_after(1) == Kind::Sign('(') {
+        if *self.kind_after(1) == Kind::Sign('(') && !self.holds_terms(self.at + 1) {
             let hint = r"declare `e`, or write `\cdot`, or `\exp(…)`";
             return refuse("latex::ambiguous", "Euler's number before parentheses", self.span(), hint);
         }
@@ -251,7 +251,7 @@ impl Parser<'_> {
 
     /// Behind an upright e: its exponent, if it has one.
     fn upright_euler(&mut self, start: usize) -> Parsed<Node> {
-        if self.is('(') {
+        if self.is('(') && !self.holds_terms(self.at) {
             let hint = r"write `\cdot`, or `\exp(…)`";
             return refuse("latex::ambiguous", "Euler's number before parentheses", self.span(), hint);
         }

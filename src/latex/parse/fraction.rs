@@ -170,7 +170,7 @@ impl Parser<'_> {
         let below = self.behind_group().and_then(|i| i.checked_sub(self.at));
         let both =
             below.is_some_and(|b| *self.kind_after(b) == Kind::Sign('{') && self.differential_at(b + 1).is_some());
-        if *self.kind_after(1) == Kind::Letter('d') && self.scope.declares("d") {
+        if *self.kind_after(1) == Kind::Letter('d') && self.scope.is_known("d", None) {
             if !both {
                 return Ok(None);
             }

@@ -166,14 +166,15 @@ impl Parser<'_> {
             // `\cos\omega t`, `\cos kx`.
             [init @ .., last] => {
                 self.is_time(last) && init.iter().all(|n| self.is_steady(n))
-                    || !spaced && is_letter(last) && self.moves(last) && init.iter().all(|n| self.is_coefficient(n))
+                    || is_letter(last) && self.moves(last) && init.iter().all(|n| self.is_coefficient(n))
             }
         };
         let ended = self.is_spaced() && factors.last().is_some_and(|n| self.moves(n));
         let followed = !ended
             && (self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0));
         let grouped = matches!(factors.as_slice(), [Node { kind: NodeKind::Group(..), .. }]);
-        if !clear || (followed && !grouped) {
+        // `\sin a\,t` may be a product, or have a longer argument.
+        if !clear || spaced || (followed && !grouped) {
             let message = format!("it is not clear where the argument of `{shown}` ends");
             let hint = format!("put the argument into parentheses: `{shown}(…)`");
             return refuse("latex::ambiguous", message, start..self.last_end(), hint);

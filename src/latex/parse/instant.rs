@@ -186,6 +186,11 @@ impl Parser<'_> {
         }
     }
 
+    /// Whether the parentheses that open at `at` hold several terms: then they are a factor of a number.
+    pub(super) fn holds_terms(&self, at: usize) -> bool {
+        self.closing_from(at).is_some_and(|close| self.content(&self.tokens[at + 1..close]).sum)
+    }
+
     /// Refuses a derivative of a value at a time: `\frac{d}{dt}x(0)` may mean the rate at that time.
     pub(super) fn rate_is_clear(&self, of: &Node) -> Parsed<()> {
         let taken = match &of.kind {

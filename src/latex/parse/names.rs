@@ -369,8 +369,13 @@ impl Parser<'_> {
 
     /// Position of the token that closes the parenthesis at the present place.
     pub(super) fn closing(&self) -> Option<usize> {
+        self.closing_from(self.at)
+    }
+
+    /// The same for a parenthesis elsewhere.
+    pub(super) fn closing_from(&self, at: usize) -> Option<usize> {
         let mut depth = 0usize;
-        for (i, Token { kind, .. }) in self.tokens.iter().enumerate().skip(self.at) {
+        for (i, Token { kind, .. }) in self.tokens.iter().enumerate().skip(at) {
             match kind {
                 Kind::Sign('(') => depth += 1,
                 Kind::Sign(')') => {
