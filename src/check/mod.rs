@@ -21,6 +21,7 @@ pub mod identity;
 mod independence;
 mod kept;
 mod limit;
+mod limits;
 mod measure;
 mod measured;
 mod memory;
@@ -54,6 +55,7 @@ pub use account::{
 pub use cache::Cache;
 pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
+pub use limits::Limits;
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
@@ -75,6 +77,7 @@ use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
@@ -87,10 +90,12 @@ pub struct Options {
     pub claims: Vec<String>,
     /// Only trajectories with these ids; all when empty.
     pub trajectories: Vec<String>,
-    /// No variants: the verdicts alone.
+    /// The verdicts alone: no variants, no corrections, nothing that separates the motions, no pictures.
     pub plain: bool,
     /// How much is asked of a verdict.
     pub rigor: Rigor,
+    /// When the run must end.
+    pub limits: Limits,
 }
 
 /// Why a check could not be made.
@@ -131,7 +136,7 @@ fn check_recalling(
     recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, &[], true, recall, progress)?;
+    let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
@@ -286,6 +291,9 @@ fn check_and(
         let verdict = |k: usize| {
             let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
             claim.trajectories.contains(&t).then(|| {
+                if let Some(reached) = options.limits.reached() {
+                    return undecided(reached.to_owned());
+                }
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                 recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
             })
@@ -301,7 +309,8 @@ fn check_and(
             verdict.clone().map(|verdict| Found { claim, program, verdict })
         };
         let weighed = altered.as_ref().map(|altered| {
-            let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
+            let late = options.limits.reached().is_some();
+            let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(|of| found(of).filter(|_| !late)).collect();
             altered.weigh(start_of[t], &course, &found)
         });
         let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
@@ -327,6 +336,9 @@ fn check_and(
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
     let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
         let claim = &derivation.claims[claimed[k]];
+        if options.limits.reached().is_some() {
+            return None;
+        }
         let step = Step::of(derivation, claim)?;
         match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
@@ -339,9 +351,10 @@ fn check_and(
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
-    if options.rigor == Rigor::Enclosed {
+    if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
-        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
+        let (fields, stage, limits) = (&fields, &stage, &options.limits);
+        let request = enclose::Request { derivation, fields, stage, prepared, start_of, tried, limits };
         enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
     }
     if let Some(altered) = &altered {
@@ -376,7 +389,7 @@ fn counterexample<'a>(
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
             Premise::Claim(premise) => {
-                let of_this_run = claimed.iter().position(|&c| c == premise).and_then(|k| verdicts[k].as_ref());
+                let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
                 let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
                 verdict.is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty())
@@ -462,52 +475,83 @@ fn strengthen(
     known: &[ClaimAccount],
     tried: &[usize],
 ) -> Result<(), String> {
-    // Each round may prove claims that follow from those of the round before.
-    loop {
-        let mut ready: Vec<(usize, usize)> = Vec::new();
-        for (k, &c) in claimed.iter().enumerate() {
-            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
-                continue;
+    let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
+    // The motions of the results of each claim.
+    let on: Vec<HashMap<usize, usize>> = claims
+        .iter()
+        .map(|c| {
+            c.results.iter().enumerate().filter_map(|(at, p)| Some((*motion.get(p.trajectory.as_str())?, at))).collect()
+        })
+        .collect();
+    let here = |premise: usize| claimed.binary_search(&premise).ok();
+    for k in premises_first(derivation, claimed) {
+        let c = claimed[k];
+        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+            continue;
+        };
+        let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
+        if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
+            continue;
+        }
+        let mut ready: Vec<usize> = Vec::new();
+        for (at, pair) in claims[k].results.iter().enumerate() {
+            let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
+            let given = |name: &String| match derivation.premise(name) {
+                Premise::System(system) => is_integrated_from(derivation, t, system),
+                Premise::Claim(premise) => {
+                    let here = here(premise).and_then(|k| Some(&claims[k].results[*on[k].get(&t)?].verdict));
+                    let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                    verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
+                }
+                Premise::Definition => true,
             };
-            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
-            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
+            if !identity.from.iter().all(given) {
                 continue;
             }
-            for (at, pair) in claims[k].results.iter().enumerate() {
-                let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
-                    continue;
-                };
-                let given = |name: &String| match derivation.premise(name) {
-                    Premise::System(system) => is_integrated_from(derivation, t, system),
-                    Premise::Claim(premise) => {
-                        let here = claimed.iter().position(|&c| c == premise).and_then(|k| {
-                            let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory)?;
-                            Some(&pair.verdict)
-                        });
-                        let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
-                        verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
-                    }
-                    Premise::Definition => true,
-                };
-                if !identity.from.iter().all(given) {
-                    continue;
+            match pair.verdict.outcome() {
+                Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push(at),
+                Outcome::Fails(_) => {
+                    return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
                 }
-                match pair.verdict.outcome() {
-                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
-                    Outcome::Fails(_) => {
-                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
-                    }
-                    _ => {}
-                }
+                _ => {}
             }
         }
-        if ready.is_empty() {
-            return Ok(());
-        }
-        for (k, at) in ready {
+        for at in ready {
             claims[k].results[at].verdict.proved();
         }
     }
+    Ok(())
+}
+
+/// The claims, each after those that it follows from: there are no circles.
+fn premises_first(derivation: &Derivation, claimed: &[usize]) -> Vec<usize> {
+    let premises = |k: usize| {
+        let of = |name: &String| match derivation.premise(name) {
+            Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        derivation.claims[claimed[k]].follows_from.iter().filter_map(of).collect::<Vec<usize>>()
+    };
+    let mut out = Vec::with_capacity(claimed.len());
+    let mut seen = vec![false; claimed.len()];
+    for first in 0..claimed.len() {
+        // What is open, with its premises that are still to be seen.
+        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+        if !std::mem::replace(&mut seen[first], true) {
+            open.push((first, premises(first)));
+        }
+        while let Some((k, left)) = open.last_mut() {
+            match left.pop() {
+                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
+                Some(_) => {}
+                None => {
+                    out.push(*k);
+                    open.pop();
+                }
+            }
+        }
+    }
+    out
 }
 
 /// Puts the columns together into the account.

@@ -39,6 +39,7 @@ impl Derivation {
             conditions: Vec::new(),
             pictures: Vec::new(),
             given: Vec::new(),
+            index: super::premise::Index::default(),
         }
     }
 

@@ -4,7 +4,7 @@
 //! that cannot be read stands in a comment, with the reason. What is returned loads. It decides nothing, since it has no
 //! motions: every guess waits for a person.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -99,15 +99,23 @@ fn plain(text: &str) -> Vec<Mark> {
 
 fn claims(paper: &Paper) -> Vec<Claim> {
     let mut taken = BTreeSet::new();
+    // For a label that occurs often, the number that is tried next.
+    let mut next: BTreeMap<String, usize> = BTreeMap::new();
     let mut out = Vec::new();
+    // Equations stand in the order of their places.
+    let (mut line, mut counted) = (1, 0);
     for (i, equation) in paper.equations.iter().enumerate() {
-        let line = paper.file.text.get(..equation.span.start).map_or(0, |t| t.matches('\n').count()) + 1;
+        if equation.span.start < counted {
+            (line, counted) = (1, 0);
+        }
+        line += paper.file.text.get(counted..equation.span.start).map_or(0, |t| t.matches('\n').count());
+        counted = equation.span.start;
         let base = equation.label.as_ref().map_or_else(|| format!("equation-{}", i + 1), |l| id_of(l));
         let mut id = base.clone();
-        let mut n = 2;
+        let n = next.entry(base.clone()).or_insert(2);
         while !taken.insert(id.clone()) {
             id = format!("{base}-{n}");
-            n += 1;
+            *n += 1;
         }
         let formula = |text: &str| {
             let text = text.split_whitespace().collect::<Vec<_>>().join(" ");

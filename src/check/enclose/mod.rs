@@ -38,6 +38,7 @@ mod tests;
 use super::Prepared;
 use super::account::ClaimAccount;
 use super::comparison::Comparison;
+use super::limits::Limits;
 use super::stage::{Fields, Stage, setup};
 use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::{Derivation, Motion as Given};
@@ -64,6 +65,7 @@ pub(super) struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub start_of: &'a [usize],
     pub tried: &'a [usize],
+    pub limits: &'a Limits,
 }
 
 /// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
@@ -132,6 +134,10 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
         changes.extend(here.filter(|(_, r)| open(&r.verdict)).map(|(at, r)| (k, at, r.verdict.clone())));
     }
     if changes.is_empty() {
+        return Ok(changes);
+    }
+    if let Some(reached) = request.limits.reached() {
+        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, reached));
         return Ok(changes);
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);

@@ -129,14 +129,12 @@ impl Step<'_> {
 
     /// Adds the definitions of the observables that occur; not of angles, which are continued along the motion.
     fn add_definitions(&self, roots: &mut Vec<Expr>) {
-        let symbols = self.derivation.symbols.iter().chain(self.derivation.claims.iter().flat_map(|c| &c.symbols));
-        let angles: Vec<Symbol> = symbols.filter(|s| s.angle).map(|s| s.symbol).collect();
         let mut seen: Vec<Symbol> = Vec::new();
         let mut open = roots.clone();
         while !open.is_empty() {
             let mut found: Vec<Expr> = Vec::new();
             for leaf in self.graph.leaves(open) {
-                if seen.contains(&leaf.symbol) || angles.contains(&leaf.symbol) {
+                if seen.contains(&leaf.symbol) || self.derivation.is_angle(leaf.symbol) {
                     continue;
                 }
                 seen.push(leaf.symbol);
