@@ -142,15 +142,20 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
     let mut done = false;
     let before = symbols.len();
     let mut refuse = Vec::new();
+    // Letters that are declared in this round: they may be missing at many places.
+    let mut declared: BTreeSet<&str> = BTreeSet::new();
     for problem in found {
         let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
+        let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
+        let name = problem.message.split('`').nth(1).filter(|_| missing);
+        if name.is_some_and(|name| declared.contains(name)) {
+            continue;
+        }
         let here = |f: &Formula| f.refused.is_none() && f.place.start <= span.start && span.start <= f.place.end;
         let at = claims.iter().enumerate().find_map(|(c, claim)| Some((c, claim.formulas.iter().position(here)?)));
         let Some((c, f)) = at else { continue };
         let text = &problem.source.text;
         let (at, after) = (text.get(span.clone()).unwrap_or_default(), text.get(span.end..).unwrap_or_default());
-        let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
-        let name = problem.message.split('`').nth(1).filter(|_| missing);
         let guess = match name {
             Some(name) => Some(guess(name, at, after, all)),
             // The letter is known, but not with this subscript.
@@ -166,6 +171,7 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
                 if !symbols[before..].iter().any(|s| base(&s.name) == base(&guess.name)) {
                     symbols.push(guess);
                 }
+                declared.extend(name);
                 done = true;
             }
             Some(_) if done && missing => {}

@@ -8,7 +8,7 @@
 
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
 use crate::derivation::{Claim, Form, Ranged, Values, Written};
-use crate::expr::{Expr, FastMap, Graph, Leaf, Tensor};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Tensor};
 use crate::latex::{RelationKind, Scope, Statement};
 
 use super::super::identity::{Condition, Identity, Premises};
@@ -124,6 +124,25 @@ impl<'a> Insertion<'a> {
     }
 }
 
+/// What is compared with 0. |l| ≤ r says that l ≤ r and −l ≤ r, which have slopes where |l| has none; the same for <, and for
+/// a size on the right that is not exceeded.
+fn without_absolute(graph: &mut Graph, kind: RelationKind, left: Expr, right: Expr) -> Vec<Expr> {
+    let size = |graph: &Graph, e: Expr| match *graph.node(e) {
+        Node::Unary(Op::Abs, inner) => Some(inner),
+        _ => None,
+    };
+    let inner = match kind {
+        RelationKind::Less | RelationKind::LessEqual => size(graph, left),
+        RelationKind::Greater | RelationKind::GreaterEqual => size(graph, right),
+        RelationKind::Equal | RelationKind::NotEqual => None,
+    };
+    let Some(inner) = inner else { return vec![graph.sub(left, right)] };
+    let opposite = graph.neg(inner);
+    let on_the_left = matches!(kind, RelationKind::Less | RelationKind::LessEqual);
+    let one = |graph: &mut Graph, e: Expr| if on_the_left { graph.sub(e, right) } else { graph.sub(left, e) };
+    vec![one(graph, inner), one(graph, opposite)]
+}
+
 impl Question {
     /// Compiles what a claim assumes and says; what it says of solutions is not looked at.
     ///
@@ -184,8 +203,9 @@ impl Question {
                         graph.substitute(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
                     };
                     let (left, right) = (one(l), one(r));
-                    let d = graph.sub(left, right);
-                    all.push(Compared { relation: self.signs.add(graph, d, relation.kind)?, left, right });
+                    for d in without_absolute(graph, relation.kind, left, right) {
+                        all.push(Compared { relation: self.signs.add(graph, d, relation.kind)?, left, right });
+                    }
                 }
                 signs.push(all);
             }
