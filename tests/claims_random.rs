@@ -109,8 +109,15 @@ fn no_random_claim_gets_a_wrong_verdict() {
         std::fs::write(known_path(), text).expect("the list can be written");
     }
     let new: Vec<_> = wrong.iter().filter(|(d, _)| !known.contains_key(&key(&d.claim))).collect();
-    let shown = usize::try_from(number_of("REDERIVE_CLAIMS_SHOWN", 40)).expect("a number");
-    for (d, s) in new.iter().take(shown) {
+    // Some of each form, made small.
+    let shown = usize::try_from(number_of("REDERIVE_CLAIMS_SHOWN", 5)).expect("a number");
+    let mut told: BTreeMap<&str, usize> = BTreeMap::new();
+    for (d, s) in &new {
+        let count = told.entry(FORMS[d.profile[3]]).or_default();
+        *count += 1;
+        if *count > shown {
+            continue;
+        }
         let (small, s2, t2) = minimized(&d.claim);
         println!("=== {} {:?} {s:?}, truth {:?}", key(&d.claim), d.profile, d.truth);
         println!("{:?} {:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.motion, small.span, small.toml("c"));

@@ -12,6 +12,7 @@
 
 mod account;
 mod between;
+mod by_formula;
 mod cache;
 mod comparison;
 mod describe;
@@ -77,7 +78,7 @@ use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
@@ -350,7 +351,8 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried, &account.trajectories)
+        .map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let (fields, stage, limits) = (&fields, &stage, &options.limits);
@@ -460,7 +462,8 @@ fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
 }
 
-/// Gives verdicts the strength of the proofs behind them, and compares the two.
+/// Gives verdicts the strength of the proofs behind them, and compares the two. Motions that are given by formulas come first, see
+/// [`by_formula`].
 ///
 /// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
 /// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
@@ -474,7 +477,10 @@ fn strengthen(
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
+    trajectories: &[TrajectoryAccount],
 ) -> Result<(), String> {
+    by_formula::settle(derivation, claims, claimed, tried)?;
+    let problems: HashSet<&str> = trajectories.iter().filter(|t| t.problem.is_some()).map(|t| t.id.as_str()).collect();
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
     // The motions of the results of each claim.
     let on: Vec<HashMap<usize, usize>> = claims
@@ -484,7 +490,7 @@ fn strengthen(
         })
         .collect();
     let here = |premise: usize| claimed.binary_search(&premise).ok();
-    for k in premises_first(derivation, claimed) {
+    for k in premises_first(derivation, claimed, claims) {
         let c = claimed[k];
         let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
             continue;
@@ -510,6 +516,14 @@ fn strengthen(
             }
             match pair.verdict.outcome() {
                 Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push(at),
+                // Samples that do not settle it say at least that it has a value; what was not reached is not known.
+                Outcome::Undecided
+                    if pair.verdict.evidence().samples > 0
+                        && identity.exceptions.is_empty()
+                        && !problems.contains(pair.trajectory.as_str()) =>
+                {
+                    ready.push(at);
+                }
                 Outcome::Fails(_) => {
                     return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
                 }
@@ -524,13 +538,14 @@ fn strengthen(
 }
 
 /// The claims, each after those that it follows from: there are no circles.
-fn premises_first(derivation: &Derivation, claimed: &[usize]) -> Vec<usize> {
+fn premises_first(derivation: &Derivation, claimed: &[usize], claims: &[ClaimAccount]) -> Vec<usize> {
     let premises = |k: usize| {
         let of = |name: &String| match derivation.premise(name) {
             Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
             Premise::System(_) | Premise::Definition => None,
         };
-        derivation.claims[claimed[k]].follows_from.iter().filter_map(of).collect::<Vec<usize>>()
+        let proved = claims[k].identity.iter().flat_map(|i| &i.from);
+        derivation.claims[claimed[k]].follows_from.iter().chain(proved).filter_map(of).collect::<Vec<usize>>()
     };
     let mut out = Vec::with_capacity(claimed.len());
     let mut seen = vec![false; claimed.len()];

@@ -248,7 +248,6 @@ fn branch(
     state: &[Bounded],
     max_steps: usize,
 ) -> Result<Branch, (usize, NoValue)> {
-    let n = flow.dimension;
     let values = |of: &[Bounded]| of.iter().map(|x| x.value).collect::<Vec<f64>>();
     let (numbers, initial) = (values(constants), values(state));
     let control = Control { order: ORDER, caution: 1.0, max_steps };

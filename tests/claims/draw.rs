@@ -75,6 +75,8 @@ pub struct Draw<'a> {
     pub motion: Motion,
     /// Events, once they are chosen.
     pub events: Vec<Q>,
+    /// Some numbers differ by little: no place for equations, of which may be said that they hold to within a bound.
+    pub near: bool,
 }
 
 /// A claim of this profile, if there is one.
@@ -84,9 +86,15 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
     let scene = SCENES[scene];
     let motion = match scene {
         Scene::Box | Scene::All => Motion::Forward,
-        Scene::Integrated => {
-            chance.one(&[Motion::Forward, Motion::Forward, Motion::Backward, Motion::Turning, Motion::Fast])
-        }
+        // No kink in a right side: that is a matter of its own.
+        Scene::Integrated => chance.one(&[
+            Motion::Forward,
+            Motion::Forward,
+            Motion::Backward,
+            Motion::Turning,
+            Motion::Fast,
+            Motion::Around,
+        ]),
         Scene::Formula | Scene::Derived => chance.one(&MOTIONS),
     };
     let mut claim = Claim {
@@ -100,7 +108,7 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
         role: "abbreviation",
         later: 0,
     };
-    let mut draw = Draw { chance, scene, span, motion, events: Vec::new() };
+    let mut draw = Draw { chance, scene, span, motion, events: Vec::new(), near: false };
     let moving = draw.moving();
     match RESTRICTIONS[restriction] {
         "none" => {}
@@ -149,6 +157,9 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
         }
     }
     claim.forms.insert(0, form);
+    if draw.near && has_allowance(&claim) {
+        return None;
+    }
     if claim.scene == Scene::All {
         let single =
             matches!(&claim.forms[..], [Form::Always(t)] if t.len() == 1 && t[0].len() == 1 && t[0][0].is_equation());
@@ -380,4 +391,22 @@ impl Draw<'_> {
             _ => return None,
         })
     }
+}
+
+/// Whether it says what may hold to within a bound: equations, and inequalities at their border, at all times.
+fn has_allowance(claim: &Claim) -> bool {
+    let allowed = |s: &Statement| match s {
+        Statement::Relation { kinds, .. } => {
+            kinds.iter().any(|k| matches!(k, Kind::Equal | Kind::AtMost | Kind::AtLeast))
+        }
+        Statement::Limit { .. } => true,
+    };
+    let hypothesis = claim.assuming.iter().flatten().any(|s| s.is_equation() || matches!(s, Statement::Limit { .. }));
+    hypothesis
+        || claim.forms.iter().any(|f| match f {
+            Form::Always(t) => t.iter().flatten().any(allowed),
+            Form::Never(t) | Form::Eventually(t) => t.iter().flatten().any(|s| matches!(s, Statement::Limit { .. })),
+            Form::FirstIntegral(_) | Form::Solves(..) | Form::SameMotion(..) => true,
+            Form::Defined(_) | Form::Independent(_) | Form::Exists { .. } => false,
+        })
 }

@@ -13,7 +13,15 @@ impl Draw<'_> {
     /// A value of x.
     pub fn point(&mut self) -> Q {
         let t = self.time();
-        self.motion.at(&t)
+        let p = self.motion.at(&t);
+        if !self.chance.once_in(12) {
+            return p;
+        }
+        // Beside it by little.
+        self.near = true;
+        let digits = self.chance.one(&[4, 7, 10, 13, 17]);
+        let little = (0..digits).fold(whole(1), |q, _| q / whole(10));
+        if self.chance.once_in(2) { p + little } else { p - little }
     }
 
     /// A time: on a grid that samples meet, or off it; mostly inside of the span.
@@ -100,6 +108,10 @@ impl Draw<'_> {
         match self.chance.below(8) {
             0 => self.functional(),
             1 => div(self.plain(), self.linear()),
+            2 if self.moving() && self.chance.once_in(3) => {
+                let f = self.chance.one(&[Function::Logarithm, Function::ArcTangent]);
+                rate(of(f, self.linear()))
+            }
             2 if self.moving() => rate(self.plain()),
             3 if self.moving() && self.chance.once_in(3) => rate(rate(self.plain())),
             _ => self.plain(),
@@ -200,8 +212,15 @@ impl Draw<'_> {
             10 => (rate(mul(e.clone(), abs(e.clone()))), mul(mul(number(2), abs(e.clone())), rate(e))),
             _ => {
                 let (a, b) = super::claim::SPANS[self.span];
-                let c = a + self.chance.below((b - a + 1) as usize) as i64;
-                (Term::At(Box::new(Term::X), whole(c)), Term::Number(self.motion.at(&whole(c))))
+                let c = whole(a + self.chance.below((b - a + 1) as usize) as i64);
+                let x = self.motion.at(&c);
+                let at = |e: Term| Term::At(Box::new(e), c.clone());
+                match self.chance.below(4) {
+                    0 => (at(add(Term::X, Term::Y)), Term::Number(x + whole(2))),
+                    1 => (at(rate(Term::X)), self.motion.rate()),
+                    2 => (at(power(Term::X, 2)), Term::Number(&x * &x)),
+                    _ => (at(Term::X), Term::Number(x)),
+                }
             }
         }
     }
@@ -257,5 +276,10 @@ impl Draw<'_> {
 
 /// Whether a function occurs that is no rational function, so that only its sign is known.
 fn has_function(e: &Term) -> bool {
-    matches!(e, Term::Of(..)) || e.parts().iter().any(|p| has_function(p))
+    match e {
+        // A rate of a logarithm or an arc tangent is a rational function.
+        Term::Rate(f) => f.parts().iter().any(|p| has_function(p)),
+        Term::Of(..) => true,
+        e => e.parts().iter().any(|p| has_function(p)),
+    }
 }

@@ -7,6 +7,8 @@ pub mod judge;
 pub mod line;
 pub mod logic;
 pub mod metamorphic;
+mod oracle;
+mod refused;
 mod said_alike;
 pub mod term;
 pub mod truth;

@@ -153,6 +153,8 @@ impl Term {
             },
             At(e, c) => match &**e {
                 X => format!("x({})", latex_number(c)),
+                Rate(e) if **e == X => format!(r"\frac{{dx}}{{dt}}({})", latex_number(c)),
+                e if c.denominator().to_string() == "1" => format!(r"\left({}\right)({})", e.latex(), latex_number(c)),
                 e => format!(r"\left.{}\right|_{{t={}}}", e.factor(), latex_number(c)),
             },
             Named(_) => "k".to_owned(),
@@ -254,7 +256,20 @@ impl Term {
                 Abs(base.clone()).line(setting)?
             }
             Of(f, e) => f.line(&of(e)?)?,
-            Rate(e) => of(e)?.rate()?,
+            Rate(e) => match &**e {
+                // Where these have a value they are smooth, with rational rates.
+                Of(f @ (Function::Logarithm | Function::ArcTangent), e) => {
+                    let inner = of(e)?;
+                    let below = match f {
+                        Function::Logarithm => {
+                            inner.by_sign(|v, s| if s == Some(1) { v.clone() } else { Value::Nothing })?
+                        }
+                        _ => sum(&product(&inner, &inner)?, &Line::constant(Value::number(whole(1))))?,
+                    };
+                    product(&inner.rate()?, &inverse(&below)?)?
+                }
+                e => of(e)?.rate()?,
+            },
             At(e, c) => {
                 let line = of(e)?.cut(std::slice::from_ref(c));
                 let at = line.cuts.iter().position(|k| k == c).ok_or(Irrational)?;
@@ -277,9 +292,12 @@ pub enum Motion {
     Bent,
     /// 2t
     Fast,
+    /// (1 − t²)/(1 + t²), the cosine of a motion around the circle
+    Around,
 }
 
-pub const MOTIONS: [Motion; 5] = [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast];
+pub const MOTIONS: [Motion; 6] =
+    [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast, Motion::Around];
 
 impl Motion {
     pub fn term(self) -> Term {
@@ -289,6 +307,7 @@ impl Motion {
             Motion::Turning => power(T, 2),
             Motion::Bent => abs(sub(T, number(1))),
             Motion::Fast => mul(number(2), T),
+            Motion::Around => div(sub(number(1), power(T, 2)), add(number(1), power(T, 2))),
         }
     }
 
@@ -300,6 +319,7 @@ impl Motion {
             Motion::Turning => mul(number(2), T),
             Motion::Bent => div(sub(T, number(1)), abs(sub(T, number(1)))),
             Motion::Fast => number(2),
+            Motion::Around => div(mul(number(-4), T), power(add(number(1), power(T, 2)), 2)),
         }
     }
 
@@ -311,6 +331,7 @@ impl Motion {
             Motion::Bent if *t < whole(1) => whole(1) - t,
             Motion::Bent => t - whole(1),
             Motion::Fast => whole(2) * t,
+            Motion::Around => (whole(1) - t * t) / (whole(1) + t * t),
         }
     }
 }
