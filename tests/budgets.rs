@@ -220,7 +220,8 @@ fn large_numbers_are_no_large_work() {
 #[test]
 fn a_search_for_solutions_ends() {
     let names = ["c", "d", "f", "g", "h", "l"];
-    let symbols: String = ["a", "b"].iter().chain(&names).map(|n| format!("'{n}' = {{ role = 'parameter' }}\n")).collect();
+    let symbols: String =
+        ["a", "b"].iter().chain(&names).map(|n| format!("'{n}' = {{ role = 'parameter' }}\n")).collect();
     let unknowns: Vec<String> = names.iter().map(|n| format!("'{n}' = [-100, 100]")).collect();
     let pair = |i: usize| (names[i], names[(i + 1) % names.len()]);
     let equations: Vec<String> =

@@ -6,16 +6,14 @@
 //! `REDERIVE_CLAIMS=20000` tries as many claims; `REDERIVE_CLAIMS_SEED` draws others; `REDERIVE_CLAIMS_WRITE=1` writes the
 //! list of what is known to be wrong anew.
 
-mod claims;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use claims::claim::Claim;
-use claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
-use claims::judge::{Said, key, minimized, number_of, said};
-use claims::logic::Truth;
-use claims::truth::truth;
+use crate::claims::claim::Claim;
+use crate::claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
+use crate::claims::judge::{Said, key, minimized, number_of, said};
+use crate::claims::logic::Truth;
+use crate::claims::truth::truth;
 
 const CLAIMS: usize = 400;
 const SEED: u64 = 20_260_707;

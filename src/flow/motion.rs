@@ -469,9 +469,8 @@ impl Core {
         let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
         let flow = Flow::new(tape, field.states(), names);
         let (start, most) = (self.initial_time, field.most_steps());
-        let trajectory = Trajectory::integrate(&flow, &constants, start, &values, self.span, most).map_err(
-            |(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: start, reason },
-        )?;
+        let trajectory = Trajectory::integrate(&flow, &constants, start, &values, self.span, most)
+            .map_err(|(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: start, reason })?;
         self.orbit = Some(Arc::new(Orbit { states, rates, flow, constants, trajectory }));
         Ok(())
     }

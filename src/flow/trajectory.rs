@@ -225,9 +225,8 @@ impl Trajectory {
 
     /// The largest error of every state over the whole trajectory.
     pub(super) fn largest_errors(&self) -> Vec<f64> {
-        let last = |b: &Branch, i: usize| {
-            b.error.iter().skip(i).step_by(self.dimension.max(1)).copied().fold(0.0, f64::max)
-        };
+        let last =
+            |b: &Branch, i: usize| b.error.iter().skip(i).step_by(self.dimension.max(1)).copied().fold(0.0, f64::max);
         (0..self.dimension)
             .map(|i| last(&self.forward, i).max(last(&self.backward, i)).max(self.initial_error[i]))
             .collect()

@@ -278,7 +278,7 @@ pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     Some(format!("it holds exactly where {}{rivals}", explanation(e)))
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

@@ -131,7 +131,7 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
     out
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;
