@@ -128,7 +128,7 @@ impl Step<'_> {
     }
 
     /// Adds the definitions of the observables that occur; not of angles, which are continued along the motion.
-    fn add_definitions(&self, roots: &mut Vec<Expr>) {
+    pub(super) fn add_definitions(&self, roots: &mut Vec<Expr>) {
         let mut seen: Vec<Symbol> = Vec::new();
         let mut open = roots.clone();
         while !open.is_empty() {
