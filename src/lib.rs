@@ -18,7 +18,8 @@
 //!
 //! [symbols]
 //! 't' = { role = 'time' }
-//! 'x, v' = { role = 'state' }
+//! 'x' = { role = 'state' }
+//! 'v' = { role = 'state' }
 //!
 //! [system.spring]
 //! states = ['x', 'v']

@@ -108,7 +108,7 @@ impl Session {
     /// ```
     /// let problems = rederive::Session::open("decay", "[derivation]\ntitle = 'Decay'").unwrap_err();
     /// assert_eq!(problems[0].code, "derivation::missing-key");
-    /// assert!(problems[0].line_and_column().is_some());
+    /// assert_eq!(problems[0].line_and_column(), Some((1, 1)));
     /// ```
     pub fn open(name: &str, text: impl Into<String>) -> Result<Session, Vec<Diagnostic>> {
         Ok(Session { name: name.to_owned(), derivation: read(name, text.into())?, cache: Cache::default() })

@@ -75,7 +75,12 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let (drawn, _) = draws(n, seed);
     let mut table: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
     let mut wrong = Vec::new();
-    for part in drawn.chunks(100) {
+    // One by one, with its text before it is tried: for a claim on which the program does not end.
+    let each = std::env::var_os("REDERIVE_CLAIMS_EACH").is_some();
+    for part in drawn.chunks(if each { 1 } else { 100 }) {
+        if each {
+            println!("trying {:?}\n{}", part[0].claim.motion, part[0].claim.toml("c"));
+        }
         let claims: Vec<&Claim> = part.iter().map(|d| &d.claim).collect();
         for (d, s) in part.iter().zip(said(&claims)) {
             let row = table.entry(FORMS[d.profile[3]]).or_default();

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each crate, and the others that it may import.
-const CRATES: &[(&str, &[&str])] = &[
+pub const CRATES: &[(&str, &[&str])] = &[
     ("diag", &[]),
     ("number", &[]),
     ("expr", &["number"]),
@@ -22,7 +22,7 @@ const CRATES: &[(&str, &[&str])] = &[
 const OUTSIDE: &[&str] = &["lib.rs", "main.rs", "session.rs", "cli", "notes", "bibliography.rs"];
 
 /// The code without comments, strings and characters; line breaks are kept.
-fn code_only(text: &str) -> String {
+pub fn code_only(text: &str) -> String {
     let chars: Vec<char> = text.chars().collect();
     let mut out = String::new();
     let mut i = 0;
@@ -124,7 +124,7 @@ fn violations(room: &str, allowed: &[&str], text: &str) -> Vec<String> {
     found
 }
 
-fn rust_files(path: &Path, out: &mut Vec<PathBuf>) {
+pub fn rust_files(path: &Path, out: &mut Vec<PathBuf>) {
     if path.is_dir() {
         for entry in fs::read_dir(path).expect("a folder can be listed") {
             rust_files(&entry.expect("an entry can be read").path(), out);

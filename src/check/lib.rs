@@ -136,7 +136,7 @@ pub fn check(
     check_recalling(derivation, options, Recall::default(), progress)
 }
 
-/// [`check`], with what is known from before.
+/// [`check()`], with what is known from before.
 fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,

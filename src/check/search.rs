@@ -448,7 +448,7 @@ impl Trial<'_> {
 /// The claim is judged as it is written; with `variant`, the motion is one on which it holds and that altered formula fails.
 ///
 /// # Errors
-/// See [`check`](super::check); and [`CheckError::Problems`] where there is no such altered formula.
+/// See [`check`](super::check()); and [`CheckError::Problems`] where there is no such altered formula.
 pub fn search(
     derivation: &Derivation,
     options: &SearchOptions,

@@ -8,7 +8,7 @@
 
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Bounded, Jet, NoValue, Op, Orders, Scalar};
+use number::{Jet, NoValue, Op, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug)]
@@ -37,14 +37,6 @@ const LONGEST: f64 = 0.125;
 /// Longest step where the time enters the right sides, as a part of the span.
 const LONGEST_DRIVEN: f64 = 1.0 / 2048.0;
 
-/// A scale that is below this part of the largest may be that of a coordinate at rest.
-const AT_REST: f64 = 1e-6;
-/// How far above the rounding of a rate the scale of a coordinate is at least: a 20th root of it is 2.
-const ABOVE_ROUNDING: f64 = 1e6;
-
-/// How far above the rounding of a rate that of a polynomial's slope may be.
-const ROUNDING_OF_SLOPES: f64 = 1e3;
-
 /// Why a step cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stop {
@@ -66,10 +58,6 @@ pub(super) struct Walker<'a> {
     /// State and the part of it that binary64 cannot hold.
     pub(super) state: Vec<f64>,
     low: Vec<f64>,
-    /// The rounding of the rates here, once it was asked for, and what it is computed with.
-    noise: Vec<f64>,
-    noise_known: bool,
-    noise_slots: Slots<Bounded>,
     /// Coefficients around the present time, `order + 1` for every state.
     now: Vec<f64>,
     next: Vec<f64>,
@@ -227,9 +215,6 @@ impl<'a> Walker<'a> {
             length: (end - time).abs(),
             state: state.to_vec(),
             low: vec![0.0; n],
-            noise: vec![0.0; n],
-            noise_known: false,
-            noise_slots: flow.tape.slots(&()),
             now: vec![0.0; n * row],
             next: vec![0.0; n * row],
             next_state: vec![0.0; n],
@@ -240,9 +225,6 @@ impl<'a> Walker<'a> {
             kinks: Kinks::new(flow),
             late: vec![0.0; n],
         };
-        for (i, &c) in constants.iter().enumerate() {
-            walker.noise_slots.set(1 + n + i, Ok(Bounded::exact(c)));
-        }
         flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
             .map_err(|(i, r)| Stop::NoRate(i, r))?;
         walker.kinks.keep(&walker.slots, control.order);
@@ -322,7 +304,6 @@ impl<'a> Walker<'a> {
                     std::mem::swap(&mut self.state, &mut self.next_state);
                     std::mem::swap(&mut self.low, &mut self.next_low);
                     self.time = target;
-                    self.noise_known = false;
                     self.last_step = size;
                     return Ok(Step { coefficients: &self.next, low: &self.next_low });
                 }
@@ -354,35 +335,8 @@ impl<'a> Walker<'a> {
             }
             let found = self.next[i * row + 1];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            // What rests has a slope that is rounding, which a step multiplies.
-            let noise = if self.noise_known { ROUNDING_OF_SLOPES * self.noise[i] * h.abs() } else { 0.0 };
-            let least = noise + f64::MIN_POSITIVE;
-            (slope - found).abs() * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + least
+            (slope - found).abs() * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
         })
-    }
-
-    /// A coordinate that rests has no scale of its own: its coefficients are the rounding of terms that cancel. What moves it
-    /// has a size, though, and what is lost to rounding in a step is the least that its scale can be, with room for the powers of
-    /// the step. A coordinate that moves is far above that.
-    fn raise_scales(&mut self, step: f64) {
-        let largest = self.scale.iter().copied().fold(0.0, f64::max);
-        if self.scale.iter().all(|&scale| scale > AT_REST * largest) {
-            return;
-        }
-        if !std::mem::replace(&mut self.noise_known, true) {
-            let slots = &mut self.noise_slots;
-            slots.set(0, Ok(Bounded::exact(self.time)));
-            self.now.chunks_exact(self.control.order + 1).enumerate().for_each(|(i, c)| {
-                slots.set(1 + i, Ok(Bounded::exact(c[0])));
-            });
-            self.flow.tape.run(&(), slots);
-            for (i, noise) in self.noise.iter_mut().enumerate() {
-                *noise = self.flow.tape.output(i, slots).map_or(0.0, |rate| rate.error);
-            }
-        }
-        for (&g, &noise) in self.flow.groups.iter().zip(&self.noise) {
-            self.scale[g] = self.scale[g].max(ABOVE_ROUNDING * noise * step);
-        }
     }
 
     /// The step that Jorba & Zou propose, infinite when the series ends.
@@ -399,7 +353,6 @@ impl<'a> Walker<'a> {
                 let reach = c[0].abs().max((c[1] * guess).abs()).max((c[2] * guess * guess).abs());
                 self.scale[g] = self.scale[g].max(reach);
             }
-            self.raise_scales(guess);
             let mut radius = f64::INFINITY;
             let mut seen = 0;
             for k in (p / 2..=p).rev() {

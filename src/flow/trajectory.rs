@@ -14,12 +14,6 @@ use number::{Bounded, NoValue};
 const SAFETY: f64 = 8.0;
 /// Rounding floor in units of the largest value of a state so far.
 const FLOOR: f64 = 4.0 * f64::EPSILON;
-/// The part of the time that has gone before, of which a decayed state is still as large as it was.
-const RECENT: f64 = 0.75;
-/// So often the time since then is looked at.
-const LOOKS: u32 = 16;
-/// A state that is smaller than this part of its largest value has decayed.
-const DECAYED: f64 = 1e-3;
 /// Order of the trajectory: −ln(2⁻⁵²)/2 + 1, rounded up.
 pub(super) const ORDER: usize = 20;
 
@@ -32,10 +26,8 @@ struct Branch {
     coefficients: Vec<f64>,
     /// What the zeroth coefficients leave out, for every state of every step.
     low: Vec<f64>,
-    /// Error of every state during every step; it decreases only where the state has decayed.
+    /// Error of every state up to the end of every step; never decreasing.
     error: Vec<f64>,
-    /// Until the errors are settled: what is the least of each, and how much of it is there for another reason than rounding.
-    least: Vec<(f64, f64)>,
     problem: Option<Problem>,
 }
 
@@ -225,8 +217,10 @@ impl Trajectory {
 
     /// The largest error of every state over the whole trajectory.
     pub(super) fn largest_errors(&self) -> Vec<f64> {
-        let last =
-            |b: &Branch, i: usize| b.error.iter().skip(i).step_by(self.dimension.max(1)).copied().fold(0.0, f64::max);
+        let last = |b: &Branch, i: usize| {
+            let from = b.error.len().saturating_sub(self.dimension);
+            b.error.get(from + i).copied().unwrap_or(0.0)
+        };
         (0..self.dimension)
             .map(|i| last(&self.forward, i).max(last(&self.backward, i)).max(self.initial_error[i]))
             .collect()
@@ -247,6 +241,7 @@ fn branch(
     state: &[Bounded],
     max_steps: usize,
 ) -> Result<Branch, (usize, NoValue)> {
+    let n = flow.dimension;
     let values = |of: &[Bounded]| of.iter().map(|x| x.value).collect::<Vec<f64>>();
     let (numbers, initial) = (values(constants), values(state));
     let control = Control { order: ORDER, caution: 1.0, max_steps };
@@ -264,7 +259,7 @@ fn branch(
                 out.compare(flow, control, &shifted(constants, sign), &shifted(state, sign), 0, caution);
             }
         }
-        out.settle(&state.iter().map(|x| 2.0 * x.error).collect::<Vec<f64>>());
+        out.settle(n);
     }
     Ok(out)
 }
@@ -305,8 +300,7 @@ impl Branch {
             out.times.push(walker.time);
             for (((l, x), b), late) in largest.iter_mut().zip(&walker.state).zip(state).zip(&walker.late) {
                 *l = l.max(x.abs());
-                out.error.push(0.0);
-                out.least.push((FLOOR * *l + 2.0 * b.error + SAFETY * late, SAFETY * late));
+                out.error.push(FLOOR * *l + 2.0 * b.error + SAFETY * late);
             }
         }
         // How many steps there would be was not known.
@@ -370,7 +364,6 @@ impl Branch {
         self.coefficients.truncate(steps * n * (ORDER + 1));
         self.low.truncate(steps * n);
         self.error.truncate(steps * n);
-        self.least.truncate(steps * n);
         let reached = self.times.last().copied().unwrap_or(time);
         self.problem = Some(match self.problem.take() {
             Some(Problem::StepCollapsed { .. }) => Problem::StepCollapsed { time: reached },
@@ -380,51 +373,10 @@ impl Branch {
         });
     }
 
-    /// Makes the errors grow, as those of the past count for what follows; but where a state has decayed, so may its error.
-    ///
-    /// A state counts as decayed where it was, in the last quarter of the time, a thousand times smaller than before: an
-    /// oscillation is not, at its zeros. An error that was found before shrinks as the state does since then, and no faster;
-    /// what was found in that quarter counts as it is, and the floor of rounding is that of the values there.
-    ///
-    /// `initial`: what is not known of the initial values.
-    fn settle(&mut self, initial: &[f64]) {
-        let n = initial.len();
-        let least = std::mem::take(&mut self.least);
-        let steps = self.error.len() / n.max(1);
-        for i in 0..n {
-            let state = |k: usize, since: f64| {
-                let c = &self.coefficients[(k * n + i) * (ORDER + 1)..][..=ORDER];
-                horner(c, since).abs()
-            };
-            let mut largest = 0.0_f64;
-            let mut settled: Vec<(f64, f64)> = Vec::with_capacity(steps);
-            for k in 0..steps {
-                let now = state(k, 0.0);
-                largest = largest.max(now);
-                // The largest value in the last quarter of the time, where it matters.
-                let mut recent = largest;
-                if now < DECAYED * largest {
-                    recent = now;
-                    let passed = self.times[k] - self.times[0];
-                    for look in 0..LOOKS {
-                        let t = self.times[0] + passed * (RECENT + (1.0 - RECENT) * f64::from(look) / f64::from(LOOKS));
-                        let at = self.times[..=k].partition_point(|s| (s - t) * passed <= 0.0).saturating_sub(1);
-                        recent = recent.max(state(at, t - self.times[at]));
-                    }
-                }
-                let (found, (least, late)) = (self.error[k * n + i], least[k * n + i]);
-                let (before, recent_before) = settled.last().copied().unwrap_or((initial[i], recent));
-                let decayed = recent < DECAYED * largest;
-                // The least is the rounding of all values before this one: a decayed state has its own.
-                let own = found.max(if decayed { FLOOR * recent + late } else { least });
-                let kept = if decayed && recent < recent_before { before * (recent / recent_before) } else { before };
-                settled.push((kept.max(own), recent));
-            }
-            for (k, (error, _)) in settled.iter().enumerate() {
-                // Within a step the larger of both ends.
-                let before = if k > 0 { settled[k - 1].0 } else { 0.0 };
-                self.error[k * n + i] = error.max(before);
-            }
+    /// Makes the errors monotone.
+    fn settle(&mut self, n: usize) {
+        for i in n..self.error.len() {
+            self.error[i] = self.error[i].max(self.error[i - n]);
         }
     }
 }
