@@ -12,11 +12,8 @@ mod infix;
 mod latex_support;
 mod schema_support;
 
-<<<<<<< HEAD
 mod budgets;
-=======
 mod circles;
->>>>>>> main
 mod claims_random;
 mod cli;
 mod cli_mangled;
