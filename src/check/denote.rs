@@ -16,8 +16,14 @@ use crate::expr::{Expr, Graph, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::verdict::{Proposition, Quantifier};
 
+/// The longest formula that names each of its comparisons in full: a chain of relations has as many of them as signs.
+const LONGEST_LABEL: usize = 4_000;
+
 /// Name of a component: the formula, and the values of its free indices.
 fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> String {
+    let end = (0..=80).rev().find(|&n| text.is_char_boundary(n)).unwrap_or(0);
+    let short = format!("{} …", &text[..end.min(text.len())]);
+    let text = if text.len() > LONGEST_LABEL { short.as_str() } else { text };
     if shape.rank() == 0 {
         return text.to_owned();
     }

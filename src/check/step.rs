@@ -78,6 +78,10 @@ struct Settled {
     identity: Identity,
 }
 
+/// The largest step that is tried, in nodes of its formulas, with what they are given and defined by.
+const MOST_NODES: usize = 6_000;
+/// Why a larger one is not.
+const TOO_LARGE: &str = "work limit: its formulas, with all that they follow from, are too large for a proof";
 /// Why a step between several times is open.
 const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
                           would need the solution of a differential equation";
@@ -313,6 +317,9 @@ impl<'a> Step<'a> {
         if equations.is_empty() {
             return None;
         }
+        if self.is_too_large(&gathered, &equations) {
+            return Some(Ok(self.open(&gathered, TOO_LARGE)));
+        }
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
             self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
@@ -489,6 +496,14 @@ impl<'a> Step<'a> {
         });
         (self.proved_at, self.settled) = (proved_at, settled);
         out
+    }
+
+    /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
+    fn is_too_large(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let given = gathered.systems.iter().chain(&gathered.premises.equations);
+        let mut roots: Vec<Expr> = equations.iter().chain(given).flat_map(|&(l, r)| [l, r]).collect();
+        self.add_definitions(&mut roots);
+        self.graph.reachable(roots).len() > MOST_NODES
     }
 
     /// The account of a step that stays open, for a reason.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, CheckError, ClaimAccount, Options, Rigor, Summary};
+use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
 use rederive::derivation::Derivation;
 use rederive::diag::Diagnostic;
 use rederive::files::{named, write};
@@ -52,10 +52,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let folders: Vec<PathBuf> = derivations.iter().filter_map(folder).collect();
     write::check_outputs(&outputs, &all_inputs, &folders)?;
 
+    let (limits, plain, rigor) = (arguments.limits.from_now(), arguments.only_verdicts, arguments.rigor.into());
+    let options = Options { rigor, plain, limits, ..Options::default() };
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
     for (i, mut derivation) in derivations.into_iter().enumerate() {
-        let account = match account(&mut derivation, claims, trajectories, arguments.rigor.into()) {
+        let account = match account(&mut derivation, claims, trajectories, &options) {
             Ok(account) => account,
             // The other files may have problems, too, or be good.
             Err(CheckError::Problems(noted)) => {
@@ -131,7 +133,7 @@ pub fn account(
     derivation: &mut Derivation,
     claims: &[String],
     trajectories: &[String],
-    rigor: Rigor,
+    options: &Options,
 ) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
@@ -150,7 +152,7 @@ pub fn account(
         bar.set_position(done as u64);
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
-    let options = Options { claims: ids, trajectories: trajectories.to_vec(), rigor, ..Options::default() };
+    let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..options.clone() };
     let account = rederive::check::check(derivation, &options, &progress);
     bar.finish_and_clear();
     account.map(|mut account| {

@@ -40,6 +40,7 @@ impl Derivation {
             conditions: Vec::new(),
             pictures: Vec::new(),
             given: Vec::new(),
+            index: super::premise::Index::default(),
         }
     }
 

@@ -87,6 +87,14 @@ pub enum FlowError {
         /// Why.
         reason: NoValue,
     },
+    /// More unknowns than validated integration takes: its work grows with their cube, and its memory with their square.
+    #[error("{unknowns} unknowns are too much work for an enclosure, whose limit is {limit}")]
+    TooManyUnknowns {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// A span that is not an interval of finite times around the initial time.
     #[error("the span [{}, {}] is not a finite interval with the initial time {initial_time} in it", span.0, span.1)]
     Span {

@@ -142,9 +142,7 @@ impl Step<'_> {
 
     /// Adds the definitions of the observables that occur; of angles, which are continued along the motion, without the
     /// leaps by whole turns that the continuation heals.
-    fn add_definitions(&self, roots: &mut Vec<Expr>) {
-        let symbols = self.derivation.symbols.iter().chain(self.derivation.claims.iter().flat_map(|c| &c.symbols));
-        let angles: Vec<Symbol> = symbols.filter(|s| s.angle).map(|s| s.symbol).collect();
+    pub(super) fn add_definitions(&self, roots: &mut Vec<Expr>) {
         let mut seen: Vec<Symbol> = Vec::new();
         let mut open = roots.clone();
         while !open.is_empty() {
@@ -156,7 +154,7 @@ impl Step<'_> {
                 seen.push(leaf.symbol);
                 let definition = self.claim.scope.definition(leaf.symbol);
                 for &e in definition.into_iter().flat_map(|d| &d.components) {
-                    match angles.contains(&leaf.symbol) {
+                    match self.derivation.is_angle(leaf.symbol) {
                         true => self.healed(e, &mut found),
                         false => found.push(e),
                     }

@@ -202,15 +202,6 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     }
 }
 
-/// A node with another part at a place, in the order of [`Node::children`].
-pub(super) fn with_part(node: &Node, at: usize, part: Node) -> Node {
-    let mut out = node.clone();
-    if let Some(place) = parts_mut(&mut out).into_iter().nth(at) {
-        *place = part;
-    }
-    out
-}
-
 /// Every node of a tree, parents first.
 pub(super) fn walk<'n>(node: &'n Node, out: &mut Vec<&'n Node>) {
     out.push(node);
@@ -232,15 +223,6 @@ pub(super) fn without_places(node: &Node) -> Node {
     out.span = 0..0;
     for part in parts_mut(&mut out) {
         *part = without_places(part);
-    }
-    out
-}
-
-/// Every tree in which one node is replaced by one of what `f` makes of it.
-pub(super) fn anywhere(node: &Node, f: &dyn Fn(&Node) -> Vec<Node>) -> Vec<Node> {
-    let mut out = f(node);
-    for (at, child) in node.children().into_iter().enumerate() {
-        out.extend(anywhere(child, f).into_iter().map(|child| with_part(node, at, child)));
     }
     out
 }

@@ -146,6 +146,10 @@ impl Enclosure {
     }
 
     fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+        let (unknowns, limit) = (field.states().len(), step::MOST_UNKNOWNS);
+        if unknowns > limit {
+            return Err(FlowError::TooManyUnknowns { unknowns, limit });
+        }
         let mut states = Vec::new();
         for &leaf in field.states() {
             let basic = fresh(graph, "state");
