@@ -18,6 +18,7 @@ use super::account::ClaimAccount;
 use super::identity::{Condition, Identity, Reason, order};
 use crate::verdict::Witness;
 use crate::derivation::{Derivation, Premise};
+use std::collections::{BTreeSet, HashMap};
 use crate::expr::{Expr, Graph, Rational};
 
 /// What was decided of a step, taken by itself.
@@ -205,49 +206,71 @@ pub struct Given {
 /// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
 /// proved. Of a claim with several readings a name without one means the first.
 pub(super) fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
-    let decision = |claims: &[ClaimAccount], at: usize| -> Option<Decision> {
-        let claim = derivation.claims.get(at)?;
-        let of = |a: &&ClaimAccount| a.id == claim.id && a.reading == claim.reading;
-        let account = claims.iter().find(of).or_else(|| known.iter().find(of))?;
-        account.identity.as_ref().map(|i| i.finding.decision())
+    let names: HashMap<(&str, Option<&str>), usize> = derivation
+        .claims
+        .iter()
+        .enumerate()
+        .map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at))
+        .collect();
+    let at = |a: &ClaimAccount| names.get(&(a.id.as_str(), a.reading.as_deref())).copied();
+    let mut decisions: Vec<Option<Decision>> = vec![None; derivation.claims.len()];
+    for account in known.iter().chain(claims.iter()) {
+        if let (Some(at), Some(identity)) = (at(account), &account.identity) {
+            decisions[at] = Some(identity.finding.decision());
+        }
+    }
+    let premises = |names: &[String]| -> Vec<usize> {
+        let of = |name: &String| match derivation.premise(name) {
+            Premise::Claim(at) => Some(at),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        names.iter().filter_map(of).collect()
     };
-    let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
-    for k in 0..claims.len() {
-        let (Some(own), Some(identity)) = (position(&claims[k]), claims[k].identity.as_ref()) else { continue };
+    // For each claim what is open among all that it follows from: each claim after its premises.
+    let mut open: Vec<Option<BTreeSet<usize>>> = vec![None; derivation.claims.len()];
+    let mut entered = vec![false; derivation.claims.len()];
+    let gathered = |open: &[Option<BTreeSet<usize>>], of: &[usize], own: usize| -> BTreeSet<usize> {
+        let mut out = BTreeSet::new();
+        for &at in of {
+            // In a circle nothing is proved.
+            if at == own || decisions[at] != Some(Decision::Proved) {
+                out.insert(at);
+            }
+            out.extend(open[at].iter().flatten());
+        }
+        out
+    };
+    for first in 0..derivation.claims.len() {
+        let mut stack = vec![first];
+        while let Some(&own) = stack.last() {
+            if open[own].is_some() {
+                stack.pop();
+                continue;
+            }
+            let of = premises(&derivation.claims[own].follows_from);
+            if !std::mem::replace(&mut entered[own], true) {
+                stack.extend(of.iter().copied().filter(|&at| open[at].is_none() && !entered[at]));
+                continue;
+            }
+            open[own] = Some(gathered(&open, &of, own));
+            stack.pop();
+        }
+    }
+    for account in claims {
+        let own = at(account);
+        let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
         let mut out: Vec<Given> = Vec::new();
         if identity.finding.is_proved_in_part() {
-            let mut seen = vec![own];
-            let mut open: Vec<String> = identity.from.clone();
-            while let Some(name) = open.pop() {
-                let at = match derivation.premise(&name) {
-                    Premise::Claim(at) => at,
-                    Premise::System(_) | Premise::Definition => continue,
+            for at in gathered(&open, &premises(&identity.from), own) {
+                let standing = match at == own {
+                    true => Some("itself what is to be proved"),
+                    false => decisions[at].map(Decision::word),
                 };
-                if at == own {
-                    // In a circle nothing is proved.
-                    out.push(Given {
-                        name: derivation.claims[at].name(),
-                        standing: Some("itself what is to be proved"),
-                    });
-                }
-                if seen.contains(&at) {
-                    continue;
-                }
-                seen.push(at);
-                open.extend(derivation.claims[at].follows_from.iter().cloned());
-                match decision(claims, at) {
-                    Some(Decision::Proved) => {}
-                    other => {
-                        out.push(Given { name: derivation.claims[at].name(), standing: other.map(Decision::word) })
-                    }
-                }
+                out.push(Given { name: derivation.claims[at].name(), standing });
             }
             out.sort_by(|a, b| a.name.cmp(&b.name));
-            out.dedup();
         }
-        if let Some(identity) = claims[k].identity.as_mut() {
-            identity.conditional_on = out;
-        }
+        identity.conditional_on = out;
     }
 }
 

@@ -182,6 +182,7 @@ pub(super) fn strengthen(
         }
         learn(verdict, position, shown, (part, beyond));
     }
+    verdict.settle();
     if let (false, Some(reason)) = (is_rigorous(verdict.outcome()), reasons.first()) {
         remark(verdict, reason);
     }
