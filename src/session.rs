@@ -155,7 +155,6 @@ impl Session {
             trajectories: ask.trajectories.clone(),
             plain: ask.only_verdicts,
             rigor: ask.rigor,
-            ..Options::default()
         };
         let mut derivation = self.derivation.clone();
         let mut account = check::check(&mut derivation, &options, progress)?;

@@ -201,8 +201,8 @@ fn circles(files: &BTreeMap<Module, Names>) -> Vec<Vec<&Module>> {
     }
     let mut seen = BTreeSet::new();
     let mut out = Vec::new();
-    for i in 0..all.len() {
-        let circle: Vec<usize> = (0..all.len()).filter(|&k| k == i || reach[i][k] && reach[k][i]).collect();
+    for (i, from) in reach.iter().enumerate() {
+        let circle: Vec<usize> = (0..all.len()).filter(|&k| k == i || from[k] && reach[k][i]).collect();
         if circle.len() > 1 && seen.insert(circle.clone()) {
             out.push(circle.into_iter().map(|k| all[k]).collect::<Vec<_>>());
         }

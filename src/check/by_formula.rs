@@ -180,13 +180,7 @@ impl<'a> Setting<'a> {
     }
 
     fn ask(&mut self, guards: &InTime, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
-        let question = InTime {
-            time: Some(self.time),
-            span: self.span,
-            sides: Some(sides),
-            needs,
-            ..guards.clone()
-        };
+        let question = InTime { time: Some(self.time), span: self.span, sides: Some(sides), needs, ..guards.clone() };
         along(&mut self.memory, &mut self.graph, &question)
     }
 
@@ -219,7 +213,8 @@ impl<'a> Setting<'a> {
                 }
                 None => {}
             }
-            if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved)) {
+            if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved))
+            {
                 return;
             }
         }
@@ -244,12 +239,9 @@ impl<'a> Setting<'a> {
                 let constant = |c: &super::comparison::Comparison| self.is_constant(claim, guards, presupposed, c.left);
                 return group.comparisons.iter().all(constant).then_some(Ok(()));
             }
-            What::Denied
-            | What::Defined
-            | What::Value
-            | What::Limit(_)
-            | What::SameMotion(..)
-            | What::Independent => return None,
+            What::Denied | What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
+                return None;
+            }
         }
         let mut holds = true;
         for c in &group.comparisons {

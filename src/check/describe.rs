@@ -8,10 +8,10 @@ use super::program::{Program, SIDES};
 use super::trial::Trial;
 use super::weigh::{Left, Setting};
 use crate::derivation::Claim;
+use crate::expr::tape::{Fault, Slots};
 use crate::expr::{Graph, Leaf};
 use crate::flow::Points;
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::{Fault, Slots};
 
 /// Describes points in words and numbers, for witnesses and reasons.
 pub(super) struct Describer<'a> {

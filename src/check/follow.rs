@@ -78,11 +78,7 @@ pub(super) fn follow(
 }
 
 /// Gives the verdicts of some claims the strength of the proofs behind them, once all have their accounts.
-pub(super) fn strengthen_all(
-    derivation: &Derivation,
-    claims: &mut [ClaimAccount],
-    known: &[ClaimAccount],
-) {
+pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
     let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };

@@ -7,13 +7,13 @@
 use nalgebra::DMatrix;
 
 use super::comparison::traced_now;
-use super::trial::{Tried, Trial};
+use super::trial::{Trial, Tried};
 use super::weigh::Left;
 use crate::derivation::Written;
+use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::Tape;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 
 /// Singular values below this share of the largest count as zero.
@@ -209,7 +209,9 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
         let mut least = (tried.times[i], along[i]?);
         for _ in 0..60 {
             let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else { break };
+            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else {
+                break;
+            };
             for (t, size) in [(x, u), (y, v)] {
                 if size < least.1 {
                     least = (t, size);

@@ -4,8 +4,8 @@ use super::account::Measurement;
 use super::denote::at_event;
 use super::trial::{Course, incomplete};
 use crate::derivation::Derivation;
-use crate::expr::{Expr, Graph, Leaf};
 use crate::expr::tape::Tape;
+use crate::expr::{Expr, Graph, Leaf};
 
 /// Most values that are kept of one measure on one motion.
 const MOST: usize = 200;

@@ -15,10 +15,10 @@ use std::sync::Arc;
 use super::comparison::{Group, judge};
 use super::part::{BLOCK, Block, Evaluation, Part as Tapes};
 use super::program::{Part, Program, What};
+use crate::expr::tape::Slots;
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::Slots;
 use crate::verdict::Possible;
 
 /// Samples at which it is seen what is typical of the size of the terms.
@@ -369,7 +369,8 @@ impl<'a> MeasuredGroup<'a> {
         let mut whole = vec![Possible::TRUE; times];
         for (c, series) in all.iter().enumerate() {
             let equation = self.group.comparisons[c].kind == RelationKind::Equal;
-            let plain = equation && !self.definedness && !self.strict && !self.mute[sign][c] && series.missing.is_empty();
+            let plain =
+                equation && !self.definedness && !self.strict && !self.mute[sign][c] && series.missing.is_empty();
             for (i, whole) in whole.iter_mut().enumerate() {
                 // Nearly all points of an equation that holds.
                 let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);

@@ -20,9 +20,9 @@ use sha2::{Digest, Sha256};
 use super::account::IdentityAccount;
 use super::kept::Family;
 use super::step::Step;
-use crate::verdict::Verdict;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
+use crate::verdict::Verdict;
 
 /// For how many states of a file an answer is kept that is not asked for.
 const AGES: u64 = 8;

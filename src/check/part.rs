@@ -8,10 +8,10 @@
 
 use std::ops::Range;
 
+use crate::expr::tape::{Needed, Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, BoundedLanes};
-use crate::expr::tape::{Needed, Slots, Tape};
 
 /// Points that are evaluated at once.
 pub(super) const BLOCK: usize = 8;

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 
 use super::trial::Course;
 use crate::derivation::{Derivation, Picture, PictureKind, Written};
+use crate::expr::tape::Tape;
 use crate::expr::{Expr, Leaf};
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::Tape;
 
 /// Most points of a line.
 const MOST: usize = 120;

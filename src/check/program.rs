@@ -6,11 +6,11 @@
 use super::comparison::{Comparison, Group};
 use super::measured::{Measured, Series};
 use super::part::{BLOCK, Evaluation, Part as Block};
+use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::{Slots, Tape};
 use crate::verdict::Proposition;
 
 /// After so many blocks in a row with points without a value, points are evaluated one by one.
@@ -51,12 +51,9 @@ impl Part {
     pub fn boundaries(&self) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
         let compared = match self.what {
             What::Limit(_) | What::Value => &[][..],
-            What::Every
-            | What::Denied
-            | What::Defined
-            | What::Constant
-            | What::SameMotion(..)
-            | What::Independent => &self.group.comparisons[..],
+            What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent => {
+                &self.group.comparisons[..]
+            }
         };
         compared.iter().enumerate().flat_map(|(n, c)| c.boundaries.iter().map(move |&e| (n, c.kind, e)))
     }

@@ -3,7 +3,7 @@
 use super::comparison::{Comparison, Group};
 use super::describe::Describer;
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
-use super::trial::{Tried, Trial};
+use super::trial::{Trial, Tried};
 use super::weigh::weigh;
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
@@ -28,13 +28,7 @@ fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
 }
 
 /// Compares the states `of` of a motion with those of another.
-pub(super) fn try_on(
-    derivation: &Derivation,
-    trial: &Trial,
-    tried: &Tried,
-    other: usize,
-    of: &[Symbol],
-) -> Finding {
+pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, other: usize, of: &[Symbol]) -> Finding {
     let course = trial.course;
     let (from, to) = course.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =

@@ -5,10 +5,10 @@ use super::separation::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
 };
 use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
+use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 use crate::verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness,
 };
-use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 
 /// The derivation file that the account belongs to.
 pub const FILE: &str = r"
@@ -84,12 +84,7 @@ unit = 'm'
 ";
 
 fn pair(trajectory: &str, outcome: Outcome, evidence: Evidence, expected: Option<&'static str>) -> PairAccount {
-    PairAccount {
-        trajectory: trajectory.into(),
-        verdict: verdict(outcome, evidence),
-        expected,
-        discrimination: None,
-    }
+    PairAccount { trajectory: trajectory.into(), verdict: verdict(outcome, evidence), expected, discrimination: None }
 }
 
 /// A verdict with this outcome.

@@ -12,12 +12,12 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use crate::verdict::{Finding, Outcome, Verdict};
-use super::{CheckError, Options, check_claims};
+use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
 use crate::number::Draws;
+use crate::verdict::{Finding, Outcome, Verdict};
 
 /// Tries that are checked together. Part of what a seed means: it must not depend on the machine.
 const BATCH: usize = 24;
@@ -346,7 +346,7 @@ impl Trial<'_> {
                 let trajectories = (0..drafts.len()).map(id).collect();
                 match check_claims(
                     &mut read,
-                    &Options { claims, trajectories, plain: true, ..Options::default() },
+                    &Options { claims, trajectories, plain: true, rigor: Rigor::Sampled },
                     &|_, _| {},
                 ) {
                     Ok(account) => Some(account),

@@ -56,13 +56,6 @@ pub(super) struct Fields {
     pub state_leaves: Vec<Leaf>,
 }
 
-/// The numbers that the motions of a file may keep together.
-const MOST_NUMBERS: usize = 300_000_000;
-/// The numbers that a motion keeps of a state for every step: its polynomial, and its error.
-const NUMBERS_OF_A_STEP: usize = 23;
-/// So many steps are allowed in any case.
-const LEAST_STEPS: usize = 100;
-
 impl Fields {
     /// The field of every system, in the order of the file.
     pub fn all(&self) -> &[VectorField] {
@@ -83,8 +76,6 @@ impl Fields {
             ]);
         };
         let mut fields = Vec::new();
-        // The motions share the memory.
-        let each = MOST_NUMBERS / derivation.trajectories.len().max(1);
         for system in systems.iter() {
             // Observables on the right side are part of the system: it is closed in its states.
             let mut closed: Vec<(Expr, Expr)> = Vec::new();
@@ -94,10 +85,7 @@ impl Fields {
                 }
             }
             match VectorField::solve(graph, Some(time), &system.states, &closed) {
-                Ok(field) => {
-                    let most = (each / (NUMBERS_OF_A_STEP * field.states().len().max(1))).max(LEAST_STEPS);
-                    fields.push(field.with_most_steps(most));
-                }
+                Ok(field) => fields.push(field),
                 Err(error) => {
                     let message = format!("the system `{}` cannot be solved for its rates: {error}", system.id);
                     problems.push(Diagnostic::at(file, "flow::system", system.span.clone(), message));
@@ -318,13 +306,15 @@ impl Stage {
                 // Both routes round on their own way: the bound of one covers its distance from the truth.
                 let room = 2.0 * bounded.error + 1e-12 * bounded.value.abs() + f64::MIN_POSITIVE;
                 if gap > room.max(1e-14) && gap > 1e3 * bounded.error {
-                    contradiction.get_or_insert_with(|| format!(
-                        "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
-                        graph.leaf_latex(leaves[k]),
-                        dual.re,
-                        bounded.value,
-                        bounded.error
-                    ));
+                    contradiction.get_or_insert_with(|| {
+                        format!(
+                            "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
+                            graph.leaf_latex(leaves[k]),
+                            dual.re,
+                            bounded.value,
+                            bounded.error
+                        )
+                    });
                 }
             }
         }

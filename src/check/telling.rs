@@ -16,10 +16,10 @@ use super::comparison::{Comparison, GUARD};
 use super::measured::{MeasuredGroup, Measurements};
 use super::program::Program;
 
+use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
-use crate::expr::tape::{Slots, Tape};
 
 /// Points at which the terms are looked at first.
 const FEW: usize = 8;
@@ -51,7 +51,6 @@ fn flatten(graph: &Graph, e: Expr, negative: bool, out: &mut Vec<(bool, Expr)>) 
             Node::Binary(Op::Add, a, b) => stack.extend([(b, negative), (a, negative)]),
             Node::Binary(Op::Sub, a, b) => stack.extend([(b, !negative), (a, negative)]),
             Node::Unary(Op::Neg, a) => stack.push((a, !negative)),
-            Node::Binary(Op::Restrict, a, _) => stack.push((a, negative)),
             _ if graph.is_zero(e) => {}
             _ => out.push((negative, e)),
         }

@@ -2,13 +2,12 @@
 
 use std::path::PathBuf;
 
-use rederive::files::{self, write};
-use rederive::paper;
+use rederive::{paper, report};
 
-use super::{Exit, InitArguments, Stop, complain, print};
+use super::{Exit, InitArguments, Stop, complain, files, print};
 
 pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
-    let path = files::named(&arguments.paper)?;
+    let path = files::within_project(&arguments.paper);
     let paper = paper::read(&path).map_err(|problem| Stop::Diagnostics(vec![*problem]))?;
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     if paper.equations.is_empty() {
@@ -23,11 +22,13 @@ pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
         print(&draft.text)?;
         return Ok(Exit::Good);
     }
-    // A link that leads nowhere is something, too.
-    if output.symlink_metadata().is_ok() {
+    if output.exists() {
         return Err(Stop::Message(format!("`{}` is there already, and is not replaced", output.display())));
     }
-    write::write_file(&output, draft.text.as_bytes())?;
+    let folder =
+        output.parent().filter(|f| !f.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), PathBuf::from);
+    let file = output.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    report::write_files(&folder, &[(&file, draft.text)]).map_err(|e| Stop::Message(e.to_string()))?;
     complain(&format!(
         "{}: {} equations, {} formulas, {} more that cannot be read yet, {} symbols guessed\n\
          Look for `confirm` in it; then add a system and a motion.\n",

@@ -1,11 +1,11 @@
 //! `rederive list`.
 
-use super::{Exit, ListArguments, Stop, files, say};
+use super::{Exit, ListArguments, Stop, files, print};
 use rederive::derivation::Derivation;
 
 pub fn list(arguments: &ListArguments) -> Result<Exit, Stop> {
     for derivation in files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)? {
-        say(&contents(&derivation))?;
+        print(&contents(&derivation))?;
     }
     Ok(Exit::Good)
 }

@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 use super::model::{Derivation, SymbolEntry};
 use super::symbols::{ROLES, parse_shape};
-use super::table::as_printed;
 use diag::{Diagnostic, Source, nearest};
 use expr::{Graph, Shape};
 use latex::{Declaration, DeclareError, Role, Scope};
@@ -40,7 +39,6 @@ impl Derivation {
             conditions: Vec::new(),
             pictures: Vec::new(),
             given: Vec::new(),
-            index: super::premise::Index::default(),
         }
     }
 
@@ -106,14 +104,14 @@ impl Derivation {
             }
         })?;
         self.symbols.push(SymbolEntry {
-            name: as_printed(name),
+            name: name.to_owned(),
             symbol,
             role: typed.role,
             unit: None,
             measured_in: None,
             positive: typed.positive,
             angle: typed.angle,
-            formula: formula.map(as_printed),
+            formula: formula.map(str::to_owned),
             arguments,
             says: None,
             span: span.clone(),

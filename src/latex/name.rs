@@ -135,7 +135,7 @@ pub(super) fn canonical(tokens: &[Token]) -> String {
             },
             Kind::OpenBar | Kind::CloseBar => out.push('|'),
             Kind::Row => out.push_str("\\\\"),
-            Kind::End | Kind::OpenFence => {}
+            Kind::End => {}
         }
         i += 1;
     }

@@ -114,7 +114,7 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
         let values = FastMap::from_iter([(time, Bounded::exact(t))]);
         let rest = decimals(graph, &[expanded?], &values)[0]?;
         let certain = rest.value.is_finite() && rest.error.is_finite() && rest.value.abs() > 2.0 * rest.error;
-        certain.then(|| Apart { time: t, left: r.value + rest.value, right: r.value, bound: rest.error })
+        certain.then_some(Apart { time: t, left: r.value + rest.value, right: r.value, bound: rest.error })
     });
     apart.map_or(Along::Open, Along::Differ)
 }

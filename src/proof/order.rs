@@ -16,6 +16,7 @@ use super::outcome::Condition;
 use super::polynomial::fraction;
 use expr::tape::{Slots, Tape};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
+use number::NoValue;
 
 /// What is asked of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +40,6 @@ pub struct Question {
     pub assumed: Vec<(Requirement, Expr)>,
     /// What is claimed.
     pub claimed: Vec<(Requirement, Expr)>,
-    /// Whether it is claimed that there is a value: otherwise values for which a formula has none do not count.
-    pub asserted: bool,
 }
 
 /// Groups of equal parameters (by their number), in increasing order.
@@ -114,9 +113,7 @@ pub fn decide(graph: &mut Graph, question: &Question) -> Orders {
         match signs.all(&question.assumed) {
             Fate::Holds => {
                 let fate = signs.all(&question.claimed);
-                if question.asserted || fate != Fate::NoValue {
-                    out.list.push((order, fate));
-                }
+                out.list.push((order, fate));
             }
             Fate::Fails | Fate::NoValue => {}
             // The assumptions hold for a part of the values only, perhaps for none.
@@ -183,11 +180,9 @@ impl Signs<'_> {
         for &(requirement, e) in requirements {
             match self.one(requirement, e) {
                 Fate::Holds => {}
-                // Something false beside it decides.
-                Fate::NoValue => fate = Fate::NoValue,
                 Fate::Open if fate == Fate::Holds => fate = Fate::Open,
                 Fate::Open => {}
-                settled @ (Fate::Fails | Fate::FailsAt(_)) => return settled,
+                settled => return settled,
             }
         }
         fate
@@ -326,7 +321,7 @@ impl Signs<'_> {
                 Requirement::Positive => *v > Rational::ZERO,
                 Requirement::NotNegative => *v >= Rational::ZERO,
             }),
-            // What has no value there says nothing.
+            Err(NoValue::OutOfDomain) => Some(false),
             Err(_) => None,
         }
     }

@@ -46,16 +46,15 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
     }
     claims(derivation, account, &mut out);
     trajectories(derivation, account, &mut out);
-    let path = super::project_path(&derivation.file.path);
     out.push_str(&format!(
         "\\subsection*{{How it was made}}\n{} {}, from the file {}, SHA-256\\\\\\texttt{{\\footnotesize {}}}.\\\\\nTo repeat it: \
          \\texttt{{{} check {}}}\n\n\\end{{document}}\n",
         crate::PROGRAM,
         env!("CARGO_PKG_VERSION"),
-        escaped(&path),
+        escaped(&derivation.file.path),
         derivation.sha256,
         crate::PROGRAM,
-        escaped(&path)
+        escaped(&derivation.file.path)
     ));
     out
 }
@@ -332,8 +331,7 @@ fn escaped(text: &str) -> String {
             c => out.push_str(&sign(c)),
         }
     }
-    // In the log of a workflow a line that begins so is a command.
-    out.replace("::", ":{}:")
+    out
 }
 
 /// A sign of the range Latin-1 and Latin Extended-A.

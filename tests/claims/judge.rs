@@ -125,7 +125,7 @@ fn proposition(claim: &Claim) -> Said {
     match caught(|| prove(&mut derivation, &proposition)) {
         Ok(account) => {
             let word =
-                if account.standing() == "proved except" { "except" } else { account.verdict() };
+                if account.verdict == "proved" && !account.exceptions.is_empty() { "except" } else { account.verdict };
             Said::Verdict(word.to_owned(), String::new(), format!("{:?}", account.reason))
         }
         Err(CheckError::Problems(problems)) => {

@@ -174,15 +174,10 @@ pub(super) fn strengthen(
             }
         }
         if let Shown::Nothing(reason) = &shown {
-            if part.is_definedness() {
-                // That there is a value everywhere is what was asked, and somewhere it is open.
-                verdict.doubt(position, format!("whether there is a value everywhere is open: {reason}"));
-            }
             reasons.push(reason.clone());
         }
         learn(verdict, position, shown, (part, beyond));
     }
-    verdict.settle();
     if let (false, Some(reason)) = (is_rigorous(verdict.outcome()), reasons.first()) {
         remark(verdict, reason);
     }
@@ -258,12 +253,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         (_, Some(event)) => event::always(ready, event, along),
         (What::Value, None) => span::constant(ready, along),
         (
-            What::Every
-            | What::Denied
-            | What::Defined
-            | What::Constant
-            | What::SameMotion(..)
-            | What::Independent,
+            What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent,
             None,
         ) => span::always(ready, along),
     };

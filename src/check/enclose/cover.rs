@@ -4,9 +4,9 @@ use std::cell::{Cell, OnceCell};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
+use super::ready::Shown;
 use crate::expr::{Expr, Graph};
 use crate::flow::{Compiled, Enclosure, Reach, Reaches, Sharp, Stretch};
-use super::ready::Shown;
 use crate::number::{Interval, NoValue};
 
 /// Stretches are halved down to this part of the span.

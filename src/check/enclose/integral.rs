@@ -9,11 +9,11 @@ use super::Request;
 use crate::check::comparison::traced;
 use crate::check::identity::{Condition, Identity, Options, Premises, identity_test};
 use crate::derivation::Form;
+use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::VectorField;
 use crate::latex::{RelationKind, Role};
 use crate::number::{Draws, Finite, FiniteField};
-use crate::expr::tape::Tape;
 
 /// Start of the generator of primes and points.
 const SEED: u64 = 0x1_17E6_0A15;

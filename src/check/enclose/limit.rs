@@ -292,8 +292,9 @@ fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) 
         beyond => {
             // A relation between numbers: a limit is finite.
             let up = if beyond == Limit::PlusInfinity { "" } else { "−" };
-            let reason =
-                format!("certified by the laws of limits: at {where_to} the difference goes to {up}∞, beyond all bounds");
+            let reason = format!(
+                "certified by the laws of limits: at {where_to} the difference goes to {up}∞, beyond all bounds"
+            );
             Ok(fails(along, (f64::INFINITY, 0.0), 0.0, reason))
         }
     }

@@ -36,13 +36,12 @@ mod tests;
 use super::Prepared;
 use super::account::ClaimAccount;
 use super::comparison::Comparison;
-use super::limits::Limits;
 use super::stage::{Fields, Stage, setup};
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Enclosure, Motion, Source};
-use cover::Along;
 use crate::verdict::Verdict;
+use cover::Along;
 use rayon::prelude::*;
 
 /// How much is asked of a verdict.
@@ -63,7 +62,6 @@ pub(super) struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub start_of: &'a [usize],
     pub tried: &'a [usize],
-    pub limits: &'a Limits,
 }
 
 /// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
@@ -118,13 +116,11 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
     let mut changes: Vec<Change> = Vec::new();
     for (k, claim) in claims.iter().enumerate() {
         let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
-        changes.extend(here.filter(|(_, r)| !claim::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())));
+        changes.extend(
+            here.filter(|(_, r)| !claim::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
+        );
     }
     if changes.is_empty() {
-        return changes;
-    }
-    if let Some(reached) = request.limits.reached() {
-        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, reached));
         return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);

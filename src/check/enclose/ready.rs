@@ -94,9 +94,6 @@ pub(super) fn median(mut sizes: Vec<f64>) -> f64 {
     sizes.get(sizes.len() / 2).copied().filter(|x| *x > 0.0).unwrap_or(0.0)
 }
 
-/// Terms below this size are lost among the last numbers before 0.
-const LOST: f64 = 1e-280;
-
 /// Most points at which sizes are taken.
 pub(super) const POINTS: usize = 40;
 
@@ -206,10 +203,7 @@ impl<'a> Ready<'a> {
         let typical = places().map(|at| of(at, 2, Interval::lo)).fold(0.0, f64::max);
         let size = Interval::mignitude;
         self.known = places().map(|at| of(at, 0, size).max(of(at, 1, size))).fold(0.0, f64::max);
-        // Terms that are there, but smaller than numbers can tell apart from 0, have no size that anything is small against.
-        let largest = places().map(|at| of(at, 2, Interval::magnitude)).fold(0.0, f64::max);
-        let lost = largest > 0.0 && largest < LOST;
-        self.scale = if typical > 0.0 || lost { typical } else { 1.0 };
+        self.scale = if typical > 0.0 { typical } else { 1.0 };
     }
 
     /// Where the difference of a comparison stands.
@@ -393,7 +387,14 @@ impl<'a> Ready<'a> {
         let difference = ranges[self.place(s, c)].as_ref().ok()?.range();
         let (left, right) = self.sides_at(along, t, self.place(s, c))?;
         let formula = self.group.comparisons[c].label.clone();
-        Some(Witness { t, formula, left: left.mid(), right: right.mid(), bound: difference.width(), values: Vec::new() })
+        Some(Witness {
+            t,
+            formula,
+            left: left.mid(),
+            right: right.mid(),
+            bound: difference.width(),
+            values: Vec::new(),
+        })
     }
 
     /// Whether there is, for certain, a time on a stretch at which a comparison that must differ does not, so that the part is false

@@ -7,10 +7,10 @@ use super::claim::Asked;
 use super::cover::Along;
 use super::ready::{POINTS, Ready, Shown, median};
 use crate::check::program::Part;
-use crate::verdict::{Enclosed, Witness};
 use crate::expr::{Leaf, Symbol};
 use crate::flow::{Compiled, Enclosure};
 use crate::number::{Interval, NoValue};
+use crate::verdict::{Enclosed, Witness};
 
 /// Stretches are halved down to this part of the common span.
 const SHORTEST: f64 = 1e-6;
@@ -30,13 +30,7 @@ pub(super) struct Same {
 impl Same {
     /// # Errors
     /// What one of the motions does not know, or why one is not enclosed.
-    pub fn new(
-        asked: &Asked,
-        part: &Part,
-        other: usize,
-        of: &[Symbol],
-        along: &mut Along,
-    ) -> Result<Same, String> {
+    pub fn new(asked: &Asked, part: &Part, other: usize, of: &[Symbol], along: &mut Along) -> Result<Same, String> {
         let ready = Ready::new(asked.program, part, along, asked.claim)?;
         if ready.is_restricted() {
             return Err("under assumptions or events that select times, two motions are not compared".to_owned());

@@ -239,6 +239,9 @@ pub(super) fn some_time(ready: &Ready, along: &mut Along) -> Option<Witness> {
     })
 }
 
+/// A bound of a value, and the time at which it is known.
+type Bound = Option<(f64, f64)>;
+
 /// That quantities are the same at all times that count, whichever these are: their ranges over all of them.
 pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let count = ready.group.comparisons.len();
@@ -251,11 +254,13 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let scale = (0..count).map(size).fold(0.0, f64::max);
     let room = ready.precision * if scale > 0.0 { scale } else { 1.0 };
     if ready.signs > 1 {
-        return Shown::Nothing("what is the same for one sign of ± is not enclosed where the start does not count".to_owned());
+        return Shown::Nothing(
+            "what is the same for one sign of ± is not enclosed where the start does not count".to_owned(),
+        );
     }
     // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
     let mut hulls: Vec<Option<Interval>> = vec![None; count];
-    let mut certain: Vec<(Option<(f64, f64)>, Option<(f64, f64)>)> = vec![(None, None); count];
+    let mut certain: Vec<(Bound, Bound)> = vec![(None, None); count];
     let mut says = false;
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
@@ -308,7 +313,10 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
             if let (Some(right), Some(left)) = (value(first), value(last)) {
                 let formula = format!("{}, compared with t = {first}", ready.group.comparisons[c].label);
                 let witness = Witness { t: last, formula, left, right, bound: 0.0, values: Vec::new() };
-                return Shown::Fails(witness, format!("certified: it takes different values at t = {first} and t = {last}"));
+                return Shown::Fails(
+                    witness,
+                    format!("certified: it takes different values at t = {first} and t = {last}"),
+                );
             }
         }
     }
@@ -323,7 +331,8 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     if gap > room {
         return Shown::Nothing(format!("its values are known only to within {gap:.1e}"));
     }
-    let reason = format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
+    let reason =
+        format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
     let enclosed = Enclosed { places: looked, gap, scale };
     if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
 }

@@ -1,7 +1,6 @@
 //! What was found for a claim over ranges.
 
 use super::super::account::ClaimAccount;
-use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
 use super::map::{RegionMap, draw};
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
@@ -10,6 +9,7 @@ use super::{enclosed, nearest};
 use crate::derivation::{Claim, Region, Values};
 use crate::expr::Graph;
 use crate::number::Interval;
+use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
 
 /// A symbol with its range or value.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,9 +148,6 @@ impl RegionAccount {
             }
         }
         self.cells = division.judged;
-        if division.exhausted {
-            self.remarks.push("work limit: the ranges were not taken apart any further".to_owned());
-        }
         self.map = draw(division);
     }
 

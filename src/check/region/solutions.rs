@@ -33,10 +33,10 @@ use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, found};
 use super::subdivide::{Division, Judge};
 use crate::derivation::Written;
+use crate::expr::tape::{Instruction, Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Statement};
 use crate::number::{Decorated, Interval, Scalar};
-use crate::expr::tape::{Instruction, Slots, Tape};
 
 /// Most parts of the box that are looked at for one value of the parameters, where these do not vary.
 const MOST_PARTS: usize = 20_000;
@@ -135,8 +135,6 @@ pub(super) struct Scratch {
     conditions: SignScratch,
     values: Option<Slots<Decorated>>,
     slopes: Option<Slots<Decorated>>,
-    /// Operations since this was last asked.
-    work: u64,
 }
 
 /// A verified zero.
@@ -227,7 +225,6 @@ impl Solver {
 
     /// F on a box; `None` where it has a value nowhere on it.
     fn value(&self, x: &[Interval], scratch: &mut Scratch) -> Option<Value> {
-        scratch.work += self.values.moving.len() as u64;
         let found = self.values.on(x, &mut scratch.values)?;
         let continuous = found.iter().all(Decorated::is_continuous);
         Some(Value { ranges: found.iter().map(Decorated::range).collect(), continuous })
@@ -256,8 +253,6 @@ impl Solver {
         if !self.value_on(look, scratch)?.continuous {
             return None;
         }
-        let slopes_work = self.slopes.as_ref().map_or(0, |slopes| slopes.moving.len());
-        scratch.work += (slopes_work + 4 * n * n * n) as u64;
         let slopes = self.slopes_on(look, scratch)?;
         if !slopes.iter().all(Decorated::is_continuous) {
             return None;
@@ -597,11 +592,6 @@ impl Judge for Solver {
     type Scratch = Scratch;
     // A search in itself.
     const TOGETHER: usize = 1;
-
-    fn work(&self, scratch: &mut Scratch) -> u64 {
-        let signs = std::mem::take(&mut scratch.signs.work) + std::mem::take(&mut scratch.conditions.work);
-        std::mem::take(&mut scratch.work) + signs
-    }
 
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.question.signs.begin(&mut scratch.signs);

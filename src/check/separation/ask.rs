@@ -17,11 +17,11 @@ use crate::check::comparison::judge;
 use crate::check::memory::Recall;
 use crate::check::one_pair;
 use crate::check::program::{Program, What};
-use crate::verdict::Possible;
 use crate::check::trial::{Course, Trial};
-use crate::verdict::Outcome;
 use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
+use crate::verdict::Outcome;
+use crate::verdict::Possible;
 
 /// Points of a motion at which a condition is tried first.
 const FIRST: usize = 8;
@@ -117,7 +117,8 @@ fn few(course: &Course) -> Points {
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.
 fn is_refuted(program: &Program, points: &Points) -> bool {
-    if !program.selectors.is_empty() || !program.hypotheses.is_empty() || program.at.is_some() || program.is_branching() {
+    if !program.selectors.is_empty() || !program.hypotheses.is_empty() || program.at.is_some() || program.is_branching()
+    {
         return false;
     }
     let measured = program.measure((points, points.len()), 1.0);

@@ -3,9 +3,9 @@
 use super::PROBE;
 use super::account::{AssumptionAccount, Need};
 use crate::check::account::{ClaimAccount, PairAccount};
-use crate::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::latex::RelationKind;
+use crate::verdict::{Outcome, Verdict};
 
 /// A claim without one of its assumptions.
 pub(super) struct Dropped {

@@ -5,8 +5,8 @@
 //! hold would hold as well.
 
 use super::super::account::{Account, ClaimAccount, PairAccount};
-use crate::verdict::Outcome;
 use super::account::WEAK;
+use crate::verdict::Outcome;
 
 /// What one motion alone could have decided.
 #[derive(Clone, Debug, PartialEq, Eq)]

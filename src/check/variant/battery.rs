@@ -4,9 +4,9 @@
 //! variants. What a variant has in common with the print, and with other variants, is computed once.
 
 use super::generate::ClaimVariants;
+use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Bounded, BoundedLanes, NoValue};
-use crate::expr::tape::{Slots, Tape};
 
 /// Points that are evaluated at once.
 pub(super) const LANES: usize = 4;

@@ -12,10 +12,10 @@ use super::battery::{Battery, Outputs, Value};
 use super::equivalence::SEED;
 use crate::check::comparison::{at_instant, traced};
 use crate::derivation::{Claim, Derivation};
+use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Role};
 use crate::number::{Bounded, BoundedLanes, Draws};
-use crate::expr::tape::{Slots, Tape};
 
 /// Points at which residuals are compared.
 const POINTS: usize = 5;
