@@ -20,11 +20,11 @@
 //! [the same, §6.4]: https://doi.org/10.1137/1.9780898717716
 
 use super::faults;
-use crate::check::program::relation;
+use crate::check::denote::relation;
 use crate::expr::{Expr, FastMap, Graph, Leaf};
 use crate::latex::RelationKind;
 use crate::number::{Decorated, Interval, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Most variables for which formulas at the ends of ranges are made: there are 3ⁿ of them.
 const MOST_EXACT: usize = 3;
