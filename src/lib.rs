@@ -87,7 +87,8 @@
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, number |
 //! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
-//! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number |
+//! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
+//! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number, verdict |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
@@ -95,7 +96,7 @@
 
 mod session;
 
-pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report, units};
+pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report, units, verdict};
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
 pub use session::{Ask, ClaimName, Failure, Finding, Findings, Session};

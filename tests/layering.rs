@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 pub const CRATES: &[(&str, &[&str])] = &[
     ("diag", &[]),
     ("number", &[]),
+    ("verdict", &[]),
     ("expr", &["number"]),
     ("latex", &["diag", "expr"]),
     ("flow", &["expr", "number"]),
@@ -14,8 +15,8 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("derivation", &["diag", "expr", "latex"]),
     ("paper", &["diag", "derivation", "latex"]),
     ("units", &["derivation", "expr", "latex"]),
-    ("check", &["derivation", "flow", "proof", "units", "expr", "number", "latex", "diag"]),
-    ("report", &["diag", "expr", "latex", "derivation", "check", "paper"]),
+    ("check", &["derivation", "flow", "proof", "units", "expr", "number", "latex", "diag", "verdict"]),
+    ("report", &["diag", "expr", "latex", "derivation", "check", "paper", "verdict"]),
 ];
 
 /// Files of `src/` that belong to no room.

@@ -4,11 +4,11 @@ use super::picture::PictureAccount;
 use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
-use super::standing::{Decision, Exception, Finding, Given};
+use super::standing::{Decision, Exception, Given, Standing};
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
-use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::Claim;
+use crate::verdict::{Outcome, Strength, Verdict};
 
 /// A trajectory as it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,8 +131,8 @@ pub struct AssumptionsUsed {
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentityAccount {
-    /// What was decided, and of what: only `Finding::weigh` makes one.
-    pub finding: Finding,
+    /// What was decided, and of what: only `Standing::weigh` makes one.
+    pub finding: Standing,
     /// Claims that it follows from, through all steps, which are not proved themselves; assumptions of those that it does not
     /// make. What is proved is proved given these.
     pub conditional_on: Vec<Given>,
@@ -310,6 +310,14 @@ pub struct Summary {
 }
 
 impl Account {
+    /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+        self.claims.iter().flat_map(|claim| {
+            let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+            claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))
+        })
+    }
+
     /// The counts.
     pub fn summary(&self) -> Summary {
         let mut s = Summary::default();
@@ -317,7 +325,7 @@ impl Account {
             match pair.verdict.outcome() {
                 Outcome::Holds(_) => s.holds += 1,
                 Outcome::Fails(_) => s.fails += 1,
-                Outcome::NotApplicable => s.not_applicable += 1,
+                Outcome::NotApplicable(_) => s.not_applicable += 1,
                 Outcome::Undecided => {
                     s.undecided += 1;
                     s.open += usize::from(pair.expected.is_none());

@@ -12,7 +12,7 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use super::verdict::{Outcome, Verdict};
+use crate::verdict::{Finding, Outcome, Verdict};
 use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
@@ -313,7 +313,7 @@ impl Trial<'_> {
             match own {
                 Some((_, verdict)) if matches!(verdict.outcome(), Outcome::Holds(_)) => {}
                 Some((name, verdict)) if matches!(verdict.outcome(), Outcome::Fails(_)) => {
-                    out[i] = Some((name, super::undecided("the claim itself fails".to_owned())));
+                    out[i] = Some((name, Verdict::of(Finding::open("the claim itself fails"))));
                 }
                 other => out[i] = other,
             }
@@ -543,7 +543,7 @@ fn search_in(
             };
             match verdict.outcome() {
                 Outcome::Holds(_) => out.tally.holds += 1,
-                Outcome::NotApplicable => out.tally.not_applicable += 1,
+                Outcome::NotApplicable(_) => out.tally.not_applicable += 1,
                 Outcome::Undecided => out.tally.undecided += 1,
                 Outcome::Fails(_) => {
                     out.tally.fails += 1;

@@ -1,6 +1,6 @@
 //! What a step is worth: the only room that says *proved*.
 //!
-//! **In:** the answer of an identity test, and what the step knows of its circumstances. **Out:** [`Finding`]: the decision, with what it
+//! **In:** the answer of an identity test, and what the step knows of its circumstances. **Out:** [`Standing`]: the decision, with what it
 //! leaves out, as data; words are made from it elsewhere.
 //!
 //! | decision | means |
@@ -10,15 +10,15 @@
 //! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
 //! | *undecided* | else |
 //!
-//! **Guaranteed.** The fields are private, and `Finding::weigh` is the only way to a decision other than *undecided*, beside `Finding::of_motion`
-//! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
+//! **Guaranteed.** The fields are private, and `Standing::weigh` is the only way to a decision other than *undecided*, beside `Standing::of_motion`
+//! and `Standing::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
 //! derivation, see `conditional`.
 
 use super::account::ClaimAccount;
 use super::identity::{Condition, Identity, Reason, order};
-use super::verdict::Witness;
 use crate::derivation::{Derivation, Premise};
 use crate::expr::{Expr, Graph, Rational};
+use crate::verdict::Witness;
 
 /// What was decided of a step, taken by itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -83,16 +83,16 @@ pub enum Void {
 
 /// The decision on a step, and what it rests on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Finding {
+pub struct Standing {
     decision: Decision,
     exceptions: Vec<Exception>,
     void: Option<Void>,
 }
 
-impl Finding {
+impl Standing {
     /// Weighs an answer. `complete`: everything given could be used; `along`: what a proof along motions does not reach.
-    pub(super) fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Finding {
-        let undecided = |void| Finding { void, ..Finding::default() };
+    pub(super) fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Standing {
+        let undecided = |void| Standing { void, ..Standing::default() };
         match identity {
             Identity::Proved(proof) => {
                 let mut exceptions: Vec<Exception> = Vec::new();
@@ -114,31 +114,31 @@ impl Finding {
                 // That no point was found that satisfies what is given leaves no case out: it is said beside the proof.
                 let complete = exceptions.iter().all(|e| *e == Exception::Unseen);
                 let decision = if complete { Decision::Proved } else { Decision::ProvedExcept };
-                Finding { decision, exceptions, void: None }
+                Standing { decision, exceptions, void: None }
             }
-            Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },
+            Identity::Refuted(_) if complete => Standing { decision: Decision::Refuted, ..Standing::default() },
             Identity::Refuted(_) => undecided(Some(Void::Incomplete)),
             Identity::Undecided(_) => undecided(None),
         }
     }
 
     /// A motion on which everything given holds, and the claim does not.
-    pub(super) fn of_motion(_: &Witness) -> Finding {
-        Finding { decision: Decision::Refuted, ..Finding::default() }
+    pub(super) fn of_motion(_: &Witness) -> Standing {
+        Standing { decision: Decision::Refuted, ..Standing::default() }
     }
 
     /// The signs of everything, for every order of size of positive parameters.
-    pub(super) fn of_signs(found: &order::Orders) -> Finding {
+    pub(super) fn of_signs(found: &order::Orders) -> Standing {
         let decision = match (found.is_proved(), found.refuting()) {
             (true, _) => Decision::Proved,
             (false, Some(_)) => Decision::Refuted,
             (false, None) => Decision::Undecided,
         };
-        Finding { decision, ..Finding::default() }
+        Standing { decision, ..Standing::default() }
     }
 
     /// Both findings: of a claim that must follow in two cases.
-    pub(super) fn and(self, other: Finding) -> Finding {
+    pub(super) fn and(self, other: Standing) -> Standing {
         let rank = |d: Decision| match d {
             Decision::Refuted => 3,
             Decision::Undecided => 2,
@@ -149,7 +149,7 @@ impl Finding {
         let mut exceptions = self.exceptions;
         exceptions.extend(other.exceptions);
         exceptions.dedup();
-        Finding { decision, exceptions, void: self.void.or(other.void) }
+        Standing { decision, exceptions, void: self.void.or(other.void) }
     }
 
     /// What was decided.
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn of_two_findings_the_worse_counts() {
-        let of = |decision| Finding { decision, ..Finding::default() };
+        let of = |decision| Standing { decision, ..Standing::default() };
         use Decision::{Proved, ProvedExcept, Refuted, Undecided};
         for (a, b, both) in [
             (Proved, Proved, Proved),
@@ -270,6 +270,6 @@ mod tests {
             assert_eq!(of(a).and(of(b)).decision(), both);
             assert_eq!(of(b).and(of(a)).decision(), both);
         }
-        assert_eq!(Finding::default().decision(), Undecided);
+        assert_eq!(Standing::default().decision(), Undecided);
     }
 }

@@ -34,11 +34,11 @@ use super::identity::{
     identity_test_after, order,
 };
 use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
-use super::standing::{self, Decision, Finding};
-use super::verdict::Witness;
+use super::standing::{self, Decision, Standing};
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
 use crate::latex::{Relation, RelationKind, Role};
+use crate::verdict::Witness;
 use gather::{Definitions, Gathered};
 use std::cell::RefCell;
 
@@ -251,7 +251,7 @@ impl<'a> Step<'a> {
             false => Vec::new(),
         };
         IdentityAccount {
-            finding: Finding::of_motion(witness),
+            finding: Standing::of_motion(witness),
             from: Step::given(self.derivation, self.claim),
             conditions,
             witness: Some(format!(

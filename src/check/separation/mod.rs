@@ -25,7 +25,7 @@ use super::memory::Recall;
 use super::one_pair;
 use super::program::Program;
 use super::trial::{Course, Trial};
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
 use ask::{Ask, Sides};
@@ -194,7 +194,7 @@ impl Probes {
         for (&at, sides) in split.iter().zip(&sides) {
             let claim = &mut account.claims[at];
             // A claim explains nothing about itself.
-            let same = |c: &&crate::derivation::Claim| c.id == claim.id && c.reading == claim.reading;
+            let same = |c: &&derivation::Claim| c.id == claim.id && c.reading == claim.reading;
             let said = derivation.claims.iter().find(same).map(candidates::said);
             let others = all().filter(|&k| Some(candidates::said(&self.candidates[k].claim)) != said);
             let others: Vec<usize> = others.collect();

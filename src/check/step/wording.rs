@@ -3,7 +3,7 @@
 use super::super::account::IdentityAccount;
 use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
 use super::super::second_route::IdentityEvidence;
-use super::super::standing::{Exception, Finding, Void};
+use super::super::standing::{Exception, Standing, Void};
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
 use crate::expr::{Expr, Leaf, Node, Op, Symbol};
@@ -252,7 +252,7 @@ impl Step<'_> {
         complete: bool,
         along: Vec<Exception>,
     ) -> IdentityAccount {
-        let finding = Finding::weigh(&self.graph, &identity, complete, along);
+        let finding = Standing::weigh(&self.graph, &identity, complete, along);
         let mut out = IdentityAccount { finding, from, ..IdentityAccount::default() };
         match identity {
             Identity::Proved(proof) => {
@@ -422,7 +422,7 @@ impl Step<'_> {
         let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
         let words = found.words(&names);
         let mut out = IdentityAccount {
-            finding: Finding::of_signs(&found),
+            finding: Standing::of_signs(&found),
             conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
             ..IdentityAccount::default()
         };
