@@ -47,6 +47,7 @@ pub mod units;
 mod variant;
 mod verdict;
 mod weigh;
+mod witness;
 
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
@@ -344,6 +345,9 @@ fn check_and(
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
         enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
     }
+    let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
+    let points = witness::Points { derivation, stage: &stage, prepared, start_of, tried: tried_on, wanted: &wanted };
+    witness::complete(&points, &mut account.claims);
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };

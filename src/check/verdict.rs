@@ -69,14 +69,21 @@ pub struct Witness {
     pub t: f64,
     /// The formula that is compared, as written, with its component: `t9[1]`, `\dot R_{12}`.
     pub formula: String,
-    /// Value of the left side.
+    /// Value of the left side; not a number where it has none.
     pub left: f64,
-    /// Value of the right side.
+    /// Value of the right side; not a number where it has none.
     pub right: f64,
     /// Error bound of their difference.
     pub bound: f64,
     /// Values that the two sides depend on: LaTeX name, value.
     pub values: Vec<(String, f64)>,
+}
+
+impl Witness {
+    /// How far the sides are apart: |left − right|, of the very numbers that are shown.
+    pub fn difference(&self) -> f64 {
+        (self.left - self.right).abs()
+    }
 }
 
 /// A stretch of time that was left out, and why.
@@ -135,6 +142,13 @@ impl Verdict {
     /// account of the region, since it has no time.
     pub(super) fn of_region(outcome: Outcome, reason: String, samples: usize) -> Verdict {
         Verdict { outcome, evidence: Evidence { samples, reason: Some(reason), ..Evidence::default() } }
+    }
+
+    /// The same verdict with its witness completed: what it shows, not what it means.
+    pub(super) fn show(&mut self, witness: Witness) {
+        if self.evidence.witness.is_some() {
+            self.evidence.witness = Some(witness);
+        }
     }
 
     /// The same verdict with a proof behind it.

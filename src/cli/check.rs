@@ -11,13 +11,14 @@ use rederive::diag::Diagnostic;
 use rederive::paper::{self, Comparison};
 use rederive::report;
 
-use super::outputs::{Found, json, standard, summary};
+use super::outputs::{Detail, Found, json, standard, summary};
 use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut found = Found::default();
+    let detail = Detail::of(arguments);
     let told = |found: &Found, problems: Vec<Diagnostic>| {
-        found.write(&arguments.targets, arguments.quiet)?;
+        found.write(&arguments.targets, detail)?;
         Err(Stop::Diagnostics(problems))
     };
     let mut derivations = match files::load_all(&files::find(&arguments.paths)?) {
@@ -63,9 +64,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         let mut text = match (format, arguments.quiet) {
             (Format::Json, _) => json(&derivation, &account, compared.as_ref()),
+            (Format::Tex, _) if arguments.summary => report::tex_summary(&derivation, &account),
             (Format::Tex, _) => report::tex(&derivation, &account),
             (Format::Text, true) => report::exceptions(&derivation, &account, true),
-            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), true),
+            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), detail, true),
             _ => String::new(),
         };
         if format == Format::Text && !arguments.quiet {
@@ -86,6 +88,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        if arguments.strict {
+            for alarm in report::alarms(&derivation, &account) {
+                complain(&format!("{}: {alarm}\n", derivation.file.path));
+                exit = exit.and(Exit::Different);
+            }
+        }
         if account.units.unexpected() > 0 {
             exit = exit.and(Exit::Different);
         }
@@ -95,7 +103,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         found.account(derivation, account, compared);
     }
-    found.write(&arguments.targets, arguments.quiet)?;
+    found.write(&arguments.targets, detail)?;
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));
     }

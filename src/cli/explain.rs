@@ -1,6 +1,5 @@
 //! `rederive explain`.
 
-use rederive::check::Rigor;
 use rederive::report;
 
 use super::{Exit, ExplainArguments, Stop, check, files, print};
@@ -12,7 +11,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     derivations.retain(|d| files::concerns(d, &claims, &arguments.on));
     let mut shown = 0;
     for derivation in &mut derivations {
-        let account = check::account(derivation, &claims, &arguments.on, Rigor::Sampled)?;
+        let account = check::account(derivation, &claims, &arguments.on, arguments.rigor.into())?;
         shown += account.claims.iter().map(|c| c.verdicts().count()).sum::<usize>();
         print(&report::explain(derivation, &account, true))?;
     }

@@ -125,7 +125,7 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
         out.push_str(&paragraph(&format!("left out from t = {} to {}: {}", time(e.from), time(e.to), e.reason), 4));
     }
     if let Some(w) = &evidence.witness {
-        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, None, 6)));
+        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, 6)));
     }
     out.push('\n');
     out

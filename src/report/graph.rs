@@ -39,10 +39,54 @@ pub(super) struct Node {
     pub kind: Kind,
     /// The verdict of the step that leads to the claim; `None` where it is no step.
     pub verdict: Option<&'static str>,
+    /// Whether its proof leaves out special cases.
+    generic: bool,
     /// The assumptions of the claim itself.
     assumptions: Vec<String>,
     /// What it follows from directly: positions of nodes.
     from: Vec<usize>,
+}
+
+/// What the proof of a claim amounts to, with everything that it rests on: the one place that says `proved`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum ProofStanding {
+    /// For all values; everything that it rests on is proved, or postulated.
+    Proved,
+    /// Special cases of what is given are left out.
+    Except,
+    /// The step is proved, these claims on the way are not.
+    Given(Vec<String>),
+    /// It rests on itself.
+    Circular,
+    /// It is not proved, or no question of that kind.
+    None,
+}
+
+impl ProofStanding {
+    /// In a word or two.
+    pub fn word(&self) -> Option<&'static str> {
+        match self {
+            ProofStanding::Proved => Some("proved"),
+            ProofStanding::Except => Some("proved, special cases apart"),
+            ProofStanding::Given(_) => Some("proved, given others"),
+            ProofStanding::Circular => Some("circular"),
+            ProofStanding::None => None,
+        }
+    }
+}
+
+/// What is known of a step for all values, in one sentence: `proved` alone is said of what rests on nothing unproved.
+pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> String {
+    let sentence = identity.sentence();
+    match proof {
+        ProofStanding::Proved | ProofStanding::None => sentence,
+        ProofStanding::Except => format!("Special cases of what is given apart. {sentence}"),
+        ProofStanding::Circular => format!("It rests on itself, which proves nothing. The step: {sentence}"),
+        ProofStanding::Given(open) => {
+            let ids: Vec<String> = open.iter().map(|id| format!("“{id}”")).collect();
+            format!("On condition of {}, not proved for all values. The step: {sentence}", ids.join(", "))
+        }
+    }
 }
 
 /// Everything that a claim rests on.
@@ -80,6 +124,7 @@ impl DerivationGraph {
             let id = claim.name();
             graph.nodes.push(Node {
                 verdict: verdicts.get(&id).map(|i| i.verdict),
+                generic: verdicts.get(&id).is_some_and(|i| i.generic),
                 id,
                 kind: Kind::Claim,
                 assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
@@ -122,7 +167,7 @@ impl DerivationGraph {
     fn leaf(&mut self, kind: Kind, id: &str) -> usize {
         let known = self.nodes.iter().position(|n| n.kind == kind && n.id == id);
         known.unwrap_or_else(|| {
-            self.nodes.push(Node { id: id.to_owned(), kind, verdict: None, assumptions: Vec::new(), from: Vec::new() });
+            self.nodes.push(Node { id: id.to_owned(), kind, verdict: None, generic: false, assumptions: Vec::new(), from: Vec::new() });
             self.nodes.len() - 1
         })
     }
@@ -172,6 +217,43 @@ impl DerivationGraph {
         (!self.nodes[at].from.is_empty()).then(|| self.rests(at))
     }
 
+    /// What the proof of the node at this position amounts to.
+    fn proof(&self, at: usize) -> ProofStanding {
+        let node = &self.nodes[at];
+        if node.verdict != Some("proved") {
+            return ProofStanding::None;
+        }
+        let rests = self.rests(at);
+        let open: Vec<String> = rests.open.into_iter().map(|(id, _)| id).collect();
+        match (rests.circular, open.is_empty()) {
+            (true, _) => ProofStanding::Circular,
+            (false, false) => ProofStanding::Given(open),
+            // What is left out on the way is left out here.
+            (false, true) if node.generic || self.leaves_out(at) => ProofStanding::Except,
+            (false, true) => ProofStanding::Proved,
+        }
+    }
+
+    /// Whether a proof on the way leaves out special cases.
+    fn leaves_out(&self, at: usize) -> bool {
+        let rests = self.rests(at);
+        self.nodes.iter().any(|n| n.kind == Kind::Claim && n.generic && rests.claims.contains(&n.id))
+    }
+
+    /// What the proof of a claim amounts to.
+    pub fn proof_of(&self, claim: &ClaimAccount) -> ProofStanding {
+        let id = name(claim);
+        match self.nodes.iter().position(|n| n.kind == Kind::Claim && n.id == id) {
+            Some(at) => self.proof(at),
+            // What rests on nothing that is named is no part of the graph.
+            None => match claim.identity.as_ref().map(|i| (i.verdict, i.generic)) {
+                Some(("proved", true)) => ProofStanding::Except,
+                Some(("proved", false)) => ProofStanding::Proved,
+                _ => ProofStanding::None,
+            },
+        }
+    }
+
     /// `graph` of `report.json`.
     pub fn json(&self) -> Value {
         let nodes = self.nodes.iter().enumerate().map(|(at, node)| {
@@ -180,6 +262,7 @@ impl DerivationGraph {
                 "id": node.id,
                 "kind": node.kind.word(),
                 "verdict": node.verdict,
+                "standing": self.proof(at).word(),
                 "assumptions": node.assumptions,
                 "rests_on": {
                     "systems": rests.systems,
@@ -210,7 +293,7 @@ impl DerivationGraph {
         let mut out = String::from(
             "## What follows from what\n\n\
              An arrow leads from what is given to what is said to follow from it. The box says whether it does, for all values: \
-             round when it is proved, six-sided when a point refutes it, with a notch when it is undecided, square when it is \
+             round when it is proved (“given others” where something on the way is not), six-sided when a point refutes it, with a notch when it is undecided, square when it is \
              not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
              that is not proved is dotted.\n\n",
         );
@@ -226,7 +309,9 @@ impl DerivationGraph {
             let shape = match (node.kind, node.verdict) {
                 (Kind::System, _) => format!("[/\"{id}\"/]"),
                 (Kind::Symbol, _) => format!("[[\"{id}\"]]"),
-                (Kind::Claim, Some("proved")) => format!("([\"{id}<br>proved\"])"),
+                (Kind::Claim, Some("proved")) => {
+                    format!("([\"{id}<br>{}\"])", self.proof(at).word().unwrap_or("proved"))
+                }
                 (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}<br>refuted\"}}}}"),
                 (Kind::Claim, Some(verdict)) => format!(">\"{id}<br>{verdict}\"]"),
                 (Kind::Claim, None) => format!("[\"{id}\"]"),
@@ -265,39 +350,6 @@ pub(super) fn unproved(verdict: Option<&str>) -> &str {
     }
 }
 
-/// What a claim rests on, in one paragraph of `report.md`; `math` writes a formula.
-pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> String {
-    let code = |ids: &[String]| ids.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
-    let mut parts = Vec::new();
-    if !rests.systems.is_empty() {
-        let word = if rests.systems.len() == 1 { "the system" } else { "the systems" };
-        parts.push(format!("{word} {}", code(&rests.systems)));
-    }
-    if !rests.symbols.is_empty() {
-        let names: Vec<String> = rests.symbols.iter().map(|s| math(s)).collect();
-        parts.push(format!("the definition of {}", names.join(", ")));
-    }
-    if !rests.claims.is_empty() {
-        parts.push(code(&rests.claims));
-    }
-    let mut out = format!("Rests on: {}.", parts.join("; "));
-    if !rests.assumptions.is_empty() {
-        let all: Vec<String> =
-            rests.assumptions.iter().map(|(text, from)| format!("{} (of `{from}`)", math(text))).collect();
-        out.push_str(&format!(" With it come the assumptions {}.", all.join(", ")));
-    }
-    if !rests.open.is_empty() {
-        let all: Vec<String> =
-            rests.open.iter().map(|(id, verdict)| format!("`{id}` ({})", unproved(*verdict))).collect();
-        out.push_str(&format!(" Taken as given on the way, for it is not proved: {}.", all.join(", ")));
-    }
-    if rests.circular {
-        out.push_str(" **It rests on itself: a circle proves nothing.**");
-    }
-    out.push_str("\n\n");
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -305,7 +357,7 @@ mod tests {
     fn node(id: &str, verdict: Option<&'static str>, assumptions: &[&str], from: &[usize]) -> Node {
         let kind = if id == "S" { Kind::System } else { Kind::Claim };
         let assumptions = assumptions.iter().map(|&a| a.to_owned()).collect();
-        Node { id: id.to_owned(), kind, verdict, assumptions, from: from.to_vec() }
+        Node { id: id.to_owned(), kind, verdict, generic: false, assumptions, from: from.to_vec() }
     }
 
     fn chain() -> DerivationGraph {
@@ -326,12 +378,20 @@ mod tests {
         assert_eq!(rests.assumptions, [("x>0".to_owned(), "b".to_owned())]);
         assert_eq!(rests.open, [("b".to_owned(), Some("refuted"))]);
         assert!(!rests.circular);
-        let words = rests_in_words(&rests, |f| format!("${f}$"));
-        assert_eq!(
-            words,
-            "Rests on: the system `S`; `b`, `a`. With it come the assumptions $x>0$ (of `b`). \
-             Taken as given on the way, for it is not proved: `b` (not so for all values).\n\n"
-        );
+    }
+
+    #[test]
+    fn what_rests_on_something_unproved_is_proved_on_condition() {
+        let mut graph = chain();
+        assert_eq!(graph.proof(1), ProofStanding::Proved);
+        assert_eq!(graph.proof(2), ProofStanding::None);
+        assert_eq!(graph.proof(3), ProofStanding::Given(vec!["b".to_owned()]));
+        graph.nodes[2].verdict = Some("proved");
+        assert_eq!(graph.proof(3), ProofStanding::Proved);
+        graph.nodes[1].generic = true;
+        assert_eq!((graph.proof(1), graph.proof(3)), (ProofStanding::Except, ProofStanding::Except));
+        graph.nodes[1].from = vec![3];
+        assert_eq!(graph.proof(3), ProofStanding::Circular);
     }
 
     #[test]
@@ -339,7 +399,6 @@ mod tests {
         let mut graph = chain();
         graph.nodes[1].from = vec![3];
         assert!(graph.rests(3).circular && graph.rests(1).circular && graph.rests(2).circular);
-        assert!(rests_in_words(&graph.rests(1), str::to_owned).contains("rests on itself"));
         assert!(!graph.rests(0).circular);
     }
 

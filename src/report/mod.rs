@@ -12,11 +12,13 @@
 mod alone;
 mod certificates;
 mod conditions;
+mod consequence;
 mod diff;
 mod digest;
 mod discrimination;
 mod explain;
 mod finding;
+mod front;
 mod github;
 mod graph;
 mod json;
@@ -43,18 +45,19 @@ mod write;
 pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
+pub use front::{alarms, front_markdown, front_page};
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
 pub use github::github;
 pub use json::{json, json_with_paper};
 pub use junit::{Checked, junit};
 pub use markdown::markdown;
-pub use page::page;
+pub use page::{first_page, page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;
 pub use summary::{exceptions, summary};
-pub use tex::tex;
+pub use tex::{tex, tex_summary};
 pub use write::{WriteError, write_files, write_report};
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use maud::{Markup, html};
 
 use super::super::discrimination::is_weak;
-use super::super::graph::DerivationGraph;
+use super::super::graph::{DerivationGraph, ProofStanding};
+use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
@@ -95,7 +96,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                 h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
             }
             p.quiet {
-                @if declared.is_some_and(|d| d.added) { span.added { "for comparison" } " The paper does not say it. " }
+                @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
                 @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
                 @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
                 @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
@@ -117,9 +118,11 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                 }
             }
             @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
-            @if let Some(remark) = &claim.remark { p.remark { (prose(remark, scope)) } }
+            @if let Some(remark) = &claim.remark {
+                p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
+            }
             (support::units_of(account, claim, scope))
-            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, scope)) }
+            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, &graph.proof_of(claim), scope)) }
             (support::rests(graph, claim, scope))
             (support::conditions(claim, scope))
             (support::discrimination(claim, scope))
@@ -130,13 +133,18 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
 }
 
 /// Whether it is an identity, with its bound.
-fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
+fn for_all_values(
+    claim: &ClaimAccount,
+    identity: &IdentityAccount,
+    proof: &ProofStanding,
+    scope: &Scope,
+) -> Markup {
+    let class = if *proof == ProofStanding::Proved || identity.verdict != "proved" { identity.verdict } else { "given" };
     html! {
-        div class={ "identity " (identity.verdict) } {
+        div class={ "identity " (class) } {
             p {
                 b { "For all values: " }
-                (sentence(identity, scope))
-                @if identity.generic { " The proof leaves out special cases of what is given; see below." }
+                (sentence(identity, proof, scope))
                 (support::certificate(claim, identity, scope))
             }
             @for (title, lines) in identity.terms() {
@@ -153,8 +161,8 @@ fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scop
 }
 
 /// The sentence on an identity, its power of two as one.
-fn sentence(identity: &IdentityAccount, scope: &Scope) -> Markup {
-    let text = identity.sentence();
+fn sentence(identity: &IdentityAccount, proof: &ProofStanding, scope: &Scope) -> Markup {
+    let text = super::super::graph::sentence(identity, proof);
     match (identity.log2_error, text.split_once("2^")) {
         (Some(_), Some((before, after))) => {
             let end = after.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(after.len());

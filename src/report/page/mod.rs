@@ -60,7 +60,25 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             (making(derivation))
         }
     };
-    let body = PreEscaped(tight::tight(&body.into_string()));
+    framed(derivation, &body, Some(&data))
+}
+
+/// The first page alone, to be printed.
+pub fn first_page(derivation: &Derivation, account: &Account) -> String {
+    let scope = &derivation.scope;
+    let body = html! {
+        header {
+            p.kind { "A check of a derivation" }
+            h1 { (prose(&derivation.title, scope)) }
+            p { (prose(&derivation.concerns, scope)) }
+        }
+        main id="/main" { (findings::front(&super::front::Front::new(derivation, account), scope)) }
+    };
+    framed(derivation, &body, None)
+}
+
+fn framed(derivation: &Derivation, body: &Markup, data: Option<&str>) -> String {
+    let body = PreEscaped(tight::tight(&body.0));
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -76,8 +94,10 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             }
             body {
                 (body)
-                script type="text/plain" id="/data" { (PreEscaped(data)) }
-                script { (PreEscaped(SCRIPT)) }
+                @if let Some(data) = data {
+                    script type="text/plain" id="/data" { (PreEscaped(data)) }
+                    script { (PreEscaped(SCRIPT)) }
+                }
             }
         }
     };
