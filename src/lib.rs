@@ -7,40 +7,28 @@
 //! # The path of a formula
 //!
 //! ```text
-//! derivation/ → latex/ → expr/ → tape/ → flow/ → check/ → report/
-//!                                 ↑ number/ ↑
+//! derivation/ → latex/ → expr/ → flow/, proof/ → check/ → report/
+//!                          ↑ number/ ↑
 //! ```
 //!
 //! | room | what happens there | imports |
 //! |---|---|---|
 //! | [`diag`] | a problem at a place of a file, and how it is shown | – |
 //! | [`number`] | what a value can be: binary64, duals, error bounds, series, lanes, finite fields | – |
-//! | [`expr`] | the shared graph of expressions, derivatives, printing | number |
+//! | [`expr`] | the shared graph of expressions, derivatives, printing; [`tape`]: graph → straight-line program; the one evaluation loop | number |
 //! | [`latex`] | formula text → expressions, or a refusal with its place | diag, expr |
 //! | [`derivation`] | the TOML file as written, every formula read | diag, expr, latex |
-//! | [`tape`] | graph → straight-line program; the one evaluation loop | expr, number |
-//! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
+//! //! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
 //! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
-//! `tests/layering.rs` keeps these rules.
-
-#[cfg(test)]
-extern crate self as rederive;
-
-/// The notation of the tests, for those beside the code.
-#[cfg(test)]
-#[path = "../tests/flow_support/mod.rs"]
-mod flow_support;
+//! Each of the lower rooms is a crate, with its own `Cargo.toml`; `tests/layering.rs` keeps these rules in them and above.
 
 pub mod check;
 pub mod derivation;
-pub mod diag;
-pub mod expr;
-pub mod flow;
-pub mod latex;
-pub mod number;
 pub mod paper;
 pub mod report;
-pub mod tape;
+
+pub use ::{diag, expr, flow, latex, number, proof};
+pub use expr::tape;

@@ -1,18 +1,22 @@
-//! The rooms of `src/` import only what they may.
+//! The rooms of `src/` import only what they may: those that are crates by their `Cargo.toml`, the others by their code.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Each room, and the rooms that it may import beside itself.
-const MAY_IMPORT: &[(&str, &[&str])] = &[
+/// Each room that is a crate, and the rooms that it may import.
+const CRATES: &[(&str, &[&str])] = &[
     ("diag", &[]),
     ("number", &[]),
     ("expr", &["number"]),
     ("latex", &["diag", "expr"]),
+    ("flow", &["expr", "number"]),
+    ("proof", &["expr", "number"]),
+];
+
+/// Each other room, and the rooms that it may import beside itself.
+const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("derivation", &["diag", "expr", "latex"]),
-    ("tape", &["expr", "number"]),
-    ("flow", &["expr", "tape", "number"]),
-    ("check", &["derivation", "flow", "tape", "expr", "number", "latex", "diag"]),
+    ("check", &["derivation", "flow", "proof", "tape", "expr", "number", "latex", "diag"]),
     ("paper", &["diag", "derivation", "latex"]),
     ("report", &["diag", "expr", "latex", "derivation", "check", "paper"]),
 ];
@@ -156,6 +160,35 @@ fn rooms_import_only_what_they_may() {
     assert!(seen > 10, "only {seen} files were looked at");
 }
 
+/// Rooms that a crate names under a heading of its `Cargo.toml`.
+fn named(manifest: &str, heading: &str) -> Vec<String> {
+    let after = manifest.lines().skip_while(|l| l.trim() != heading).skip(1);
+    let names = after.take_while(|l| !l.starts_with('[')).filter_map(|l| l.split(['.', ' ', '=']).next());
+    names.filter(|n| CRATES.iter().any(|(room, _)| room == n) || n.starts_with("rederive")).map(str::to_owned).collect()
+}
+
+#[test]
+fn crates_name_only_what_they_may() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let whole = fs::read_to_string(root.join("Cargo.toml")).expect("the workspace has a Cargo.toml");
+    for (room, allowed) in CRATES {
+        let file = root.join("src").join(room).join("Cargo.toml");
+        let manifest = fs::read_to_string(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+        let name = format!("name = \"rederive-{room}\"");
+        assert!(manifest.contains(&name), "src/{room}/Cargo.toml: no `{name}`");
+        for heading in ["[dependencies]", "[dev-dependencies]", "[build-dependencies]"] {
+            for found in named(&manifest, heading) {
+                assert!(allowed.contains(&found.as_str()), "src/{room}/Cargo.toml: `{room}` may not import {found}");
+            }
+        }
+        // As the path of the dependency, a member, and one whose tests `cargo test` runs.
+        let places = whole.matches(&format!("\"src/{room}\"")).count();
+        assert_eq!(places, 3, "Cargo.toml: src/{room} is a dependency, a member and a default member");
+    }
+    let broken = "[package]\n[dependencies]\nflow.workspace = true\nserde = \"1\"\n[features]\nnumber = []\n";
+    assert_eq!(named(broken, "[dependencies]"), ["flow"]);
+}
+
 #[test]
 fn every_file_is_in_a_room() {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -164,8 +197,8 @@ fn every_file_is_in_a_room() {
         if name.starts_with('.') {
             continue; // left by an editor or a test run
         }
-        let room = MAY_IMPORT.iter().any(|(room, _)| name == *room || name == format!("{room}.rs"));
-        assert!(room || OUTSIDE.contains(&name.as_str()), "src/{name} is no room: add it to MAY_IMPORT");
+        let room = CRATES.iter().chain(MAY_IMPORT).any(|(room, _)| name == *room || name == format!("{room}.rs"));
+        assert!(room || OUTSIDE.contains(&name.as_str()), "src/{name} is no room: add it to CRATES or MAY_IMPORT");
     }
 }
 

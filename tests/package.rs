@@ -124,7 +124,7 @@ fn the_oldest_compiler_is_what_the_dependencies_need() {
 
 #[test]
 fn the_package_has_what_it_needs_and_nothing_else() {
-    let list = cargo(&["package", "--list", "--offline", "--allow-dirty"]);
+    let list = cargo(&["package", "-p", env!("CARGO_PKG_NAME"), "--list", "--offline", "--allow-dirty"]);
     let files: BTreeSet<&str> = list.lines().collect();
     for needed in [
         "Cargo.toml",

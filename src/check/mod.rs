@@ -17,7 +17,6 @@ mod comparison;
 mod describe;
 mod enclose;
 mod follow;
-pub mod identity;
 mod independence;
 mod kept;
 mod limit;
@@ -49,6 +48,7 @@ mod verdict;
 mod weigh;
 mod witness;
 
+pub use ::proof as identity;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };

@@ -12,8 +12,8 @@ use super::core::Core;
 use super::cover::{BLOCK, Explorer, Piece, Stretch, tail};
 use super::program::{Bench, Program, Turns};
 use super::taylor::horner;
-use crate::expr::Leaf;
-use crate::number::{Lanes, NoValue};
+use expr::Leaf;
+use number::{Lanes, NoValue};
 
 /// Degree of the polynomials that an angle is followed with.
 const DEGREE: usize = 10;

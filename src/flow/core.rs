@@ -14,9 +14,9 @@ use super::program::{Program, Turns};
 use super::resolve::Resolution;
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
-use crate::expr::{Expr, Graph, Leaf, Shape};
-use crate::number::{Bounded, NoValue};
-use crate::tape::Tape;
+use expr::tape::Tape;
+use expr::{Expr, Graph, Leaf, Shape};
+use number::{Bounded, NoValue};
 
 /// A quantity that does not change along the motion.
 #[derive(Clone, Debug)]
@@ -103,7 +103,7 @@ impl Core {
     }
 
     /// The derivative along the motion of an expression in basic leaves.
-    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, crate::expr::NoDerivative> {
+    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
         graph.directional_derivative(e, |graph, leaf| {
             if leaf == self.time {
                 return Some(graph.integer(1));

@@ -3,7 +3,7 @@
 use super::angle::AngleBenches;
 use super::core::Core;
 use super::program::{Bench, Program, Turns};
-use crate::number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
+use number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 
 /// How many stretches, or times, are looked at together.
 pub(super) const BLOCK: usize = 8;

@@ -1,7 +1,7 @@
 //! What can go wrong with a system or a motion.
 
-use crate::expr::{Graph, Leaf};
-use crate::number::NoValue;
+use expr::{Graph, Leaf};
+use number::NoValue;
 
 /// Why a system cannot be solved for its rates, or a motion cannot be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -61,7 +61,7 @@ pub enum FlowError {
         /// The leaf, as a formula writes it.
         leaf: String,
         /// Which operation has no derivative.
-        reason: crate::expr::NoDerivative,
+        reason: expr::NoDerivative,
     },
     /// A state without an initial value among those given.
     #[error("no initial value is given for {state}")]

@@ -12,7 +12,7 @@ use super::cover::BLOCK;
 use super::motion::Point;
 use super::points::Points;
 use super::program::{Bench, Program};
-use crate::number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
+use number::{Bounded, BoundedLanes, Jet, NoValue, Scalar};
 
 /// How many blocks of times in a row may be at branch points before times are looked at one by one.
 const PATIENCE: usize = 3;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::{FlowError, leaf_name};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
+use expr::{Expr, Graph, Leaf, Node, Op, Symbol};
 
 /// A system ẋ = f(x, t): the ordered state leaves and the expression of each one's rate.
 ///

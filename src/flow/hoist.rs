@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{Expr, Graph, Leaf, Node};
+use expr::{Expr, Graph, Leaf, Node};
 
 /// Replaces every maximal operation on leaves that do not move by a new leaf, and says which expression it stands for.
 ///

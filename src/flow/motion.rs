@@ -17,9 +17,9 @@ use super::resolve::{Resolution, resolve};
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Incomplete, Minimum, Zeros};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, NoValue};
-use crate::tape::Tape;
+use expr::tape::Tape;
+use expr::{Expr, Graph, Leaf};
+use number::{Bounded, NoValue};
 
 /// Largest number of steps of a trajectory in each direction.
 const MAX_STEPS: usize = 40_000;

@@ -8,7 +8,7 @@
 //! with a value at every time needs two numbers for each.
 
 use super::motion::Point;
-use crate::number::{Bounded, BoundedLanes, NoValue};
+use number::{Bounded, BoundedLanes, NoValue};
 
 /// A value, or why there is none.
 type Value = Result<Bounded, NoValue>;

@@ -4,9 +4,9 @@ use num_dual::Dual;
 
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
-use crate::tape::{Slots, Tape};
+use expr::tape::{Slots, Tape};
+use expr::{Expr, Graph, Leaf};
+use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
 
 /// Where an input of a program comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@ use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
 use super::program::{Bench, Program};
 use super::zeros::Incomplete;
-use crate::number::{Bounded, Interval, NoValue, Scalar};
+use number::{Bounded, Interval, NoValue, Scalar};
 
 /// Degree of the polynomials.
 const DEGREE: usize = 14;

@@ -10,7 +10,7 @@ use super::error::FlowError;
 use super::motion::Motion;
 use super::program::Program;
 use super::zeros::{Zeros, zeros};
-use crate::expr::{Expr, Graph};
+use expr::{Expr, Graph};
 
 /// A search for the zeros of one expression along a motion.
 #[derive(Debug)]

@@ -6,9 +6,9 @@
 //! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
 //! e⁻²ᵖ of the first.
 
-use crate::expr::Leaf;
-use crate::number::{Jet, NoValue, Op, Orders, Scalar};
-use crate::tape::{Slots, Tape};
+use expr::Leaf;
+use expr::tape::{Slots, Tape};
+use number::{Jet, NoValue, Op, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug)]

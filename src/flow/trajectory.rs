@@ -8,7 +8,7 @@
 
 use super::error::Problem;
 use super::taylor::{Control, Flow, Stop, Walker, horner};
-use crate::number::{Bounded, NoValue};
+use number::{Bounded, NoValue};
 
 /// What the differences between independent integrations are multiplied with.
 const SAFETY: f64 = 8.0;

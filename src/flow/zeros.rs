@@ -9,7 +9,7 @@ use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
 use super::program::Program;
 use super::taylor::horner;
-use crate::number::{Bounded, NoValue};
+use number::{Bounded, NoValue};
 
 /// Degree of the polynomials.
 const DEGREE: usize = 20;

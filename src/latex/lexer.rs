@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::diag::Problem;
+use diag::Problem;
 
 /// What a token is.
 #[derive(Clone, Debug, PartialEq, Eq)]

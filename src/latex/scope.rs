@@ -6,8 +6,8 @@ use super::elaborate::Elaborator;
 use super::name;
 use super::parse::{WrittenName, read_name};
 use super::syntax::{Name, SubItem};
-use crate::diag::Problem;
-use crate::expr::{Graph, Leaf, Shape, Symbol, Tensor};
+use diag::Problem;
+use expr::{Graph, Leaf, Shape, Symbol, Tensor};
 
 /// What a symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

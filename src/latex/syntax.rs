@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::expr::Rational;
+use expr::Rational;
 
 pub use super::write::to_latex;
 

@@ -5,8 +5,8 @@
 use std::ops::Range;
 
 use super::elaborate::refuse;
-use crate::diag::Problem;
-use crate::expr::{Expr, Graph, Shape, Tensor};
+use diag::Problem;
+use expr::{Expr, Graph, Shape, Tensor};
 
 type Elaborated<T> = Result<T, Box<Problem>>;
 

@@ -7,7 +7,7 @@ use super::name;
 use super::syntax::{
     Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
 };
-use crate::expr::Rational;
+use expr::Rational;
 
 /// A chain of relations as LaTeX.
 pub fn to_latex(chain: &Chain) -> String {

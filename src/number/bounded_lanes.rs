@@ -272,7 +272,7 @@ impl<const N: usize> Number for BoundedLanes<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Draws;
+    use crate::Draws;
 
     #[test]
     fn zeros_with_another_sign_are_other_numbers() {

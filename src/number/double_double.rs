@@ -23,14 +23,14 @@ pub struct DoubleDouble {
 
 /// a + b without any error.
 #[inline(always)]
-pub(in crate::number) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, sum_error(a, b, s))
 }
 
 /// a·b without any error, as long as nothing underflows or overflows.
 #[inline(always)]
-pub(in crate::number) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     (p, product_error(a, b, p))
 }
@@ -303,8 +303,7 @@ impl Number for DoubleDouble {
 }
 
 /// π, but for less than 3e−33.
-pub(in crate::number) const PI: DoubleDouble =
-    DoubleDouble { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
+pub(crate) const PI: DoubleDouble = DoubleDouble { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
 
 #[cfg(test)]
 mod tests {

@@ -346,7 +346,7 @@ impl<const N: usize> WithSimd for Convolution<'_, Lanes<N>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Bounded, Draws, Number, Scalar};
+    use crate::{Bounded, Draws, Number, Scalar};
 
     /// Numbers of all sizes, exact or not, with zeros, and now and then one that is not finite.
     fn number(draws: &mut Draws) -> Bounded {

@@ -6,10 +6,10 @@
 //! multiple of 2π, and only one fits.
 
 use super::{Enclosure, Reach};
-use crate::expr::{Expr, Graph, Leaf, Node, Op};
-use crate::flow::core::fresh;
-use crate::flow::error::FlowError;
-use crate::number::{Interval, NoValue, Number, Scalar};
+use crate::core::fresh;
+use crate::error::FlowError;
+use expr::{Expr, Graph, Leaf, Node, Op};
+use number::{Interval, NoValue, Number, Scalar};
 
 /// Shortest stretch that is tried, as a part of the span.
 const SHORTEST: f64 = 1e-7;

@@ -4,10 +4,10 @@ use std::cell::{OnceCell, RefCell};
 
 use super::Enclosure;
 use super::sharpen::Known;
-use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::error::{FlowError, leaf_name};
-use crate::number::{Interval, NoValue, Number, TaylorModel};
-use crate::tape::{Slots, Tape};
+use crate::error::{FlowError, leaf_name};
+use expr::tape::{Slots, Tape};
+use expr::{Expr, Graph, Leaf};
+use number::{Interval, NoValue, Number, TaylorModel};
 
 /// Where an input comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]

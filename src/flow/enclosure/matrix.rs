@@ -1,6 +1,6 @@
 //! Small matrices: of binary64 numbers, and of intervals. Row by row, square.
 
-use crate::number::{Interval, Scalar};
+use number::{Interval, Scalar};
 
 /// More than what underflow may lose in a sum of products.
 const TINY: f64 = 1e-290;

@@ -30,10 +30,10 @@ use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
 use super::hoist::hoist;
 use super::motion::{Setup, Source};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::number::{Interval, NoValue, Precise, PreciseModel};
-use crate::tape::Tape;
 use angle::Angle;
+use expr::tape::Tape;
+use expr::{Expr, Graph, Leaf};
+use number::{Interval, NoValue, Precise, PreciseModel};
 use sharpen::Integrals;
 use step::{Field, Piece};
 
@@ -380,7 +380,7 @@ impl Enclosure {
             || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
     }
 
-    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, crate::expr::NoDerivative> {
+    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
         graph.directional_derivative(e, |graph, leaf| {
             if leaf == self.time {
                 return Some(graph.integer(1));

@@ -12,7 +12,7 @@
 use super::matrix::{
     apply, apply_point, identity, inverse, middle, orthogonal, rough_inverse, solve, times, times_point, transpose,
 };
-use crate::number::{DoubleDouble, Interval, Precise, Scalar};
+use number::{DoubleDouble, Interval, Precise, Scalar};
 
 /// Directions up to this condition number are carried along in any case.
 const GOOD_CONDITION: f64 = 50.0;

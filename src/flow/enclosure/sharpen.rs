@@ -19,10 +19,10 @@
 
 use super::Enclosure;
 use super::compiled::{Compiled, Reach, Stretch};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::error::{FlowError, leaf_name};
-use crate::number::{Interval, NODES, NoValue, Number, TaylorModel};
+use crate::error::{FlowError, leaf_name};
+use expr::{Expr, Graph, Leaf};
 use nalgebra::DMatrix;
+use number::{Interval, NODES, NoValue, Number, TaylorModel};
 
 /// Singular values below this part of the largest one are taken for 0.
 const NEGLIGIBLE: f64 = 1e-7;

@@ -26,12 +26,12 @@
 //! [Hairer, Nørsett & Wanner 1993, §I.10]: https://doi.org/10.1007/978-3-540-78862-1
 
 use super::set::{Set, faults};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::core::fresh;
-use crate::flow::error::{FlowError, leaf_name};
-use crate::flow::taylor::Flow;
-use crate::number::{DoubleDouble, Interval, Jet, NoValue, Number, Precise, PreciseModel, Scalar, TaylorModel};
-use crate::tape::{Slots, Tape};
+use crate::core::fresh;
+use crate::error::{FlowError, leaf_name};
+use crate::taylor::Flow;
+use expr::tape::{Slots, Tape};
+use expr::{Expr, Graph, Leaf};
+use number::{DoubleDouble, Interval, Jet, NoValue, Number, Precise, PreciseModel, Scalar, TaylorModel};
 use std::sync::Arc;
 
 /// Order of the Taylor polynomials of p: with twice the precision, so many terms pay.

@@ -10,8 +10,8 @@
 //! [Rudin 1976, theorem 5.13]: https://archive.org/details/principlesofmath00rudi
 
 use super::Enclosure;
-use crate::expr::{Expr, Graph, Leaf, Node, Op};
-use crate::number::{Interval, Limit, NoValue, Number, Tail};
+use expr::{Expr, Graph, Leaf, Node, Op};
+use number::{Interval, Limit, NoValue, Number, Tail};
 use std::collections::HashMap;
 
 /// How often a quotient of derivatives is looked at instead of a quotient.

@@ -4,8 +4,9 @@
 mod enclosure_support;
 
 use super::set::faults::{LOST_DIRECTIONS, LOST_LOW, NO_REMAINDER, NO_ROTATION, SHORT_SERIES};
-use crate::number::interval_faults::NEAREST;
 use enclosure_support::CASES;
+#[cfg(debug_assertions)]
+use number::interval_faults::NEAREST;
 use std::cell::Cell;
 use std::thread::LocalKey;
 
@@ -42,6 +43,7 @@ fn nothing_is_outside_as_long_as_nothing_is_broken() {
     }
 }
 
+#[cfg(debug_assertions)]
 #[test]
 fn rounding_to_nearest_is_noticed() {
     let found = noticed(&NEAREST);

@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::super::name;
 use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Elaborated, Elaborator, refuse};
-use crate::expr::Rational;
+use expr::Rational;
 
 /// One occurrence of an index letter.
 #[derive(Clone, Debug)]

@@ -15,8 +15,8 @@ use super::parse;
 use super::scope::Scope;
 use super::syntax::{Chain, Name, Node, NodeKind, Target};
 use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name};
-use crate::diag::Problem;
-use crate::expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
+use diag::Problem;
+use expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
 use value::Value;
 
 type Elaborated<T> = Result<T, Box<Problem>>;

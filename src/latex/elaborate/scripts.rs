@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::syntax::{Node, NodeKind, Sign, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, Value, refuse};
-use crate::expr::{Op, Rational, Tensor};
+use expr::{Op, Rational, Tensor};
 
 /// Highest power of a matrix that is written out.
 const HIGHEST: i32 = 16;
@@ -85,7 +85,7 @@ impl Elaborator<'_> {
         }
     }
 
-    fn integer(&self, e: crate::expr::Expr) -> Option<i32> {
+    fn integer(&self, e: expr::Expr) -> Option<i32> {
         self.graph.as_constant(e).and_then(|r| i32::try_from(r.clone()).ok())
     }
 

@@ -8,7 +8,7 @@ use super::super::syntax::{Node, SubItem, SymbolNode};
 use super::super::tensor;
 use super::scripts::is_integer;
 use super::{Elaborated, Elaborator, Value, refuse, stray};
-use crate::expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
+use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
 impl<'a> Elaborator<'a> {
     /// ε and δ, unless they are declared, with the right number of indices: to where their indices run, if that is known.

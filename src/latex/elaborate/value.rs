@@ -6,7 +6,7 @@ use super::super::scope::Role;
 use super::super::syntax::{Name, Node, NodeKind, Sign};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, MOST_WORK, refuse};
-use crate::expr::{Expr, Graph, Leaf, Op, Shape, Tensor};
+use expr::{Expr, Graph, Leaf, Op, Shape, Tensor};
 
 /// What a part of a formula stands for.
 #[derive(Clone, Debug)]
@@ -68,7 +68,7 @@ impl Elaborator<'_> {
     /// x + y, written as a difference where y is negated.
     fn plus(&mut self, x: Value, y: Value, span: &Range<usize>) -> Elaborated<Value> {
         self.combine(x, y, span, |g, x, y| match *g.node(y) {
-            crate::expr::Node::Unary(Op::Neg, inner) => g.sub(x, inner),
+            expr::Node::Unary(Op::Neg, inner) => g.sub(x, inner),
             _ => g.add(x, y),
         })
     }

@@ -18,8 +18,8 @@ use std::ops::Range;
 use super::lexer::{Kind, Token, tokens};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
-use crate::diag::Problem;
-use crate::expr::Rational;
+use diag::Problem;
+use expr::Rational;
 
 pub(super) use function::{spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};

@@ -7,7 +7,7 @@ use super::super::name::{self, NAMES, canonical};
 use super::super::scope::Scope;
 use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, decimal, refuse};
-use crate::diag::Problem;
+use diag::Problem;
 
 /// The name of a symbol taken apart.
 pub(in super::super) struct WrittenName {

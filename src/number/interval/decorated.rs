@@ -15,7 +15,7 @@
 //! Ends may be infinite here: 1/x on [0, 1] is [1, ∞).
 
 use super::{Interval, NoValue, elementary, round};
-use crate::number::{Continuity, Number, Rational, Scalar};
+use crate::{Continuity, Number, Rational, Scalar};
 
 /// See the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -308,7 +308,7 @@ impl Number for Decorated {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Draws, Op};
+    use crate::{Draws, Op};
 
     fn of(lo: f64, hi: f64) -> Decorated {
         Decorated::all_of(Interval { lo, hi })

@@ -5,7 +5,7 @@
 
 use super::round::{above, add_down, add_up, below, mul_down, mul_up, sqrt_down, sqrt_up};
 use super::{Continuity, Interval, NoValue, Scalar, outside};
-use crate::number::real::AGM_ITERATIONS;
+use crate::real::AGM_ITERATIONS;
 
 /// π and the number after it.
 pub(super) const PI: Interval = Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };

@@ -1,6 +1,7 @@
-//! Mistakes that tests can make on purpose, to see that they are noticed. Outside of tests there are none.
+//! Mistakes that tests can make on purpose, to see that they are noticed. Tests of other crates make them, too: so they are
+//! there in every build with debug assertions, and in no other.
 
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 thread_local! {
     /// Round to nearest, and take elementary functions for exact.
     pub static NEAREST: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
@@ -14,49 +15,49 @@ thread_local! {
     pub static LOST_LOW: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 pub(super) fn nearest() -> bool {
     NEAREST.get()
 }
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 pub(super) fn no_tail() -> bool {
     NO_TAIL.get()
 }
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 pub(super) fn no_lagrange() -> bool {
     NO_LAGRANGE.get()
 }
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 pub(super) fn exact_pairs() -> bool {
     EXACT_PAIRS.get()
 }
-#[cfg(test)]
+#[cfg(any(test, debug_assertions))]
 pub(super) fn lost_low() -> bool {
     LOST_LOW.get()
 }
 
 /// Whether rounding is broken: no.
-#[cfg(not(test))]
+#[cfg(not(any(test, debug_assertions)))]
 #[inline(always)]
 pub(super) fn nearest() -> bool {
     false
 }
-#[cfg(not(test))]
+#[cfg(not(any(test, debug_assertions)))]
 #[inline(always)]
 pub(super) fn no_tail() -> bool {
     false
 }
-#[cfg(not(test))]
+#[cfg(not(any(test, debug_assertions)))]
 #[inline(always)]
 pub(super) fn no_lagrange() -> bool {
     false
 }
-#[cfg(not(test))]
+#[cfg(not(any(test, debug_assertions)))]
 #[inline(always)]
 pub(super) fn exact_pairs() -> bool {
     false
 }
-#[cfg(not(test))]
+#[cfg(not(any(test, debug_assertions)))]
 #[inline(always)]
 pub(super) fn lost_low() -> bool {
     false

@@ -21,12 +21,12 @@
 
 mod decorated;
 mod elementary;
-pub(crate) mod faults;
+pub mod faults;
 mod model;
 #[cfg(test)]
 mod model_tests;
 mod precise;
-pub(in crate::number) mod round;
+pub(crate) mod round;
 mod tail;
 
 pub use decorated::Decorated;

@@ -24,7 +24,7 @@
 mod functions;
 
 use super::{Interval, U, faults, round};
-use crate::number::{NoValue, Scalar};
+use crate::{NoValue, Scalar};
 
 /// Number of coefficients.
 const ROOM: usize = 14;

@@ -3,7 +3,7 @@
 use super::faults::{NEAREST, NO_LAGRANGE, NO_TAIL};
 use super::model::TaylorModel;
 use super::{Interval, Scalar};
-use crate::number::{Draws, NoValue, Number, Op, Rational};
+use crate::{Draws, NoValue, Number, Op, Rational};
 
 fn unit(draws: &mut Draws) -> f64 {
     (draws.bits() >> 11) as f64 / (1_u64 << 53) as f64

@@ -34,14 +34,14 @@ fn down_if(x: f64, below: bool) -> f64 {
 
 /// What rounding `a + b` to `s` has lost, exactly.
 #[inline(always)]
-pub(in crate::number) fn sum_error(a: f64, b: f64, s: f64) -> f64 {
+pub(crate) fn sum_error(a: f64, b: f64, s: f64) -> f64 {
     let virtual_b = s - a;
     (a - (s - virtual_b)) + (b - virtual_b)
 }
 
 /// What rounding a·b to p has lost, exactly, for sizes within [`SMALLEST`] and [`LARGEST`].
 #[inline(always)]
-pub(in crate::number) fn product_error(a: f64, b: f64, p: f64) -> f64 {
+pub(crate) fn product_error(a: f64, b: f64, p: f64) -> f64 {
     if cfg!(target_feature = "fma") {
         return a.mul_add(b, -p);
     }

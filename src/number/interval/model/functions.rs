@@ -2,7 +2,7 @@
 
 use super::super::{Continuity, Interval, faults};
 use super::{GROW, ROOM, TINY, TaylorModel, unit};
-use crate::number::{Jet, NoValue, Number, Op, Orders, Rational, Scalar};
+use crate::{Jet, NoValue, Number, Op, Orders, Rational, Scalar};
 
 impl TaylorModel {
     /// The value over all arguments, as bounds alone.

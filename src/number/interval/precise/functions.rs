@@ -1,8 +1,8 @@
 //! Exponentials and waves, roots and powers of models of twice the precision: what [`Number`] asks for.
 
 use super::{GROW, Precise, PreciseModel, TINY, faults};
-use crate::number::double_double::PI;
-use crate::number::{DoubleDouble, NoValue, Number, Op, Rational};
+use crate::double_double::PI;
+use crate::{DoubleDouble, NoValue, Number, Op, Rational};
 
 impl PreciseModel {
     /// Σ uᵏ/k! over every order from `first` on in steps of `by`, with alternating signs if `by` is 2; |u| ≤ 1.

@@ -33,8 +33,8 @@ mod tests;
 
 use super::model::{MOST_TERMS, POWERS};
 use super::{Interval, TaylorModel, faults};
-use crate::number::double_double::{two_product, two_sum};
-use crate::number::{DoubleDouble, NoValue, Number, Op, Scalar};
+use crate::double_double::{two_product, two_sum};
+use crate::{DoubleDouble, NoValue, Number, Op, Scalar};
 
 /// Number of coefficients.
 const ROOM: usize = 23;

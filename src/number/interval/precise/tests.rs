@@ -3,7 +3,7 @@
 
 use super::faults::{EXACT_PAIRS, LOST_LOW, NO_LAGRANGE, NO_TAIL};
 use super::{Interval, Precise, PreciseModel, TaylorModel};
-use crate::number::{DoubleDouble, Draws, NoValue, Number, Op, Rational, Scalar};
+use crate::{DoubleDouble, Draws, NoValue, Number, Op, Rational, Scalar};
 use dashu_float::{FBig, round::mode::HalfEven};
 use std::cell::Cell;
 use std::thread::LocalKey;

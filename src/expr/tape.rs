@@ -1,0 +1,311 @@
+//! Expressions as straight-line programs.
+//!
+//! **In:** roots of a [`Graph`]. **Out:** a [`Tape`]: inputs, constants and one instruction per shared node, in an order in
+//! which every argument comes before its use; and **the one** loop that evaluates it over any [`Number`].
+//!
+//! **Guaranteed:** an instruction without a value poisons what depends on it and nothing else; each output says by itself
+//! whether it has a value. The same tape and the same inputs give the same bits.
+//!
+//! **Why no reuse of slots:** series are computed order by order, with every intermediate series still there.
+
+use crate::FastMap;
+use crate::{Expr, Graph, Leaf, Node};
+pub use number::Instruction;
+use number::{NoValue, Number, Rational};
+
+/// What fills a slot before the instructions run.
+#[derive(Clone, Debug, PartialEq)]
+enum Preset {
+    Rational(Rational),
+    Pi,
+}
+
+/// A straight-line program. Slots are numbered: inputs first, then constants, then results.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tape {
+    inputs: Vec<Leaf>,
+    presets: Vec<Preset>,
+    instructions: Vec<Instruction>,
+    outputs: Vec<u32>,
+}
+
+/// What some outputs of a tape need.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Needed {
+    /// The inputs, by their positions.
+    pub inputs: Vec<usize>,
+    /// The instructions, in their order.
+    pub instructions: Vec<Instruction>,
+    /// Those of them that depend on an input that changes, in their order.
+    pub varying: Vec<Instruction>,
+}
+
+/// The first thing without a value on the way to an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// An input was given without a value: its position.
+    Input(usize),
+    /// A constant that the number type cannot hold.
+    Constant,
+    /// An operation outside its domain; its arguments have values.
+    Instruction(Instruction),
+}
+
+/// The memory of one evaluation, reused from one to the next.
+#[derive(Clone, Debug)]
+pub struct Slots<N> {
+    values: Vec<N>,
+    missing: Vec<Option<NoValue>>,
+}
+
+impl Tape {
+    /// Compiles the roots. Inputs are `inputs`, in this order, whether used or not; every leaf of the roots must be there.
+    ///
+    /// # Errors
+    /// The first leaf that the roots need and `inputs` does not have.
+    pub fn compile(graph: &Graph, inputs: &[Leaf], roots: &[Expr]) -> Result<Tape, Leaf> {
+        let place: FastMap<Leaf, u32> = inputs.iter().enumerate().map(|(i, &leaf)| (leaf, i as u32)).collect();
+        let order = graph.reachable(roots.iter().copied());
+        let mut slot: FastMap<Expr, u32> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
+        let mut presets = Vec::new();
+        for &e in &order {
+            match graph.node(e) {
+                Node::Leaf(leaf) => {
+                    slot.insert(e, *place.get(leaf).ok_or(*leaf)?);
+                }
+                Node::Constant(_) | Node::Pi => {
+                    slot.insert(e, (inputs.len() + presets.len()) as u32);
+                    presets.push(match graph.node(e) {
+                        Node::Constant(r) => Preset::Rational((**r).clone()),
+                        _ => Preset::Pi,
+                    });
+                }
+                Node::Unary(..) | Node::Binary(..) => {}
+            }
+        }
+        let first = (inputs.len() + presets.len()) as u32;
+        let mut instructions = Vec::new();
+        for &e in &order {
+            let (op, a, b) = match *graph.node(e) {
+                Node::Unary(op, a) => (op, a, a),
+                Node::Binary(op, a, b) => (op, a, b),
+                _ => continue,
+            };
+            let out = first + instructions.len() as u32;
+            instructions.push(Instruction { op, a: slot[&a], b: slot[&b], out });
+            slot.insert(e, out);
+        }
+        let outputs = roots.iter().map(|e| slot[e]).collect();
+        Ok(Tape { inputs: inputs.to_vec(), presets, instructions, outputs })
+    }
+
+    /// The same for some of the outputs, in the order of `outputs`: only what they need is computed. Inputs stay as they are.
+    pub fn part(&self, outputs: &[usize]) -> Tape {
+        let first = self.inputs.len() + self.presets.len();
+        let mut needed = vec![false; self.instructions.len()];
+        let need = |needed: &mut Vec<bool>, slot: u32| {
+            if let Some(n) = (slot as usize).checked_sub(first).and_then(|i| needed.get_mut(i)) {
+                *n = true;
+            }
+        };
+        outputs.iter().for_each(|&o| need(&mut needed, self.outputs[o]));
+        let mut slot: Vec<u32> = (0..self.slot_count() as u32).collect();
+        for (i, step) in self.instructions.iter().enumerate().rev() {
+            if needed[i] {
+                need(&mut needed, step.a);
+                need(&mut needed, step.b);
+            }
+        }
+        let mut instructions = Vec::new();
+        for (step, _) in self.instructions.iter().zip(&needed).filter(|(_, n)| **n) {
+            let out = (first + instructions.len()) as u32;
+            slot[step.out as usize] = out;
+            let (a, b) = (slot[step.a as usize], slot[step.b as usize]);
+            instructions.push(Instruction { op: step.op, a, b, out });
+        }
+        let outputs = outputs.iter().map(|&o| slot[self.outputs[o] as usize]).collect();
+        Tape { inputs: self.inputs.clone(), presets: self.presets.clone(), instructions, outputs }
+    }
+
+    /// The leaves that must be given, in order.
+    pub fn inputs(&self) -> &[Leaf] {
+        &self.inputs
+    }
+
+    /// The instructions in order.
+    pub fn instructions(&self) -> &[Instruction] {
+        &self.instructions
+    }
+
+    /// For every output, whether it depends on one of the inputs that are marked.
+    pub fn depends(&self, marked: &[bool]) -> Vec<bool> {
+        let mut depends = marked.to_vec();
+        depends.resize(self.slot_count(), false);
+        for step in &self.instructions {
+            depends[step.out as usize] = depends[step.a as usize] || depends[step.b as usize];
+        }
+        self.outputs.iter().map(|&o| depends[o as usize]).collect()
+    }
+
+    /// What some outputs need; inputs that change from one evaluation to the next are marked.
+    pub fn needed(&self, outputs: impl Iterator<Item = usize>, changing: &[bool]) -> Needed {
+        let mut needed = vec![false; self.slot_count()];
+        outputs.for_each(|o| needed[self.outputs[o] as usize] = true);
+        for step in self.instructions.iter().rev() {
+            if needed[step.out as usize] {
+                needed[step.a as usize] = true;
+                needed[step.b as usize] = true;
+            }
+        }
+        let mut depends = changing.to_vec();
+        depends.resize(self.slot_count(), false);
+        let instructions: Vec<Instruction> =
+            self.instructions.iter().copied().filter(|i| needed[i.out as usize]).collect();
+        let mut varying = Vec::with_capacity(instructions.len());
+        for step in &instructions {
+            if depends[step.a as usize] || depends[step.b as usize] {
+                depends[step.out as usize] = true;
+                varying.push(*step);
+            }
+        }
+        let inputs = (0..self.inputs.len()).filter(|&i| needed[i]).collect();
+        Needed { inputs, instructions, varying }
+    }
+
+    /// Number of slots: inputs, constants and results.
+    pub fn slot_count(&self) -> usize {
+        self.inputs.len() + self.presets.len() + self.instructions.len()
+    }
+
+    /// Number of outputs.
+    pub fn output_count(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// The slot in which an output is found.
+    pub fn output_slot(&self, output: usize) -> usize {
+        self.outputs[output] as usize
+    }
+
+    /// Memory for evaluations of this tape, with its constants in place.
+    pub fn slots<N: Number>(&self, cx: &N::Context) -> Slots<N> {
+        let n = self.inputs.len() + self.presets.len() + self.instructions.len();
+        let mut slots = Slots { values: vec![N::blank(cx); n], missing: vec![None; n] };
+        self.load_constants(cx, &mut slots);
+        slots
+    }
+
+    /// The same in memory that another tape has used: fresh memory has to be given out by the system first.
+    pub fn prepare<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        let n = self.slot_count();
+        slots.values.resize(n, N::blank(cx));
+        slots.missing.clear();
+        slots.missing.resize(n, None);
+        self.load_constants(cx, slots);
+    }
+
+    /// Writes the constants again, for a number type whose constants depend on the context.
+    pub fn load_constants<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        for (i, preset) in self.presets.iter().enumerate() {
+            let at = self.inputs.len() + i;
+            let written = match preset {
+                Preset::Rational(r) => slots.values[at].rational(cx, r),
+                Preset::Pi => slots.values[at].pi(cx),
+            };
+            slots.missing[at] = written.err();
+        }
+    }
+
+    /// Runs all instructions: the one evaluation loop. Inputs are taken from the slots, see [`Slots::set`].
+    pub fn run<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>) {
+        self.run_some(cx, slots, &self.instructions);
+    }
+
+    /// Runs some of the instructions, where the others have their results from before: those that depend on inputs which
+    /// have changed since, in an order in which every argument comes before its use.
+    pub fn run_some<N: Number>(&self, cx: &N::Context, slots: &mut Slots<N>, instructions: &[Instruction]) {
+        N::run(cx, &mut slots.values, &mut slots.missing, instructions);
+    }
+
+    /// An output after [`Tape::run`].
+    ///
+    /// # Errors
+    /// Why this output has no value.
+    pub fn output<'s, N>(&self, output: usize, slots: &'s Slots<N>) -> Result<&'s N, NoValue> {
+        let at = self.outputs[output] as usize;
+        match slots.missing[at] {
+            Some(reason) => Err(reason),
+            None => Ok(&slots.values[at]),
+        }
+    }
+
+    /// Where the reason lies that an output has no value after [`Tape::run`]; `None` where it has one.
+    pub fn fault<N>(&self, output: usize, slots: &Slots<N>) -> Option<Fault> {
+        let mut at = self.outputs[output] as usize;
+        slots.missing[at]?;
+        let first = self.inputs.len() + self.presets.len();
+        loop {
+            if at < self.inputs.len() {
+                return Some(Fault::Input(at));
+            }
+            // A constant without a value is too large for the number type.
+            let Some(&step) = at.checked_sub(first).and_then(|i| self.instructions.get(i)) else {
+                return Some(Fault::Constant);
+            };
+            match (slots.missing[step.a as usize], slots.missing[step.b as usize]) {
+                (Some(_), _) => at = step.a as usize,
+                (None, Some(_)) => at = step.b as usize,
+                (None, None) => return Some(Fault::Instruction(step)),
+            }
+        }
+    }
+
+    /// Sets the inputs, runs, and copies the outputs.
+    pub fn evaluate<N: Number>(
+        &self,
+        cx: &N::Context,
+        inputs: &[Result<N, NoValue>],
+        slots: &mut Slots<N>,
+    ) -> Vec<Result<N, NoValue>> {
+        for (i, value) in inputs.iter().enumerate() {
+            slots.set(i, value.clone());
+        }
+        self.run(cx, slots);
+        (0..self.outputs.len()).map(|i| self.output(i, slots).cloned()).collect()
+    }
+}
+
+impl<N> Default for Slots<N> {
+    /// No memory yet: see [`Tape::prepare`].
+    fn default() -> Slots<N> {
+        Slots { values: Vec::new(), missing: Vec::new() }
+    }
+}
+
+impl<N> Slots<N> {
+    /// Gives an input its value, or the reason why it has none.
+    pub fn set(&mut self, input: usize, value: Result<N, NoValue>) {
+        match value {
+            Ok(v) => {
+                self.values[input] = v;
+                self.missing[input] = None;
+            }
+            Err(reason) => self.missing[input] = Some(reason),
+        }
+    }
+
+    /// A slot, whether it holds a valid value or not.
+    pub fn value(&self, slot: usize) -> &N {
+        &self.values[slot]
+    }
+
+    /// A slot to be written in place.
+    pub fn value_mut(&mut self, slot: usize) -> &mut N {
+        &mut self.values[slot]
+    }
+
+    /// Why a slot has no value.
+    pub fn missing(&self, slot: usize) -> Option<NoValue> {
+        self.missing[slot]
+    }
+}

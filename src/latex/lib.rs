@@ -1,0 +1,124 @@
+//! Formula text → expressions.
+//!
+//! **In:** LaTeX as a paper prints it, and a [`Scope`] of declared symbols. **Out:** [`Statement`]s (relations between
+//! tensors of expressions) or a single [`Tensor`].
+//!
+//! **Guaranteed:** a text is consumed whole, with one meaning, or refused with [`Problem`]s that name the place and how to
+//! write it. The reader never panics and never recurses without a limit. Nothing is guessed: an undeclared symbol, a
+//! product that could be a function value, a denominator that could be longer are refused.
+//!
+//! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
+//! reference of the language, and its examples are tests.
+
+mod elaborate;
+mod lexer;
+mod name;
+mod parse;
+mod scope;
+pub mod syntax;
+mod tensor;
+mod write;
+
+use std::ops::Range;
+
+pub use scope::{Declaration, DeclareError, Role, Scope};
+pub use syntax::RelationKind;
+
+use diag::Problem;
+use elaborate::Elaborator;
+use expr::{Expr, Graph, Tensor};
+
+/// Where a limit goes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LimitPoint {
+    /// To a time.
+    Finite(Expr),
+    /// To +∞.
+    PlusInfinity,
+    /// To −∞.
+    MinusInfinity,
+}
+
+/// A limit along the time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Where the time goes.
+    pub approaches: LimitPoint,
+}
+
+/// Two sides and what is claimed of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relation {
+    /// What is claimed.
+    pub kind: RelationKind,
+    /// The left side; what the limit is taken of, where there is one.
+    pub left: Tensor,
+    /// The right side, of the same shape.
+    pub right: Tensor,
+    /// The left side is a limit.
+    pub limit: Option<Limit>,
+    /// Names of the free indices, one for each axis; empty for index-free notation.
+    pub indices: Vec<String>,
+    /// Whether ± occurs: then the sides depend on [`Scope::branch_sign`].
+    pub has_branches: bool,
+    /// Its bytes.
+    pub span: Range<usize>,
+}
+
+/// A chain of relations, `a = b = c`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statement {
+    /// One relation for each sign of the chain.
+    pub relations: Vec<Relation>,
+    /// Its bytes.
+    pub span: Range<usize>,
+}
+
+/// Reads relations; several may stand in one text, separated by commas, `\\` or `\cr`.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Vec<Statement>, Vec<Problem>> {
+    let chains = parse::chains(text, scope)?;
+    let mut statements = Vec::new();
+    let mut problems = Vec::new();
+    for chain in &chains {
+        match Elaborator::new(scope, graph).statement(chain) {
+            Ok(statement) => statements.push(statement),
+            Err(problem) => problems.push(*problem),
+        }
+    }
+    if problems.is_empty() { Ok(statements) } else { Err(problems) }
+}
+
+/// The syntax trees of the relations of a text, for printing variants of them: see [`syntax::to_latex`].
+///
+/// # Errors
+/// What is wrong with the text before its meaning is looked at.
+pub fn parse(text: &str, scope: &Scope) -> Result<Vec<syntax::Chain>, Vec<Problem>> {
+    parse::chains(text, scope)
+}
+
+/// The meaning of a syntax tree that was altered: what [`read`] would make of it, if it could be written so.
+///
+/// # Errors
+/// What is wrong with it; places are those of the tree that it was made from.
+pub fn elaborate(chain: &syntax::Chain, scope: &Scope, graph: &mut Graph) -> Result<Statement, Problem> {
+    Elaborator::new(scope, graph).statement(chain).map_err(|problem| *problem)
+}
+
+/// The same for an expression.
+///
+/// # Errors
+/// As for [`elaborate`].
+pub fn elaborate_expression(node: &syntax::Node, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Problem> {
+    Elaborator::new(scope, graph).closed_expression(node).map_err(|problem| *problem)
+}
+
+/// Reads one expression.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read_expression(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
+    Elaborator::new(scope, graph).expression(text)
+}

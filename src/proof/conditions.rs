@@ -1,0 +1,131 @@
+//! What a proof needs that was not given: denominators, radicands, pivots.
+
+use super::lower::{Generator, Generators};
+use super::outcome::{Condition, Premises};
+use super::polynomial::factors;
+use super::prove::Lowered;
+use super::restate::restated;
+use super::sign::Facts;
+use super::solve::{Resolved, unmarked};
+use expr::{Expr, Graph, Node, Op};
+use expr::{FastMap, FastSet};
+
+/// Radicands, denominators … of the operations of some formulas, see [`Condition`].
+pub fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
+    let mut out = Vec::new();
+    for e in graph.reachable(exprs.iter().copied()) {
+        match *graph.node(e) {
+            Node::Binary(Op::Div, _, b) => out.push(Condition::Denominator(b)),
+            Node::Binary(Op::Pow, a, _) | Node::Unary(Op::Ln, a) => out.push(Condition::Positive(a)),
+            Node::Unary(Op::Powi(n), a) if n < 0 => out.push(Condition::Denominator(a)),
+            Node::Unary(Op::Sqrt, a) => out.push(Condition::Radicand(a)),
+            Node::Unary(Op::Arccos | Op::Arcsin, a) => out.push(Condition::Unit(a)),
+            Node::Unary(Op::Tan, a) => {
+                let cosine = graph.unary(Op::Cos, a);
+                out.push(Condition::Denominator(cosine));
+            }
+            _ => {}
+        }
+    }
+    out
+}
+
+/// (σ√d)² written as d.
+fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
+    let mut image: FastMap<Expr, Expr> = FastMap::default();
+    for node in graph.reachable([e]) {
+        let mut new = match *graph.node(node) {
+            Node::Unary(op, a) => graph.unary(op, image[&a]),
+            Node::Binary(op, a, b) => graph.binary(op, image[&a], image[&b]),
+            _ => node,
+        };
+        if let Node::Unary(Op::Powi(2), a) = *graph.node(new)
+            && let Node::Binary(Op::Mul, p, q) = *graph.node(a)
+        {
+            for root in [p, q] {
+                if let Node::Unary(Op::Sqrt, radicand) = *graph.node(root)
+                    && let Some(plain) = unmarked(graph, generators, radicand)
+                {
+                    new = plain;
+                }
+            }
+        }
+        image.insert(node, new);
+    }
+    image[&e]
+}
+
+/// A lowered expression in terms of the formulas as given; numbers that were made up on the way stay.
+pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
+    let e = without_signs(graph, generators, e);
+    graph.substitute(e, |graph, leaf| {
+        Some(match *generators.get(leaf)? {
+            Generator::Cosine(a) => graph.unary(Op::Cos, a),
+            Generator::Sine(a) => graph.unary(Op::Sin, a),
+            Generator::Exponential(a) => graph.unary(Op::Exp, a),
+            Generator::Opaque(e) => e,
+            Generator::Sign | Generator::Half | Generator::Free => return None,
+        })
+    })
+}
+
+/// Conditions that are not among the facts, in words of the formulas as given.
+pub(super) fn conditions(
+    graph: &mut Graph,
+    lowered: &Lowered,
+    given: &Premises,
+    cases: &[Resolved],
+    formulas: &[Expr],
+    explicit: &[Expr],
+    pivots: &[Expr],
+) -> Vec<Condition> {
+    let generators = &lowered.generators;
+    let mut out = domains(graph, formulas);
+    let mut from_cases: Vec<Condition> = pivots.iter().map(|&e| Condition::Pivot(e)).collect();
+    // Of several cases none restricts the premises.
+    let possible: Vec<&Resolved> = cases.iter().filter(|c| !c.empty).collect();
+    for case in possible.iter().filter(|_| possible.len() == 1) {
+        from_cases.extend(case.radicands.iter().map(|&e| Condition::Discriminant(e)));
+    }
+    let unknown = |graph: &Graph, c: &Condition| match *c {
+        Condition::Pivot(e) => !lowered.facts.sign(graph, generators, e).nonzero,
+        Condition::Discriminant(e) => !lowered.facts.sign(graph, generators, e).not_negative,
+        _ => true,
+    };
+    from_cases.retain(|c| unknown(graph, c));
+    for c in from_cases {
+        out.push(match c {
+            Condition::Pivot(e) => Condition::Pivot(raised(graph, generators, e)),
+            Condition::Discriminant(e) => Condition::Discriminant(raised(graph, generators, e)),
+            other => other,
+        });
+    }
+    out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
+    // Declared facts need no mention.
+    let mut facts = Facts::default();
+    given.positive.iter().for_each(|&e| facts.note_positive(graph, e));
+    given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
+    for &e in &given.nonzero {
+        facts.nonzero.insert(e);
+        facts.nonzero.extend(factors(graph, e).1.into_iter().map(|(base, _)| base));
+    }
+    let mut out: Vec<Condition> = out.into_iter().flat_map(|c| restated(graph, generators, &facts, c)).collect();
+    // What a formula needs anyway need not be said of the proof.
+    let own: Vec<Condition> = out.clone();
+    let mut seen = FastSet::default();
+    out.retain(|c| {
+        let known = match *c {
+            Condition::Pivot(e) => own.contains(&Condition::Denominator(e)) || facts.sign(graph, generators, e).nonzero,
+            Condition::Denominator(e) => facts.sign(graph, generators, e).nonzero,
+            Condition::Discriminant(e) if own.contains(&Condition::Radicand(e)) => true,
+            Condition::Radicand(e) | Condition::Discriminant(e) => facts.sign(graph, generators, e).not_negative,
+            Condition::Positive(e) => {
+                let k = facts.sign(graph, generators, e);
+                k.nonzero && k.not_negative
+            }
+            Condition::Unit(_) => false,
+        };
+        !known && seen.insert(*c)
+    });
+    out
+}

@@ -1,0 +1,142 @@
+//! Arguments of transcendental functions as rational combinations of monomials.
+//!
+//! sin, cos and exp of a sum are consistent with those of its parts only if equal parts are recognised: 2kt and kt + tk
+//! are the same argument, (x + y)/2 is half of x plus half of y. [`Combinations::of`] expands sums and products into
+//! Σ qᵢ·mᵢ with rational qᵢ and monomials mᵢ in nodes that are neither sums nor products. What is not recognised as equal
+//! is taken as independent, which can only make an identity harder to prove, never easier.
+
+use expr::FastMap;
+use expr::{Expr, Graph, Node, Op, Rational};
+use std::collections::BTreeMap;
+
+/// A product of integer powers of nodes, sorted by node; empty for 1.
+pub(super) type Monomial = Vec<(Expr, i32)>;
+
+/// Σ q·m; no zero coefficients.
+pub(super) type Combination = BTreeMap<Monomial, Rational>;
+
+/// Sums longer than this are left as they are written.
+const LONGEST: usize = 48;
+
+/// Memory of the expansions of one graph.
+#[derive(Debug, Default)]
+pub(super) struct Combinations {
+    known: FastMap<Expr, Combination>,
+}
+
+fn single(base: Expr, power: i32) -> Combination {
+    Combination::from([(vec![(base, power)], Rational::ONE)])
+}
+
+fn add_to(sum: &mut Combination, monomial: Monomial, q: Rational) {
+    let old = sum.remove(&monomial).unwrap_or(Rational::ZERO);
+    let new = old + q;
+    if new != Rational::ZERO {
+        sum.insert(monomial, new);
+    }
+}
+
+pub(super) fn times(a: &Monomial, b: &Monomial) -> Monomial {
+    let mut product: BTreeMap<Expr, i32> = a.iter().copied().collect();
+    for &(base, n) in b {
+        let power = product.entry(base).or_insert(0);
+        *power = power.saturating_add(n);
+        if *power == 0 {
+            product.remove(&base);
+        }
+    }
+    product.into_iter().collect()
+}
+
+fn product(a: &Combination, b: &Combination) -> Option<Combination> {
+    if a.len() * b.len() > LONGEST {
+        return None;
+    }
+    let mut out = Combination::new();
+    for (m, q) in a {
+        for (n, r) in b {
+            add_to(&mut out, times(m, n), q * r);
+        }
+    }
+    Some(out)
+}
+
+fn power(a: &Combination, n: i32) -> Option<Combination> {
+    if n.unsigned_abs() > 64 {
+        return None;
+    }
+    if a.len() == 1
+        && let Some((m, q)) = a.iter().next()
+    {
+        let m: Monomial = m.iter().map(|&(b, k)| (b, k.saturating_mul(n))).collect();
+        return Some(Combination::from([(m, q.pow(n as isize))]));
+    }
+    if n <= 0 || a.is_empty() {
+        return None;
+    }
+    let mut out = Combination::from([(Vec::new(), Rational::ONE)]);
+    for _ in 0..n {
+        out = product(&out, a)?;
+    }
+    Some(out)
+}
+
+impl Combinations {
+    /// The combination that a node stands for.
+    pub(super) fn of(&mut self, graph: &Graph, e: Expr) -> Combination {
+        if let Some(known) = self.known.get(&e) {
+            return known.clone();
+        }
+        for node in graph.reachable([e]) {
+            if self.known.contains_key(&node) {
+                continue;
+            }
+            let value = self.step(graph, node).unwrap_or_else(|| single(node, 1));
+            self.known.insert(node, value);
+        }
+        self.known.get(&e).cloned().unwrap_or_else(|| single(e, 1))
+    }
+
+    fn step(&self, graph: &Graph, node: Expr) -> Option<Combination> {
+        let known = |e: Expr| self.known.get(&e);
+        Some(match *graph.node(node) {
+            Node::Constant(ref r) if **r == Rational::ZERO => Combination::new(),
+            Node::Constant(ref r) => Combination::from([(Vec::new(), (**r).clone())]),
+            Node::Unary(Op::Neg, a) => known(a)?.iter().map(|(m, q)| (m.clone(), -q.clone())).collect(),
+            Node::Unary(Op::Powi(n), a) => match power(known(a)?, n) {
+                Some(c) => c,
+                None => single(a, n),
+            },
+            Node::Binary(op @ (Op::Add | Op::Sub), a, b) => {
+                let (a, b) = (known(a)?, known(b)?);
+                if a.len() + b.len() > LONGEST {
+                    return None;
+                }
+                let mut sum = a.clone();
+                for (m, q) in b {
+                    add_to(&mut sum, m.clone(), if op == Op::Add { q.clone() } else { -q.clone() });
+                }
+                sum
+            }
+            Node::Binary(Op::Mul, a, b) => product(known(a)?, known(b)?)?,
+            Node::Binary(Op::Div, a, b) => {
+                let under = match power(known(b)?, -1) {
+                    Some(c) => c,
+                    None => single(b, -1),
+                };
+                product(known(a)?, &under)?
+            }
+            _ => return None,
+        })
+    }
+}
+
+/// The expression q·m.
+pub(super) fn expression(graph: &mut Graph, monomial: &Monomial, q: &Rational) -> Expr {
+    let mut out = graph.constant(q.clone());
+    for &(base, n) in monomial {
+        let power = graph.powi(base, n);
+        out = graph.mul(out, power);
+    }
+    out
+}

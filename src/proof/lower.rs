@@ -1,0 +1,430 @@
+//! Transcendental functions as rational functions of generators.
+//!
+//! **In:** expressions. **Out:** the same expressions with +, −, ×, ÷, integer powers, √ and |·| only, over leaves and
+//! *generators*.
+//!
+//! The argument of every sin, cos, tan is written as Σ qᵢ·mᵢ ([`linear`](super::linear)). For each monomial m, with N the
+//! common denominator of its coefficients in the whole problem, two generators c, s stand for cos(m/N), sin(m/N), bound by
+//! c² + s² = 1; cosines and sines of sums and multiples follow by the addition theorem. In the same way one generator
+//! stands for e^{m/N}. Functions of a variable and of its cosine, sine and exponential satisfy no other algebraic relation
+//! (Ax 1971), but nothing rests on that: a relation that is missed can only leave an identity undecided.
+//!
+//! Multiples of π/12 have exact values in √2 and √3. cos, sin of arccos, arcsin, arctan, atan2 (once, twice … and halved)
+//! are algebraic, with the roots of the principal values: sin arccos x = √(1 − x²) ≥ 0, cos atan2(y, x) = x/√(x² + y²).
+//! exp(q·ln u) = u^q for integer and half-integer q. Every other occurrence of arccos, ln, agm … is a generator of its own,
+//! the same for the same argument.
+
+use super::linear::{Combination, Combinations, Monomial, expression};
+use expr::FastMap;
+use expr::{Expr, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
+
+/// What a generator stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Generator {
+    /// The cosine of the argument; the next generator is the sine of the same.
+    Cosine(Expr),
+    /// The sine of the argument; the generator before is its cosine.
+    Sine(Expr),
+    /// The exponential of the argument: positive.
+    Exponential(Expr),
+    /// The value of a node that has no algebraic meaning.
+    Opaque(Expr),
+    /// A sign ±1: the sign of an expression, or of a root.
+    Sign,
+    /// A free number: t in c = (1 − t²)/(1 + t²), s = 2t/(1 + t²).
+    Half,
+    /// A free number: parameter of an orthogonal matrix.
+    Free,
+}
+
+impl Generator {
+    /// What it is a function of.
+    pub(super) fn argument(&self) -> Option<Expr> {
+        match *self {
+            Generator::Cosine(e) | Generator::Sine(e) | Generator::Exponential(e) | Generator::Opaque(e) => Some(e),
+            Generator::Sign | Generator::Half | Generator::Free => None,
+        }
+    }
+}
+
+/// The name of the one hidden symbol whose components are the generators.
+const HIDDEN: &str = "\u{2063}generator";
+
+/// Generators of one problem.
+pub(super) struct Generators {
+    symbol: Symbol,
+    pub(super) list: Vec<Generator>,
+}
+
+impl Generators {
+    /// None yet. The hidden symbol is shared by all problems of a graph, so that they share nodes.
+    pub(super) fn new(graph: &mut Graph) -> Generators {
+        let symbol = match graph.find_symbol(HIDDEN) {
+            Some(symbol) => symbol,
+            None => graph.declare(HIDDEN, Shape::vector(u16::MAX), false),
+        };
+        Generators { symbol, list: Vec::new() }
+    }
+
+    /// A new generator; `None` when there are too many.
+    pub(super) fn add(&mut self, generator: Generator) -> Option<Leaf> {
+        let component = u16::try_from(self.list.len()).ok()?;
+        self.list.push(generator);
+        Some(Leaf { symbol: self.symbol, component, rate: 0, instant: None })
+    }
+
+    /// The leaf of a generator, by its number.
+    pub(super) fn leaf(&self, at: usize) -> Option<Leaf> {
+        let component = u16::try_from(at).ok().filter(|_| at < self.list.len())?;
+        Some(Leaf { symbol: self.symbol, component, rate: 0, instant: None })
+    }
+
+    /// What a leaf stands for, if it is a generator.
+    pub(super) fn get(&self, leaf: Leaf) -> Option<&Generator> {
+        if leaf.symbol == self.symbol { self.list.get(leaf.component as usize) } else { None }
+    }
+
+    /// The other generator of a cosine and sine pair: (cosine, sine) for either.
+    pub(super) fn circle(&self, leaf: Leaf) -> Option<(Leaf, Leaf)> {
+        let at = |component| Leaf { component, ..leaf };
+        match self.get(leaf)? {
+            Generator::Cosine(_) => Some((leaf, at(leaf.component + 1))),
+            Generator::Sine(_) => Some((at(leaf.component - 1), leaf)),
+            _ => None,
+        }
+    }
+}
+
+/// The lowering of one problem.
+pub(super) struct Lowering<'g> {
+    pub(super) graph: &'g mut Graph,
+    pub(super) generators: Generators,
+    combinations: Combinations,
+    /// Common denominators of the coefficients of a monomial: under sin, cos, tan and under exp, sinh, cosh, tanh.
+    circle_denominators: FastMap<Monomial, Rational>,
+    exp_denominators: FastMap<Monomial, Rational>,
+    circles: FastMap<Monomial, (Expr, Expr)>,
+    exponentials: FastMap<Monomial, Expr>,
+    opaque: FastMap<(Op, Vec<Expr>), Expr>,
+    image: FastMap<Expr, Expr>,
+}
+
+/// Too many generators, or a coefficient out of range: the problem is outside the class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct TooLarge;
+
+fn lcm(a: &Rational, b: &Rational) -> Rational {
+    use dashu_int::ops::Gcd;
+    let (a, b) = (a.numerator().clone().into_parts().1, b.denominator().clone());
+    let g = (&a).gcd(&b);
+    Rational::from(a / g * b)
+}
+
+fn integer(r: &Rational) -> Result<i32, TooLarge> {
+    i32::try_from(r.clone()).ok().filter(|n| n.abs() <= 1024).ok_or(TooLarge)
+}
+
+impl<'g> Lowering<'g> {
+    /// Prepares for the given roots: whatever is lowered later must be part of them.
+    pub(super) fn new(graph: &'g mut Graph, roots: &[Expr]) -> Lowering<'g> {
+        let generators = Generators::new(graph);
+        let mut combinations = Combinations::default();
+        let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
+        for e in graph.reachable(roots.iter().copied()) {
+            let (table, argument) = match *graph.node(e) {
+                Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => (&mut circle, combinations.of(graph, a)),
+                Node::Unary(Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, a) => (&mut exp, combinations.of(graph, a)),
+                Node::Binary(Op::Pow, a, b) => {
+                    let log = graph.unary(Op::Ln, a);
+                    let argument = graph.mul(b, log);
+                    (&mut exp, combinations.of(graph, argument))
+                }
+                _ => continue,
+            };
+            for (m, q) in argument {
+                let n = table.entry(m).or_insert(Rational::ONE);
+                *n = lcm(n, &q);
+            }
+        }
+        Lowering {
+            graph,
+            generators,
+            combinations,
+            circle_denominators: circle,
+            exp_denominators: exp,
+            circles: FastMap::default(),
+            exponentials: FastMap::default(),
+            opaque: FastMap::default(),
+            image: FastMap::default(),
+        }
+    }
+
+    /// The image of an expression.
+    pub(super) fn lower(&mut self, e: Expr) -> Result<Expr, TooLarge> {
+        for node in self.graph.reachable([e]) {
+            if !self.image.contains_key(&node) {
+                let image = self.step(node)?;
+                self.image.insert(node, image);
+            }
+        }
+        Ok(self.image[&e])
+    }
+
+    fn step(&mut self, node: Expr) -> Result<Expr, TooLarge> {
+        Ok(match *self.graph.node(node) {
+            Node::Constant(_) | Node::Leaf(_) => node,
+            Node::Pi => self.opaque_node(node, Op::Neg, vec![])?,
+            Node::Unary(op, a) => match op {
+                Op::Neg | Op::Powi(_) | Op::Sqrt | Op::Abs => {
+                    let a = self.image[&a];
+                    self.graph.unary(op, a)
+                }
+                Op::Sin => self.circle(a)?.1,
+                Op::Cos => self.circle(a)?.0,
+                Op::Tan => {
+                    let (c, s) = self.circle(a)?;
+                    self.graph.div(s, c)
+                }
+                Op::Exp => self.exponential(a)?,
+                Op::Sinh | Op::Cosh | Op::Tanh => {
+                    let e = self.exponential(a)?;
+                    let one = self.graph.integer(1);
+                    let two = self.graph.integer(2);
+                    let inverse = self.graph.div(one, e);
+                    let (sum, difference) = (self.graph.add(e, inverse), self.graph.sub(e, inverse));
+                    match op {
+                        Op::Sinh => self.graph.div(difference, two),
+                        Op::Cosh => self.graph.div(sum, two),
+                        _ => self.graph.div(difference, sum),
+                    }
+                }
+                Op::Ln => {
+                    if let Node::Unary(Op::Exp, x) = *self.graph.node(a) {
+                        self.image[&x]
+                    } else {
+                        let image = self.image[&a];
+                        self.opaque_node(node, op, vec![image])?
+                    }
+                }
+                Op::Arcsin | Op::Arctan if self.graph.is_zero(self.image[&a]) => self.image[&a],
+                Op::Arccos if self.graph.is_one(self.image[&a]) => self.graph.integer(0),
+                Op::Arcsin | Op::Arccos | Op::Arctan => {
+                    let image = self.image[&a];
+                    self.opaque_node(node, op, vec![image])?
+                }
+                Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm => return Err(TooLarge),
+            },
+            Node::Binary(op, a, b) => match op {
+                Op::Add | Op::Sub | Op::Mul | Op::Div => {
+                    let (a, b) = (self.image[&a], self.image[&b]);
+                    self.graph.binary(op, a, b)
+                }
+                Op::Pow => {
+                    let log = self.graph.unary(Op::Ln, a);
+                    let argument = self.graph.mul(b, log);
+                    self.exponential(argument)?
+                }
+                _ => {
+                    let (y, x) = (self.image[&a], self.image[&b]);
+                    let ahead = self.graph.as_constant(x).is_some_and(|x| *x > Rational::ZERO);
+                    if op == Op::Arctan2 && self.graph.is_zero(y) && ahead {
+                        y
+                    } else {
+                        self.opaque_node(node, op, vec![y, x])?
+                    }
+                }
+            },
+        })
+    }
+
+    fn opaque_node(&mut self, node: Expr, op: Op, images: Vec<Expr>) -> Result<Expr, TooLarge> {
+        if let Some(&e) = self.opaque.get(&(op, images.clone())) {
+            return Ok(e);
+        }
+        let leaf = self.generators.add(Generator::Opaque(node)).ok_or(TooLarge)?;
+        let e = self.graph.leaf(leaf);
+        self.opaque.insert((op, images), e);
+        Ok(e)
+    }
+
+    /// (cos, sin) of the sum of two angles.
+    fn turn(&mut self, (c, s): (Expr, Expr), (d, t): (Expr, Expr)) -> (Expr, Expr) {
+        let g = &mut *self.graph;
+        let (cd, st) = (g.mul_structural(c, d), g.mul_structural(s, t));
+        let (sd, ct) = (g.mul_structural(s, d), g.mul_structural(c, t));
+        (g.sub(cd, st), g.add(sd, ct))
+    }
+
+    /// (cos, sin) of n times an angle.
+    fn multiple(&mut self, angle: (Expr, Expr), n: i32) -> (Expr, Expr) {
+        let mut base = if n < 0 { (angle.0, self.graph.neg(angle.1)) } else { angle };
+        let mut out = (self.graph.integer(1), self.graph.integer(0));
+        let mut e = n.unsigned_abs();
+        while e > 0 {
+            if e & 1 == 1 {
+                out = self.turn(out, base);
+            }
+            e >>= 1;
+            if e > 0 {
+                base = self.turn(base, base);
+            }
+        }
+        out
+    }
+
+    /// (cos, sin) of an argument.
+    fn circle(&mut self, argument: Expr) -> Result<(Expr, Expr), TooLarge> {
+        let combination: Combination = self.combinations.of(self.graph, argument);
+        let mut out = (self.graph.integer(1), self.graph.integer(0));
+        for (m, q) in combination {
+            let part = match self.special_angle(&m, &q)? {
+                Some(pair) => pair,
+                None => {
+                    let n = self.circle_denominators.get(&m).cloned().unwrap_or(Rational::ONE);
+                    let times = integer(&(q * &n))?;
+                    let angle = self.circle_generators(&m, &n)?;
+                    self.multiple(angle, times)
+                }
+            };
+            out = self.turn(out, part);
+        }
+        Ok(out)
+    }
+
+    fn circle_generators(&mut self, m: &Monomial, n: &Rational) -> Result<(Expr, Expr), TooLarge> {
+        if let Some(&pair) = self.circles.get(m) {
+            return Ok(pair);
+        }
+        let argument = expression(self.graph, m, &(Rational::ONE / n));
+        let c = self.generators.add(Generator::Cosine(argument)).ok_or(TooLarge)?;
+        let s = self.generators.add(Generator::Sine(argument)).ok_or(TooLarge)?;
+        let pair = (self.graph.leaf(c), self.graph.leaf(s));
+        self.circles.insert(m.clone(), pair);
+        Ok(pair)
+    }
+
+    /// Angles whose cosine and sine are algebraic: multiples of π/12, and of arccos, arcsin, arctan, atan2 or their halves.
+    fn special_angle(&mut self, m: &Monomial, q: &Rational) -> Result<Option<(Expr, Expr)>, TooLarge> {
+        let &[(base, 1)] = m.as_slice() else { return Ok(None) };
+        if matches!(self.graph.node(base), Node::Pi) {
+            let twelfths = q * Rational::from(12);
+            return Ok(match i64::try_from(twelfths) {
+                Ok(n) => Some(self.twelfths_of_pi(n.rem_euclid(24) as i32)),
+                Err(_) => None,
+            });
+        }
+        let g = &mut *self.graph;
+        let one = g.integer(1);
+        let pair = match *g.node(base) {
+            Node::Unary(op @ (Op::Arccos | Op::Arcsin), u) => {
+                let u = self.image[&u];
+                let square = g.powi(u, 2);
+                let under = g.sub(one, square);
+                let root = g.unary(Op::Sqrt, under);
+                if op == Op::Arccos { (u, root) } else { (root, u) }
+            }
+            Node::Unary(Op::Arctan, u) => {
+                let u = self.image[&u];
+                let square = g.powi(u, 2);
+                let under = g.add(one, square);
+                let root = g.unary(Op::Sqrt, under);
+                (g.div(one, root), g.div(u, root))
+            }
+            Node::Binary(Op::Arctan2, y, x) => {
+                let (y, x) = (self.image[&y], self.image[&x]);
+                let (yy, xx) = (g.powi(y, 2), g.powi(x, 2));
+                let under = g.add(xx, yy);
+                let root = g.unary(Op::Sqrt, under);
+                (g.div(x, root), g.div(y, root))
+            }
+            _ => return Ok(None),
+        };
+        if let Ok(n) = i64::try_from(q.clone()) {
+            return Ok(Some(self.multiple(pair, integer(&Rational::from(n))?)));
+        }
+        let Ok(halves) = i64::try_from(q * Rational::from(2)) else { return Ok(None) };
+        // All principal values lie in [−π, π], so the cosine of the half is not negative; its sine has the sign of the
+        // sine of the whole, and for arccos, in [0, π], it is a root itself.
+        let two = g.integer(2);
+        let more = g.add(one, pair.0);
+        let over = g.div(more, two);
+        let c = g.unary(Op::Sqrt, over);
+        let s = if matches!(g.node(base), Node::Unary(Op::Arccos, _)) {
+            let less = g.sub(one, pair.0);
+            let over = g.div(less, two);
+            g.unary(Op::Sqrt, over)
+        } else {
+            let twice = g.mul(two, c);
+            g.div(pair.1, twice)
+        };
+        Ok(Some(self.multiple((c, s), integer(&Rational::from(halves))?)))
+    }
+
+    /// (cos, sin) of n·π/12: a quarter turn n div 6 times, then π/12 = π/3 − π/4, π/6, π/4, π/3, 5π/12 = π/4 + π/6.
+    fn twelfths_of_pi(&mut self, n: i32) -> (Expr, Expr) {
+        let g = &mut *self.graph;
+        let (zero, one, two, three) = (g.integer(0), g.integer(1), g.integer(2), g.integer(3));
+        let half = g.div(one, two);
+        let (root2, root3) = (g.unary(Op::Sqrt, two), g.unary(Op::Sqrt, three));
+        let (cos45, cos30) = (g.div(root2, two), g.div(root3, two));
+        let (eighth, twelfth) = ((cos45, cos45), (cos30, half));
+        let minus = g.neg(cos45);
+        let part = match n % 6 {
+            0 => (one, zero),
+            1 => self.turn((half, cos30), (cos45, minus)),
+            2 => twelfth,
+            3 => eighth,
+            4 => (half, cos30),
+            _ => self.turn(eighth, twelfth),
+        };
+        let mut out = part;
+        for _ in 0..n / 6 {
+            out = (self.graph.neg(out.1), out.0);
+        }
+        out
+    }
+
+    /// e^argument.
+    fn exponential(&mut self, argument: Expr) -> Result<Expr, TooLarge> {
+        let combination: Combination = self.combinations.of(self.graph, argument);
+        let mut out = self.graph.integer(1);
+        for (m, q) in combination {
+            let factor = match self.power_of_log(&m, &q)? {
+                Some(e) => e,
+                None => {
+                    let n = self.exp_denominators.get(&m).cloned().unwrap_or(Rational::ONE);
+                    let times = integer(&(q * &n))?;
+                    let base = match self.exponentials.get(&m) {
+                        Some(&e) => e,
+                        None => {
+                            let part = expression(self.graph, &m, &(Rational::ONE / &n));
+                            let leaf = self.generators.add(Generator::Exponential(part)).ok_or(TooLarge)?;
+                            let e = self.graph.leaf(leaf);
+                            self.exponentials.insert(m.clone(), e);
+                            e
+                        }
+                    };
+                    self.graph.powi(base, times)
+                }
+            };
+            out = self.graph.mul(out, factor);
+        }
+        Ok(out)
+    }
+
+    /// exp(q·ln u) = u^q for q a multiple of ½.
+    fn power_of_log(&mut self, m: &Monomial, q: &Rational) -> Result<Option<Expr>, TooLarge> {
+        let &[(base, 1)] = m.as_slice() else { return Ok(None) };
+        let &Node::Unary(Op::Ln, u) = self.graph.node(base) else { return Ok(None) };
+        let Ok(halves) = i64::try_from(q * Rational::from(2)) else { return Ok(None) };
+        // The argument may have been made while lowering: the logarithm of a power's base.
+        let u = self.lower(u)?;
+        if halves % 2 == 0 {
+            let n = integer(&Rational::from(halves / 2))?;
+            return Ok(Some(self.graph.powi(u, n)));
+        }
+        let root = self.graph.unary(Op::Sqrt, u);
+        let n = integer(&Rational::from(halves))?;
+        Ok(Some(self.graph.powi(root, n)))
+    }
+}

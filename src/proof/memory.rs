@@ -1,0 +1,59 @@
+//! What was asked before of one graph: different premises often come to one question once definitions are inserted.
+//!
+//! Only answers that rest on the lowered question alone are kept: that no order of solving settles it. Proofs and
+//! refutations also say which definitions and which real points they rest on. Beside the answers, what expressions are by
+//! their structure alone is computed once.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use super::lower::Generator;
+use super::outcome::Reason;
+use super::prove::Lowered;
+use super::sign::Facts;
+use super::structure::Structure;
+use expr::Expr;
+
+/// Questions of one graph that no order of solving settled.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    open: Vec<(Asked, Reason)>,
+    pub(super) structure: Rc<RefCell<Structure>>,
+}
+
+/// Everything that decides what solving can do.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Asked {
+    premises: Vec<(Expr, bool)>,
+    claim: Vec<(Expr, Expr)>,
+    assumed: Vec<Expr>,
+    facts: Facts,
+    generators: Vec<Generator>,
+    most_nodes: usize,
+}
+
+impl Asked {
+    pub(super) fn new(lowered: &Lowered, most_nodes: usize) -> Asked {
+        Asked {
+            premises: lowered.premises.clone(),
+            claim: lowered.claim.clone(),
+            assumed: lowered.assumed.clone(),
+            facts: lowered.facts.clone(),
+            generators: lowered.generators.list.clone(),
+            most_nodes,
+        }
+    }
+}
+
+impl Memory {
+    pub(super) fn why_open(&self, asked: &Asked) -> Option<Reason> {
+        self.open.iter().find(|(a, _)| a == asked).map(|(_, reason)| reason.clone())
+    }
+
+    /// Keeps an answer, if it is one for every point.
+    pub(super) fn keep(&mut self, asked: Asked, reason: &Reason) {
+        if reason.is_about_solving() {
+            self.open.push((asked, reason.clone()));
+        }
+    }
+}

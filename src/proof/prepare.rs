@@ -1,0 +1,173 @@
+//! Premises before lowering: derivatives by time, explicit definitions.
+
+use super::insertion::put_in;
+use super::outcome::{Premises, Reason};
+use expr::{Expr, Graph, Leaf, Node, Op};
+use expr::{FastMap, FastSet};
+
+/// An equation among the premises.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Premise {
+    pub(super) left: Expr,
+    pub(super) right: Expr,
+    /// A derivative by time of a given one: used to solve for rates, and for nothing else as long as others are left.
+    pub(super) derived: bool,
+}
+
+/// The premises' equations, followed by as many of their derivatives by time as the highest rate that occurs asks for.
+pub(super) fn with_rates(
+    graph: &mut Graph,
+    premises: &Premises,
+    equations: &[(Expr, Expr)],
+) -> Result<Vec<Premise>, Reason> {
+    let mut all: Vec<Premise> =
+        premises.equations.iter().map(|&(left, right)| Premise { left, right, derived: false }).collect();
+    let Some(time) = premises.time else { return Ok(all) };
+    let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
+    let highest = |graph: &Graph, pairs: &[(Expr, Expr)]| -> Option<u8> {
+        let sides = pairs.iter().flat_map(|&(l, r)| [l, r]);
+        graph.leaves(sides).into_iter().filter(|l| l.instant.is_none() && moves(*l)).map(|l| l.rate).max()
+    };
+    let wanted = highest(graph, equations).max(highest(graph, &premises.equations)).unwrap_or(0);
+    for &(left, right) in &premises.equations {
+        let Some(own) = highest(graph, &[(left, right)]) else { continue };
+        let (mut left, mut right) = (left, right);
+        for _ in own..wanted {
+            left = graph.time_derivative(left, time, moves).map_err(|_| Reason::NoDerivative)?;
+            right = graph.time_derivative(right, time, moves).map_err(|_| Reason::NoDerivative)?;
+            all.push(Premise { left, right, derived: true });
+        }
+    }
+    Ok(all)
+}
+
+/// Leaves that stand in arguments of transcendental functions.
+pub(super) fn argument_leaves(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> FastSet<Leaf> {
+    let roots: Vec<Expr> = roots.into_iter().collect();
+    // Below cosine and sine, inverse functions are algebraic.
+    let mut outside: FastSet<Expr> = FastSet::default();
+    let mut open = roots.clone();
+    while let Some(e) = open.pop() {
+        if outside.insert(e) && !matches!(graph.node(e), Node::Unary(Op::Sin | Op::Cos | Op::Tan, _)) {
+            open.extend(graph.node(e).children());
+        }
+    }
+    let mut arguments = Vec::new();
+    for e in graph.reachable(roots) {
+        match *graph.node(e) {
+            Node::Unary(Op::Arcsin | Op::Arccos | Op::Arctan, _) | Node::Binary(Op::Arctan2, ..)
+                if !outside.contains(&e) => {}
+            Node::Unary(op, a) => match op {
+                Op::Neg | Op::Sqrt | Op::Abs | Op::Powi(_) => {}
+                // Their argument is known by its sum of angles.
+                Op::Sin | Op::Cos | Op::Tan if is_inverse(graph, a) => {}
+                _ => arguments.push(a),
+            },
+            Node::Binary(Op::Pow | Op::Arctan2 | Op::Agm, a, b) => arguments.extend([a, b]),
+            _ => {}
+        }
+    }
+    graph.leaves(arguments).into_iter().collect()
+}
+
+/// Whether an argument is an angle given by its cosine and sine, or a multiple of one.
+fn is_inverse(graph: &Graph, e: Expr) -> bool {
+    match *graph.node(e) {
+        Node::Unary(Op::Arcsin | Op::Arccos | Op::Arctan, _) | Node::Binary(Op::Arctan2, ..) => true,
+        Node::Unary(Op::Neg, a) => is_inverse(graph, a),
+        Node::Binary(Op::Mul, a, b) => {
+            graph.as_constant(a).is_some() && is_inverse(graph, b)
+                || graph.as_constant(b).is_some() && is_inverse(graph, a)
+        }
+        Node::Binary(Op::Div, a, b) => graph.as_constant(b).is_some() && is_inverse(graph, a),
+        _ => false,
+    }
+}
+
+/// Equations solved as they are written.
+pub(super) struct Explicit {
+    /// Leaf := expression without any of the defined leaves.
+    pub(super) definitions: FastMap<Leaf, Expr>,
+    /// What is left, with the definitions inserted.
+    pub(super) rest: Vec<Premise>,
+    /// Divided by.
+    pub(super) pivots: Vec<Expr>,
+}
+
+/// Takes `leaf = expression` as definitions, and solves for leaves in arguments of sin, exp … that occur linearly outside.
+pub(super) fn explicit(
+    graph: &mut Graph,
+    equations: &[Premise],
+    conclusions: &[(Expr, Expr)],
+    premises: &Premises,
+) -> Explicit {
+    let mut out = Explicit { definitions: FastMap::default(), rest: equations.to_vec(), pivots: Vec::new() };
+    loop {
+        let mut found = None;
+        for (at, p) in out.rest.iter().enumerate() {
+            if let Some(definition) = as_definition(graph, p.left, p.right, premises) {
+                found = Some((at, definition));
+                break;
+            }
+        }
+        if found.is_none() {
+            let sides = out.rest.iter().map(|p| (p.left, p.right)).chain(conclusions.iter().copied());
+            let sides = sides.flat_map(|(l, r)| [l, r]);
+            let arguments = argument_leaves(graph, sides);
+            found = linear_argument(graph, &mut out, &arguments, premises);
+        }
+        let Some((at, (leaf, value))) = found else { return out };
+        out.rest.remove(at);
+        let rest = out.rest.iter_mut().flat_map(|p| [&mut p.left, &mut p.right]);
+        put_in(graph, out.definitions.values_mut().chain(rest), leaf, value);
+        out.definitions.insert(leaf, value);
+    }
+}
+
+fn as_definition(graph: &Graph, left: Expr, right: Expr, premises: &Premises) -> Option<(Leaf, Expr)> {
+    let leaf = |e: Expr| match graph.node(e) {
+        Node::Leaf(leaf) if premises.time != Some(*leaf) => Some(*leaf),
+        _ => None,
+    };
+    let free = |leaf: Leaf, e: Expr| !graph.leaves([e]).contains(&leaf);
+    let forward = leaf(left).filter(|&l| free(l, right)).map(|l| (l, right));
+    let backward = leaf(right).filter(|&l| free(l, left)).map(|l| (l, left));
+    match (forward, backward) {
+        // Of two leaves the parameter stays.
+        (Some((l, _)), Some(back)) if premises.parameters.contains(&l) => Some(back),
+        (Some(forward), _) => Some(forward),
+        // A parameter on the right of an equation is not what the equation defines.
+        (None, back) => back.filter(|(l, _)| !premises.parameters.contains(l)),
+    }
+}
+
+fn linear_argument(
+    graph: &mut Graph,
+    out: &mut Explicit,
+    arguments: &FastSet<Leaf>,
+    premises: &Premises,
+) -> Option<(usize, (Leaf, Expr))> {
+    for (at, Premise { left, right, derived }) in out.rest.clone().into_iter().enumerate() {
+        if derived {
+            continue;
+        }
+        let mut unknowns = graph.leaves([left, right]);
+        unknowns.retain(|l| arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l));
+        for unknown in unknowns {
+            let residual = graph.sub(left, right);
+            let Ok(slope) = graph.partial_derivative(residual, unknown) else { continue };
+            if graph.is_zero(slope) || graph.leaves([slope]).contains(&unknown) {
+                continue;
+            }
+            let zero = graph.integer(0);
+            let rest = graph.substitute(residual, |_, l| (l == unknown).then_some(zero));
+            if graph.as_constant(slope).is_none() {
+                out.pivots.push(slope);
+            }
+            let quotient = graph.div(rest, slope);
+            let value = graph.neg(quotient);
+            return Some((at, (unknown, value)));
+        }
+    }
+    None
+}

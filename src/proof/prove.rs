@@ -1,0 +1,554 @@
+//! The procedure: premises prepared, lowered and solved; every case tested over finite fields and at real points.
+
+mod cases;
+
+use super::conditions::{conditions, raised};
+use super::field::{Trials, trials};
+use super::insertion::Insertion;
+use super::lower::{Generator, TooLarge};
+use super::lowered::question;
+use super::memory::{Asked, Memory};
+use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
+use super::prepare::{explicit, with_rates};
+use super::probe::Probe;
+use super::sign::Facts;
+use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
+use super::witness::{Found, Scene, refutation, targets, vanishing};
+use cases::{Outcome, Pivots, Stop, merge};
+use expr::{Expr, Graph, Leaf, Node, Op};
+use expr::{FastMap, FastSet};
+
+pub(super) use super::lowered::{Lowered, lower};
+use number::Draws;
+
+type Pairs = Vec<(Expr, Expr)>;
+
+/// Whether the equations hold wherever the premises do and both sides have a value.
+///
+/// See the [module](self::super) for the procedure, the theorem behind the bound, and what is not decided.
+///
+/// `given` may name derivatives by time; definitions among it are inserted. The graph gets new nodes and, once, one hidden
+/// symbol.
+pub fn identity_test(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, options: &Options) -> Identity {
+    identity_test_after(&mut Memory::default(), graph, equations, given, options)
+}
+
+/// The same, after other questions about the same graph.
+pub fn identity_test_after(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    options: &Options,
+) -> Identity {
+    match decide(memory, graph, equations, given, options) {
+        Ok(proof) => Identity::Proved(proof),
+        Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
+        Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => Identity::Undecided(reason),
+    }
+}
+
+/// The answer for a family of branches: a formula with ±, one list of equations for each choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branches {
+    /// For each branch: whether it holds by itself, at every point.
+    pub throughout: Vec<Identity>,
+    /// Whether at every point some branch holds (which one may change from point to point).
+    pub pointwise: Identity,
+}
+
+/// Tests a family of branches, as a whole and each by itself.
+///
+/// "Some branch at each point" is one identity: of the residuals f of the branches, ∏ f = 0; for systems, every product that
+/// takes one residual of each branch.
+pub fn branches_test(
+    graph: &mut Graph,
+    branches: &[Vec<(Expr, Expr)>],
+    given: &Premises,
+    options: &Options,
+) -> Branches {
+    branches_test_after(&mut Memory::default(), graph, branches, given, options)
+}
+
+/// The same, after other questions about the same graph.
+pub fn branches_test_after(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    branches: &[Vec<(Expr, Expr)>],
+    given: &Premises,
+    options: &Options,
+) -> Branches {
+    let throughout = branches.iter().map(|b| identity_test_after(memory, graph, b, given, options)).collect();
+    let zero = graph.integer(0);
+    let mut products = vec![graph.integer(1)];
+    for branch in branches {
+        let mut next = Vec::new();
+        for &p in &products {
+            for &(l, r) in branch {
+                let residual = graph.sub(l, r);
+                next.push(graph.mul(p, residual));
+            }
+        }
+        if next.len() > 256 {
+            return Branches { throughout, pointwise: Identity::Undecided(Reason::TooLarge) };
+        }
+        products = next;
+    }
+    let equations: Pairs = products.into_iter().map(|p| (p, zero)).collect();
+    Branches { throughout, pointwise: identity_test_after(memory, graph, &equations, given, options) }
+}
+
+impl From<TooLarge> for Reason {
+    fn from(_: TooLarge) -> Reason {
+        Reason::TooLarge
+    }
+}
+
+impl From<Failed> for Reason {
+    fn from(failed: Failed) -> Reason {
+        match failed {
+            Failed::Degenerate => Reason::Degenerate,
+            Failed::TooManyCases => Reason::TooLarge,
+        }
+    }
+}
+
+fn decide(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    options: &Options,
+) -> Result<Proof, Stop> {
+    let mut draws = Draws::new(options.seed);
+    let premises = with_rates(graph, given, equations)?;
+    let solved = explicit(graph, &premises, equations, given);
+    let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    let mut insertion = Insertion::new(&solved.definitions);
+    let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
+    let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
+    let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
+    let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
+    let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
+    let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
+    let facts = [nonzero.as_slice(), &positive, &not_negative];
+    let mut lowered =
+        lower(graph, &solved.rest, &claim, facts, &definitions, true, &mut memory.structure.borrow_mut().combinations)?;
+    let asked = Asked::new(&lowered, options.most_nodes);
+    if let Some(reason) = memory.why_open(&asked) {
+        return Err(reason.into());
+    }
+    let probe = Probe::new(&mut draws, std::rc::Rc::clone(&memory.structure));
+    let parameters: FastSet<Leaf> =
+        given.parameters.iter().copied().chain(given.positive.iter().filter_map(|&e| leaf_of(graph, e))).collect();
+    lowered.frozen.extend(given.time);
+    let limit = graph.len() + options.most_nodes;
+    let mut examination = Examination {
+        graph,
+        probe,
+        draws,
+        lowered,
+        parameters,
+        claim: equations,
+        premises: &premises,
+        given,
+        explicit: &solved.definitions,
+        options,
+        examples: options.attempts,
+        strategy: Strategy::AsGiven,
+        special: false,
+        seeded: true,
+        limit,
+        shortened: false,
+    };
+    let own = examination.lowered.premises.clone();
+    let settled = examination.generic(&own);
+    if let (Err(Stop::Undecided(reason)), false) = (&settled, examination.shortened) {
+        memory.keep(asked, reason);
+    }
+    let (mut proof, resolved) = settled?;
+    // Where a pivot vanishes, the premises may leave more open: looked at by themselves.
+    let mut pivots = Pivots::of(&mut examination, &resolved);
+    let limit = examination.graph.len() + MOST_SPECIAL_NODES;
+    examination.examples = if proof.example.is_some() { 6 } else { options.attempts };
+    for at in 0..pivots.list.len().min(options.special_cases as usize) {
+        // Where an equation of motion loses its highest rate, a point need not belong to a motion.
+        let singular = own.iter().any(|&(_, derived)| derived) && pivots.rooted.contains(&pivots.list[at]);
+        if singular || !is_simple(examination.graph, pivots.list[at]) || examination.graph.len() > limit {
+            continue;
+        }
+        let mut with_pivot = vec![(pivots.list[at], false)];
+        with_pivot.extend(&own);
+        examination.special = true;
+        let outcomes = examination.run(&with_pivot);
+        examination.special = false;
+        let Ok(outcomes) = outcomes else { continue };
+        match merge(outcomes) {
+            Ok((special, resolved)) => {
+                proof.absorb(special);
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &resolved).list);
+            }
+            Err(Stop::Refuted(refutation)) => return Err(Stop::Refuted(refutation)),
+            Err(Stop::Empty(Reason::Contradiction, cases)) => {
+                pivots.nested[at] = Some(Pivots::of(&mut examination, &cases).list);
+            }
+            Err(Stop::Undecided(defect @ Reason::Defect(_))) => return Err(defect.into()),
+            Err(Stop::Undecided(_) | Stop::Empty(..)) => {}
+        }
+    }
+    if proof.log2_error > options.target_log2_error {
+        return Err(Reason::Bound(proof.log2_error).into());
+    }
+    let needed = pivots.needed();
+    let Examination { graph, lowered, .. } = examination;
+    let mut all: Vec<Expr> = equations.iter().chain(&premises).flat_map(|&(l, r)| [l, r]).collect();
+    all.dedup();
+    proof.conditions = conditions(graph, &lowered, given, &resolved, &all, &solved.pivots, &needed);
+    // An example is one only if it is reached: nothing vanishes there that was divided by.
+    let divided = proof.conditions.iter().filter_map(|c| match *c {
+        Condition::Pivot(e) => Some(e),
+        _ => None,
+    });
+    let divided: Vec<Expr> = divided.collect();
+    proof.example = proof.example.take().filter(|point| vanishing(graph, &divided, point).is_none());
+    Ok(proof)
+}
+
+/// Special cases are given up when they have made this many nodes: their pivots stay conditions.
+const MOST_SPECIAL_NODES: usize = 2000;
+
+/// Signs by which one case is taken apart.
+const MOST_SIGNS_SPLIT: usize = 3;
+
+/// Whether it is worth while to look at the case that a pivot vanishes: it can be solved for something.
+fn is_simple(graph: &Graph, pivot: Expr) -> bool {
+    let nodes = graph.reachable([pivot]);
+    nodes.len() <= 48 && !nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt, _)))
+}
+
+/// Everything that the cases of one test share.
+struct Examination<'a> {
+    graph: &'a mut Graph,
+    probe: Probe,
+    draws: Draws,
+    lowered: Lowered,
+    parameters: FastSet<Leaf>,
+    claim: &'a [(Expr, Expr)],
+    premises: &'a [(Expr, Expr)],
+    given: &'a Premises,
+    explicit: &'a FastMap<Leaf, Expr>,
+    options: &'a Options,
+    /// Real points tried for an example of something proved.
+    examples: u32,
+    strategy: Strategy,
+    /// Whether the first premise says that something was divided by is 0: it is solved first.
+    special: bool,
+    /// Whether orthogonal matrices are parametrised.
+    seeded: bool,
+    /// The size of the graph at which solving is given up.
+    limit: usize,
+    /// Whether a reason was given that looks at a part of the pivots only.
+    shortened: bool,
+}
+
+impl Examination<'_> {
+    /// The first order of solving that settles the question.
+    fn generic(&mut self, premises: &[(Expr, bool)]) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let mut first = None;
+        let matrices = !self.lowered.orthogonal.definitions.is_empty();
+        for (seeded, strategy) in Strategy::ALL.map(|s| (true, s)).into_iter().chain(Strategy::ALL.map(|s| (false, s)))
+        {
+            if !seeded && !matrices {
+                break;
+            }
+            (self.strategy, self.seeded) = (strategy, seeded);
+            match self.run(premises).map_err(Stop::from).and_then(merge).or_else(|s| self.emptiness(premises, s)) {
+                Err(Stop::Undecided(reason)) if reason.is_about_solving() => drop(first.get_or_insert(reason)),
+                Err(Stop::Undecided(reason @ Reason::Branches { .. })) if matrices && seeded => {
+                    first.get_or_insert(reason);
+                }
+                settled => return settled,
+            }
+        }
+        Err(Stop::Undecided(first.unwrap_or(Reason::Degenerate)))
+    }
+
+    /// A contradiction is one only if the premises cannot hold where a pivot vanishes, either. If they can, everything is
+    /// decided there.
+    fn emptiness(&mut self, premises: &[(Expr, bool)], stop: Stop) -> Result<(Proof, Vec<Resolved>), Stop> {
+        let Stop::Empty(mut reason, cases) = stop else { return Err(stop) };
+        let is_empty = |r: &Reason| matches!(r, Reason::Contradiction | Reason::NoValue);
+        if !is_empty(&reason) {
+            return Err(Stop::Undecided(reason));
+        }
+        let (mut open, mut proof): (Option<Expr>, Option<(Proof, Vec<Resolved>)>) = (None, None);
+        // Once a pivot is open, nothing is proved or contradictory any more, and what holds derivatives is not refuted.
+        let idle = match self.options.wanted {
+            Wanted::Answer => false,
+            Wanted::Proof => true,
+            Wanted::Fault => premises.iter().any(|&(_, derived)| derived),
+        };
+        let pivots = Pivots::of(self, &cases).list;
+        let before = self.graph.len();
+        for (at, &pivot) in pivots.iter().enumerate() {
+            if idle && open.is_some() {
+                // What is not looked at counts as if it had been: other orders of solving get no more room for it.
+                let each = (self.graph.len() - before) / at.max(1);
+                self.limit = self.limit.saturating_sub(each.saturating_mul(pivots.len() - at));
+                self.shortened = true;
+                break;
+            }
+            let mut special = vec![(pivot, false)];
+            special.extend(premises);
+            self.special = true;
+            let found = self.run(&special).map_err(Stop::from).and_then(merge);
+            self.special = false;
+            match found {
+                // A point that satisfies all premises refutes, wherever it was found.
+                Err(refuted @ Stop::Refuted(_)) if !premises.iter().any(|&(_, derived)| derived) => {
+                    return Err(refuted);
+                }
+                Ok((one, cases)) => match &mut proof {
+                    None => proof = Some((one, cases)),
+                    Some((all, list)) => {
+                        all.absorb(one);
+                        list.extend(cases);
+                    }
+                },
+                Err(Stop::Empty(special, cases)) if is_empty(&special) && Pivots::of(self, &cases).list.is_empty() => {
+                    if special == Reason::NoValue {
+                        reason = special;
+                    }
+                }
+                _ => open = Some(open.map_or(pivot, |all| self.graph.mul(all, pivot))),
+            }
+        }
+        match (open, proof) {
+            (Some(pivots), _) => {
+                Err(Stop::Undecided(Reason::OnlyWhere(raised(self.graph, &self.lowered.generators, pivots))))
+            }
+            (None, Some(proof)) => Ok(proof),
+            (None, None) => Err(Stop::Undecided(match self.boundary() {
+                Some(base) if reason == Reason::Contradiction => Reason::Boundary(base),
+                _ => reason,
+            })),
+        }
+    }
+
+    /// The base of a power in the premises that is not known to be positive: where it is 0, the power has a value, and is
+    /// not what it was taken for.
+    fn boundary(&mut self) -> Option<Expr> {
+        let mut facts = Facts::default();
+        self.given.positive.iter().for_each(|&e| facts.note_positive(self.graph, e));
+        let roots = self.premises.iter().flat_map(|&(l, r)| [l, r]);
+        let bases = self.graph.reachable(roots).into_iter().filter_map(|e| match *self.graph.node(e) {
+            Node::Binary(Op::Pow, a, _) => Some(a),
+            _ => None,
+        });
+        let bases: Vec<Expr> = bases.collect();
+        bases.into_iter().find(|&a| {
+            let known = facts.sign(self.graph, &self.lowered.generators, a);
+            !(known.not_negative && known.nonzero)
+        })
+    }
+
+    /// All cases of the given lowered premises.
+    fn run(&mut self, premises: &[(Expr, bool)]) -> Result<Vec<(Resolved, Outcome)>, Reason> {
+        let seeds: &[(Leaf, Expr)] = if self.seeded { &self.lowered.orthogonal.definitions } else { &[] };
+        let cases = Solver {
+            graph: self.graph,
+            generators: &mut self.lowered.generators,
+            probe: &mut self.probe,
+            facts: &self.lowered.facts,
+            given_facts: &self.lowered.given_facts,
+            frozen: &self.lowered.frozen,
+            parameters: &self.parameters,
+            strategy: self.strategy,
+            special: self.special,
+            limit: self.limit,
+        }
+        .solve(premises, seeds)?;
+        // Room for as many cases and special cases as there may be.
+        let target_log2_error = self.options.target_log2_error - 8.0;
+        let each = Options { target_log2_error, ..*self.options };
+        let mut out = Vec::new();
+        for case in cases {
+            let outcome = match case.empty {
+                true if case.no_value => Outcome::Empty(Reason::NoValue),
+                true => Outcome::Empty(Reason::Contradiction),
+                false => self.case(&case, &each),
+            };
+            out.push((case, outcome));
+        }
+        Ok(out)
+    }
+
+    fn case(&mut self, case: &Resolved, options: &Options) -> Outcome {
+        let map = closed(self.graph, &case.definitions);
+        if self.clashes(&map) {
+            return Outcome::Empty(Reason::Contradiction);
+        }
+        let claim = self.lowered.claim.clone();
+        let residuals: Vec<Expr> = match case.void {
+            // That it divides by 0 is tested like a claim.
+            Some(denominator) => vec![denominator],
+            None => claim.iter().map(|&(l, r)| self.graph.sub(l, r)).collect(),
+        };
+        let mut outcome = self.trials(case, &map, residuals.clone(), options, false);
+        if case.void.is_some() {
+            return match outcome {
+                Trials::Vanish(bound) => Outcome::Void(bound),
+                Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+                _ => Outcome::Empty(Reason::Degenerate),
+            };
+        }
+        if outcome == Trials::NoValue {
+            outcome = self.trials(case, &map, residuals, options, true);
+        }
+        let mut sides = Pairs::new();
+        for &(l, r) in &self.lowered.claim {
+            sides.push((insert_definitions(self.graph, &map, l), insert_definitions(self.graph, &map, r)));
+        }
+        let scene = Scene {
+            targets: targets(self.graph, &self.lowered.generators, &map),
+            graph: self.graph,
+            generators: &self.lowered.generators,
+            claim: self.claim,
+            lowered: &sides,
+            premises: self.premises,
+            nonzero: &self.given.nonzero,
+            positive: &self.given.positive,
+            not_negative: &self.given.not_negative,
+            explicit: self.explicit,
+            defined: &map,
+        };
+        match outcome {
+            Trials::Vanish(bound) => {
+                let found = look(&scene, &mut self.draws, self.examples, |f| !f.is_empty());
+                if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
+                    let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
+                    let what = format!("proved over finite fields, but at a real point: {sides}");
+                    return Outcome::Open(Reason::Defect(what));
+                }
+                Outcome::Holds(Box::new(Proof {
+                    log2_error: bound.log2_error,
+                    degree_bound: bound.degree,
+                    height_bound: bound.height,
+                    trials: bound.primes.len(),
+                    primes: bound.primes,
+                    signs: bound.signs,
+                    cases: 1,
+                    conditions: Vec::new(),
+                    example: found.into_iter().next().map(|f| f.point),
+                }))
+            }
+            Trials::Fail { failing, of } => {
+                // An exact point is looked for beyond the first that refutes, for a while.
+                let enough = |f: &[Found]| {
+                    refutation(f).is_some_and(|r| {
+                        f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
+                    })
+                };
+                match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
+                    Some(refutation) => Outcome::Refuted(Box::new(refutation)),
+                    None => {
+                        let split = if failing < of { self.split_by_sign(case, options) } else { None };
+                        split.unwrap_or(Outcome::Open(Reason::Branches { failing, of }))
+                    }
+                }
+            }
+            Trials::Contradiction => Outcome::Empty(Reason::Contradiction),
+            Trials::Void(bound) => Outcome::Void(bound),
+            Trials::NoValue => Outcome::Empty(Reason::Degenerate),
+            Trials::Unsettled(reason) => Outcome::Open(reason),
+        }
+    }
+
+    /// A case that fails for some choice of signs, and at no real point, taken apart by the first sign in its definitions:
+    /// what is given may exclude one of the two. `None` where that does not settle it.
+    fn split_by_sign(&mut self, case: &Resolved, options: &Options) -> Option<Outcome> {
+        let values: Vec<Expr> = case.definitions.iter().map(|&(_, e)| e).collect();
+        let defined = |l: &Leaf| case.definitions.iter().any(|(d, _)| d == l);
+        let generators = &self.lowered.generators;
+        let is_sign = |l: &Leaf| generators.get(*l) == Some(&Generator::Sign) && !defined(l);
+        let split = case.definitions.iter().filter(|(l, _)| generators.get(*l) == Some(&Generator::Sign)).count();
+        let leaf = self.graph.leaves(values).into_iter().find(is_sign).filter(|_| split < MOST_SIGNS_SPLIT)?;
+        let mut outcomes = Vec::new();
+        for value in [1, -1] {
+            let mut one = case.clone();
+            one.define_sign(leaf, self.graph.integer(value));
+            let outcome = self.case(&one, options);
+            if let Outcome::Open(_) = outcome {
+                return None;
+            }
+            outcomes.push((one, outcome));
+        }
+        match merge(outcomes) {
+            Ok((proof, _)) => Some(Outcome::Holds(Box::new(proof))),
+            Err(Stop::Refuted(refutation)) => Some(Outcome::Refuted(refutation)),
+            Err(Stop::Empty(reason, _)) => Some(Outcome::Empty(reason)),
+            Err(Stop::Undecided(_)) => None,
+        }
+    }
+
+    /// The trials of one case; `with_pivots`, choices of signs without a value are left out, where that can be told.
+    fn trials(
+        &mut self,
+        case: &Resolved,
+        map: &FastMap<Leaf, Expr>,
+        residuals: Vec<Expr>,
+        options: &Options,
+        with_pivots: bool,
+    ) -> Trials {
+        let question = question(self.graph, &mut self.lowered, &mut self.probe, (case, map), residuals, with_pivots);
+        trials(self.graph, &self.lowered.generators, &question, options, &mut self.draws)
+    }
+
+    /// Whether something given as positive is not, by its structure, once the definitions are inserted.
+    fn clashes(&mut self, map: &FastMap<Leaf, Expr>) -> bool {
+        // An exponential that is solved for is positive, whatever it is solved as.
+        let solved: Vec<Expr> = map
+            .iter()
+            .filter(|(l, _)| matches!(self.lowered.generators.get(**l), Some(Generator::Exponential(_))))
+            .map(|(_, &e)| e)
+            .collect();
+        if solved.iter().any(|&e| {
+            let Examination { graph, lowered, probe, .. } = &mut *self;
+            lowered.facts.sign_after(graph, &lowered.generators, e, &mut probe.signs).not_positive
+        }) {
+            return true;
+        }
+        let Facts { positive, not_negative, .. } = &self.lowered.given_facts;
+        let mut facts: Vec<(Expr, bool)> = positive.iter().map(|&e| (e, true)).collect();
+        facts.extend(not_negative.iter().map(|&e| (e, false)));
+        facts.sort_unstable();
+        let mut insertion = Insertion::new(map);
+        facts.into_iter().any(|(e, strict)| {
+            let image = insertion.put_into(self.graph, e);
+            let Examination { graph, lowered, probe, .. } = self;
+            let known = lowered.facts.sign_by_parts(graph, &lowered.generators, image, &mut probe.signs);
+            known.not_positive && (strict || known.nonzero)
+        })
+    }
+}
+
+fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
+    match graph.node(e) {
+        Node::Leaf(leaf) => Some(*leaf),
+        _ => None,
+    }
+}
+
+fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[Found]) -> bool) -> Vec<Found> {
+    let mut found = Vec::new();
+    let frame = scene.frame();
+    for number in 0..attempts {
+        if let Some(f) = scene.attempt(&frame, number, draws) {
+            found.push(f);
+            if enough(&found) {
+                break;
+            }
+        }
+    }
+    found
+}

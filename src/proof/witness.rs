@@ -1,0 +1,591 @@
+//! Real points that satisfy the premises: witnesses against an identity, examples for one.
+//!
+//! A point is built in the order of the resolution: small rational values for the free leaves, angles with rational cosine
+//! and sine, then the definitions. It counts only after every premise, as it was given, has been evaluated there and found to
+//! hold; so a mistake in the resolution can lose a witness, not forge one. Sides are computed twice: in binary64 from the
+//! formulas as given, and exactly from the lowered formulas where every root is rational.
+
+use super::exact::Exact;
+use super::linear::Combinations;
+use super::lower::{Generator, Generators};
+use super::outcome::{Point, PointValue, Refutation, Side};
+use expr::tape::{Slots, Tape};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational};
+use expr::{FastMap, FastSet};
+use number::{Bounded, Draws, NoValue, Number};
+
+/// Everything a point is built from and tested with.
+pub(super) struct Scene<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) generators: &'a Generators,
+    /// The claim as given.
+    pub(super) claim: &'a [(Expr, Expr)],
+    /// The claim lowered, with all definitions inserted; roots are positive roots.
+    pub(super) lowered: &'a [(Expr, Expr)],
+    /// Premises as given, with their derivatives by time.
+    pub(super) premises: &'a [(Expr, Expr)],
+    pub(super) nonzero: &'a [Expr],
+    pub(super) positive: &'a [Expr],
+    pub(super) not_negative: &'a [Expr],
+    /// Definitions before lowering.
+    pub(super) explicit: &'a FastMap<Leaf, Expr>,
+    /// Definitions of the case, closed.
+    pub(super) defined: &'a FastMap<Leaf, Expr>,
+    /// What gets its value from a generator that is solved for, see [`targets`].
+    pub(super) targets: Vec<Target>,
+}
+
+/// A leaf that the argument of a generator is solved for, because the generator itself is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Target {
+    /// Number of the generator: a cosine or an exponential.
+    generator: usize,
+    leaf: Leaf,
+    /// The argument is a multiple of leaf or of 1/leaf: 1 or −1.
+    power: i32,
+}
+
+/// For each cosine and exponential that is solved for, what its argument can be solved for: its only leaf, or one that
+/// stands in no other argument.
+pub(super) fn targets(graph: &Graph, generators: &Generators, defined: &FastMap<Leaf, Expr>) -> Vec<Target> {
+    let arguments: Vec<(usize, Expr)> =
+        generators.list.iter().enumerate().filter_map(|(at, g)| Some((at, g.argument()?))).collect();
+    let mut out: Vec<Target> = Vec::new();
+    for (at, generator) in generators.list.iter().enumerate() {
+        let (argument, own) = match *generator {
+            Generator::Cosine(a) => (a, at..at + 2),
+            Generator::Exponential(a) => (a, at..at + 1),
+            _ => continue,
+        };
+        if !own.clone().any(|i| generators.leaf(i).is_some_and(|l| defined.contains_key(&l))) {
+            continue;
+        }
+        let combination = Combinations::default().of(graph, argument);
+        let mut terms = combination.into_iter();
+        let (Some((monomial, _)), None) = (terms.next(), terms.next()) else { continue };
+        let single = monomial.len() == 1;
+        let found = monomial.iter().find_map(|&(base, power)| {
+            let &Node::Leaf(leaf) = graph.node(base) else { return None };
+            let known = defined.contains_key(&leaf) || generators.get(leaf).is_some();
+            let elsewhere = || {
+                let others = monomial.iter().filter(|(b, _)| *b != base).map(|&(b, _)| b);
+                let arguments = arguments.iter().filter(|(i, _)| !own.contains(i)).map(|&(_, a)| a);
+                others.chain(arguments).any(|e| graph.leaves([e]).contains(&leaf))
+            };
+            let free = power.abs() == 1 && !known && !out.iter().any(|t| t.leaf == leaf) && (single || !elsewhere());
+            free.then_some(Target { generator: at, leaf, power })
+        });
+        out.extend(found);
+    }
+    out
+}
+
+/// A point that satisfies all premises, and what the claim's sides are there.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) point: Point,
+    pub(super) sides: Vec<(Side, Side)>,
+    /// First equation whose sides certainly differ.
+    pub(super) differs: Option<usize>,
+    /// Whether every equation's sides agree within rounding.
+    pub(super) agrees: bool,
+}
+
+const MAGNITUDES: [(i64, i64); 10] = [(1, 1), (2, 1), (3, 1), (1, 2), (3, 2), (5, 1), (1, 3), (4, 1), (2, 3), (7, 2)];
+/// Numbers below 1: entries of rotations with rational coefficients, above all.
+const SMALL: [(i64, i64); 10] = [(1, 3), (2, 3), (0, 1), (3, 5), (4, 5), (2, 7), (3, 7), (6, 7), (1, 2), (1, 4)];
+/// Half-angle tangents: cosine and sine are 3/5 and 4/5, 5/13 and 12/13 …
+const TANGENTS: [(i64, i64); 8] = [(1, 2), (1, 3), (2, 3), (-1, 2), (1, 4), (3, 2), (-1, 3), (3, 1)];
+
+fn ratio((n, d): (i64, i64)) -> Rational {
+    Rational::from(n) / Rational::from(d)
+}
+
+/// Values of several expressions.
+fn evaluate<N: Number<Context = ()>>(
+    graph: &Graph,
+    exprs: &[Expr],
+    value: impl Fn(Leaf) -> Option<N>,
+) -> (Tape, Slots<N>) {
+    let leaves = graph.leaves(exprs.iter().copied());
+    // Every leaf is an input, so the program exists.
+    let tape = Tape::compile(graph, &leaves, exprs).unwrap_or_default();
+    let mut slots: Slots<N> = tape.slots(&());
+    for (i, &leaf) in leaves.iter().enumerate() {
+        slots.set(i, value(leaf).ok_or(NoValue::Unsupported));
+    }
+    tape.run(&(), &mut slots);
+    (tape, slots)
+}
+
+/// Values of expressions with bounds of their errors.
+///
+/// An angle atan2(y, x) that the bounds place on both sides of the negative half-axis has no value here: [`Bounded`] would
+/// yield one of two representatives.
+fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+    let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
+    let torn = tape.instructions().iter().any(|i| {
+        let y = slots.value(i.a as usize);
+        i.op == Op::Arctan2 && y.error > 0.0 && y.contains_zero() && slots.value(i.b as usize).value < 0.0
+    });
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
+}
+
+/// The value of a rational, with its rounding.
+fn rounded(r: &Rational) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    Number::rational(&mut out, &(), r).ok()?;
+    Some(out)
+}
+
+type Values = FastMap<Leaf, Bounded>;
+
+/// What all points of a scene have in common.
+pub(super) struct Frame {
+    /// The leaves of the problem as given.
+    given: Vec<Leaf>,
+    /// These and those of the lowered problem.
+    wanted: Vec<Leaf>,
+    /// Leaves that are given as positive.
+    declared: FastSet<Leaf>,
+    /// The leaves that a definition needs.
+    needs: FastMap<Expr, Vec<Leaf>>,
+    /// For arguments of generators that are multiples of a leaf, the factor and the leaf.
+    multiples: FastMap<Expr, Option<(Rational, Leaf)>>,
+}
+
+/// What was computed at one point: expressions share most of their nodes.
+#[derive(Default)]
+struct Computed {
+    decimal: super::values::Values<Bounded>,
+    precise: super::values::Values<Exact>,
+    /// Angles that the bounds place on both sides of the cut.
+    torn: Vec<Expr>,
+}
+
+impl Computed {
+    /// What [`decimals`] gives. Every leaf has its value by now.
+    fn decimals(&mut self, graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+        let new = self.decimal.missing(graph, exprs);
+        for &e in &new {
+            if let Node::Leaf(leaf) = graph.node(e) {
+                self.decimal.set(e, values.get(leaf).copied().ok_or(NoValue::Unsupported));
+            }
+        }
+        self.decimal.compute(&(), graph, &new);
+        for &e in &new {
+            if let &Node::Binary(Op::Arctan2, y, x) = graph.node(e)
+                && let (Some(Ok(y)), Some(Ok(x))) = (self.decimal.of(y), self.decimal.of(x))
+                && y.error > 0.0
+                && y.contains_zero()
+                && x.value < 0.0
+            {
+                self.torn.push(e);
+            }
+        }
+        let torn = !self.torn.is_empty() && {
+            let below = graph.reachable(exprs.iter().copied());
+            self.torn.iter().any(|e| below.contains(e))
+        };
+        exprs.iter().map(|&e| self.decimal.of(e)?.ok().filter(|_| !torn)).collect()
+    }
+
+    /// Exact values, from those of the leaves that have one: no other leaf gets one later.
+    fn exactly(&mut self, graph: &Graph, exprs: &[Expr], exact: &FastMap<Leaf, Rational>) -> Vec<Option<Rational>> {
+        let new = self.precise.missing(graph, exprs);
+        for &e in &new {
+            if let Node::Leaf(leaf) = graph.node(e) {
+                self.precise.set(e, exact.get(leaf).cloned().map(Exact).ok_or(NoValue::Unsupported));
+            }
+        }
+        self.precise.compute(&(), graph, &new);
+        exprs.iter().map(|&e| self.precise.of(e)?.ok().map(|e| e.0)).collect()
+    }
+}
+
+impl Scene<'_> {
+    /// What is the same at all points.
+    pub(super) fn frame(&self) -> Frame {
+        let all: Vec<Expr> = self.everything();
+        let given = self.graph.leaves(all.iter().copied());
+        let wanted = self.graph.leaves(all.into_iter().chain(self.lowered_exprs()));
+        let leaf = |&e: &Expr| match self.graph.node(e) {
+            Node::Leaf(l) => Some(*l),
+            _ => None,
+        };
+        let definitions = self.defined.values().chain(self.explicit.values());
+        let arguments = self.generators.list.iter().filter_map(Generator::argument);
+        Frame {
+            given,
+            wanted,
+            declared: self.positive.iter().filter_map(leaf).collect(),
+            needs: definitions.map(|&e| (e, self.graph.leaves([e]))).collect(),
+            multiples: arguments.map(|e| (e, self.multiple_of_leaf(e))).collect(),
+        }
+    }
+
+    /// Tries one point.
+    pub(super) fn attempt(&self, frame: &Frame, number: u32, draws: &mut Draws) -> Option<Found> {
+        let Frame { given, wanted, declared, .. } = frame;
+        let mut computed = Computed::default();
+        let mut exact: FastMap<Leaf, Rational> = FastMap::default();
+        let mut values = Values::default();
+        let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
+        self.angles(frame, number, draws, &mut values, &mut circles);
+        for &leaf in wanted {
+            if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free)
+                || values.contains_key(&leaf)
+                || self.explicit.contains_key(&leaf)
+                || self.defined.contains_key(&leaf)
+                || self.awaited(leaf)
+            {
+                continue;
+            }
+            let mut r = if number % 3 == 2 && !declared.contains(&leaf) {
+                ratio(SMALL[draws.below(10) as usize])
+            } else {
+                ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
+            };
+            if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
+                r = -r;
+            }
+            values.insert(leaf, rounded(&r)?);
+            exact.insert(leaf, r);
+        }
+        self.signs(draws, &mut values, &mut exact);
+        // What is solved for may depend on generators, whose arguments may depend on what is solved for.
+        loop {
+            let before = values.len();
+            self.generate((frame, &mut computed), &mut values, &mut exact, &circles)?;
+            self.define((frame, &mut computed), self.defined, &mut values, &mut exact)?;
+            self.invert_solved(&mut values, &exact, &mut circles, draws)?;
+            self.define((frame, &mut computed), self.explicit, &mut values, &mut exact)?;
+            if values.len() == before {
+                break;
+            }
+        }
+        if given.iter().any(|l| !values.contains_key(l)) {
+            return None;
+        }
+        if !self.admits(&mut computed, &values) {
+            return None;
+        }
+        let mut found = self.sides(&mut computed, &values, &exact)?;
+        let point = given
+            .iter()
+            .filter(|l| self.generators.get(**l).is_none())
+            .filter_map(|&l| {
+                let value = PointValue {
+                    exact: exact.get(&l).cloned(),
+                    circle: circles.get(&l).filter(|_| self.is_whole_angle(l)).cloned(),
+                    decimal: values.get(&l)?.value,
+                };
+                Some((l, value))
+            })
+            .collect();
+        found.point = Point { values: point };
+        Some(found)
+    }
+
+    /// Whether a generator is the cosine of a leaf itself: cosine and sine of another part of it do not say what it is.
+    fn is_whole_angle(&self, leaf: Leaf) -> bool {
+        self.generators.list.iter().any(|g| match *g {
+            Generator::Cosine(a) => matches!(self.graph.node(a), Node::Leaf(l) if *l == leaf),
+            _ => false,
+        })
+    }
+
+    fn everything(&self) -> Vec<Expr> {
+        let sides = self.claim.iter().chain(self.premises).flat_map(|&(l, r)| [l, r]);
+        let facts = self.nonzero.iter().chain(self.positive).chain(self.not_negative);
+        sides.chain(facts.copied()).collect()
+    }
+
+    fn lowered_exprs(&self) -> Vec<Expr> {
+        let sides = self.lowered.iter().flat_map(|&(l, r)| [l, r]);
+        let arguments = self.generators.list.iter().filter_map(Generator::argument);
+        sides.chain(self.defined.values().copied()).chain(self.explicit.values().copied()).chain(arguments).collect()
+    }
+
+    /// q and leaf when e = q·leaf.
+    fn multiple_of_leaf(&self, e: Expr) -> Option<(Rational, Leaf)> {
+        let combination = Combinations::default().of(self.graph, e);
+        let mut terms = combination.into_iter();
+        let (Some((m, q)), None) = (terms.next(), terms.next()) else { return None };
+        match m.as_slice() {
+            &[(base, 1)] => match self.graph.node(base) {
+                Node::Leaf(leaf) => Some((q, *leaf)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn generator_leaf(&self, at: usize) -> Option<Leaf> {
+        self.generators.leaf(at)
+    }
+
+    /// Whether a leaf gets its value from a generator that is solved for.
+    fn awaited(&self, leaf: Leaf) -> bool {
+        self.targets.iter().any(|t| t.leaf == leaf)
+    }
+
+    /// Angles that occur only as such: half-angle tangents are rational.
+    fn angles(
+        &self,
+        frame: &Frame,
+        number: u32,
+        draws: &mut Draws,
+        values: &mut Values,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
+    ) {
+        for at in 0..self.generators.list.len() {
+            let Generator::Cosine(argument) = self.generators.list[at] else { continue };
+            let Some(&Some((ref q, leaf))) = frame.multiples.get(&argument) else { continue };
+            if self.awaited(leaf) || self.explicit.contains_key(&leaf) || self.defined.contains_key(&leaf) {
+                continue;
+            }
+            let others = self.generators.list.iter().enumerate().any(|(i, g)| match *g {
+                Generator::Cosine(a) | Generator::Exponential(a) | Generator::Opaque(a) if i != at => {
+                    self.graph.leaves([a]).contains(&leaf)
+                }
+                _ => false,
+            });
+            let outside = self.lowered.iter().flat_map(|&(l, r)| [l, r]).chain(self.defined.values().copied());
+            if others || self.graph.leaves(outside).contains(&leaf) {
+                continue;
+            }
+            let t = ratio(TANGENTS[draws.below(if number < 24 { 4 } else { 8 }) as usize]);
+            let square = &t * &t;
+            let under = Rational::ONE + &square;
+            circles.insert(leaf, ((Rational::ONE - &square) / &under, (&t + &t) / &under));
+            let angle = rounded(&t).and_then(|t| function(|out| Number::arctan(out, &(), &t)));
+            let factor = rounded(&(Rational::from(2) / q));
+            if let (Some(angle), Some(factor)) = (angle, factor) {
+                values.extend(function(|out| Number::mul(out, &(), &angle, &factor)).map(|v| (leaf, v)));
+            }
+        }
+    }
+
+    fn signs(&self, draws: &mut Draws, values: &mut Values, exact: &mut FastMap<Leaf, Rational>) {
+        for at in 0..self.generators.list.len() {
+            if let (Generator::Sign, Some(leaf)) = (&self.generators.list[at], self.generator_leaf(at))
+                && !self.defined.contains_key(&leaf)
+            {
+                let sign = if draws.bits() & 1 == 0 { 1 } else { -1 };
+                values.insert(leaf, Bounded::exact(f64::from(sign)));
+                exact.insert(leaf, Rational::from(sign));
+            }
+        }
+    }
+
+    /// Definitions whose leaves have values; `None` when one of them has no real value.
+    fn define(
+        &self,
+        (frame, computed): (&Frame, &mut Computed),
+        definitions: &FastMap<Leaf, Expr>,
+        values: &mut Values,
+        exact: &mut FastMap<Leaf, Rational>,
+    ) -> Option<()> {
+        let mut open: Vec<(Leaf, Expr)> = definitions.iter().map(|(&l, &e)| (l, e)).collect();
+        open.retain(|&(l, e)| {
+            let needs = || frame.needs.get(&e).is_some_and(|needs| needs.iter().all(|l| values.contains_key(l)));
+            !values.contains_key(&l) && needs()
+        });
+        open.sort_unstable();
+        let exprs: Vec<Expr> = open.iter().map(|&(_, e)| e).collect();
+        let decimal = computed.decimals(self.graph, &exprs, values);
+        let precise = computed.exactly(self.graph, &exprs, exact);
+        for ((&(leaf, _), decimal), precise) in open.iter().zip(decimal).zip(precise) {
+            values.insert(leaf, decimal?);
+            exact.extend(precise.map(|r| (leaf, r)));
+        }
+        Some(())
+    }
+
+    /// Values of the generators that are not solved for and whose arguments have values.
+    fn generate(
+        &self,
+        (frame, computed): (&Frame, &mut Computed),
+        values: &mut Values,
+        exact: &mut FastMap<Leaf, Rational>,
+        circles: &FastMap<Leaf, (Rational, Rational)>,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            if self.defined.contains_key(&leaf) || values.contains_key(&leaf) {
+                continue;
+            }
+            let argument = match self.generators.list[at] {
+                Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) | Generator::Opaque(a) => a,
+                Generator::Sign | Generator::Half | Generator::Free => continue,
+            };
+            if !self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                continue;
+            }
+            let value = computed.decimals(self.graph, &[argument], values)[0]?;
+            let value = match self.generators.list[at] {
+                Generator::Cosine(_) => function(|out| Number::cos(out, &(), &value)),
+                Generator::Sine(_) => function(|out| Number::sin(out, &(), &value)),
+                Generator::Exponential(_) => function(|out| Number::exp(out, &(), &value)),
+                _ => Some(value),
+            };
+            values.insert(leaf, value?);
+            let multiple = frame.multiples.get(&argument).and_then(Option::as_ref);
+            let rational = multiple.and_then(|(_, l)| circles.get(l));
+            match (&self.generators.list[at], rational) {
+                (Generator::Cosine(_), Some((c, _))) => drop(exact.insert(leaf, c.clone())),
+                (Generator::Sine(_), Some((_, s))) => drop(exact.insert(leaf, s.clone())),
+                _ => {}
+            }
+        }
+        Some(())
+    }
+
+    /// Angles whose cosine and sine, and exponents whose exponential, were solved for.
+    fn invert_solved(
+        &self,
+        values: &mut Values,
+        exact: &FastMap<Leaf, Rational>,
+        circles: &mut FastMap<Leaf, (Rational, Rational)>,
+        draws: &mut Draws,
+    ) -> Option<()> {
+        for at in 0..self.generators.list.len() {
+            let Some(leaf) = self.generator_leaf(at) else { continue };
+            let (argument, circle) = match self.generators.list[at] {
+                Generator::Cosine(a) => (a, true),
+                Generator::Exponential(a) => (a, false),
+                _ => continue,
+            };
+            let sine = self.generators.leaf(at + 1);
+            let solved = |l: Option<Leaf>| l.is_some_and(|l| self.defined.contains_key(&l));
+            if !(solved(Some(leaf)) || circle && solved(sine)) {
+                continue;
+            }
+            let target = self.targets.iter().find(|t| t.generator == at)?;
+            if values.contains_key(&target.leaf) {
+                continue;
+            }
+            // The argument where the leaf is 1.
+            let one = rounded(&Rational::ONE)?;
+            values.insert(target.leaf, one);
+            let unit = match self.graph.leaves([argument]).iter().all(|l| values.contains_key(l)) {
+                true => decimals(self.graph, &[argument], values)[0],
+                false => None,
+            };
+            values.remove(&target.leaf);
+            let Some(unit) = unit else { continue };
+            let mut inverse = if circle {
+                let (Some(&c), Some(&s)) = (values.get(&leaf), values.get(&sine?)) else { continue };
+                if let (Some(c), Some(s)) = (exact.get(&leaf), exact.get(&sine?)) {
+                    circles.insert(target.leaf, (c.clone(), s.clone()));
+                }
+                // Either end of the cut is an angle with this cosine and sine.
+                function(|out| Number::arctan2(out, &(), &s, &c))
+            } else {
+                let Some(e) = values.get(&leaf) else { continue };
+                function(|out| Number::ln(out, &(), e))
+            };
+            // Every angle with this cosine and sine is one.
+            if circle && draws.bits() & 3 == 0 {
+                let turn = function(|out| Number::pi(out, &()));
+                let turns = Bounded::exact(if draws.bits() & 1 == 0 { 2.0 } else { -2.0 });
+                let turned = turn.and_then(|pi| function(|out| Number::mul(out, &(), &turns, &pi)));
+                inverse = turned.zip(inverse).and_then(|(t, a)| function(|out| Number::add(out, &(), &a, &t)));
+            }
+            let inverse = inverse?;
+            let (above, below) = if target.power > 0 { (inverse, unit) } else { (unit, inverse) };
+            values.insert(target.leaf, function(|out| Number::div(out, &(), &above, &below))?);
+        }
+        Some(())
+    }
+
+    /// Whether the premises hold at a point, as far as the bounds tell, and these are small.
+    fn admits(&self, computed: &mut Computed, values: &Values) -> bool {
+        let sides: Vec<Expr> = self.premises.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let equal = computed.decimals(self.graph, &sides, values).chunks(2).all(|pair| match pair {
+            &[Some(l), Some(r)] => {
+                let error = l.error + r.error;
+                (l.value - r.value).abs() <= error && error <= 1e-6 * l.value.abs().max(1.0)
+            }
+            _ => false,
+        });
+        let nonzero = computed.decimals(self.graph, self.nonzero, values);
+        let positive = computed.decimals(self.graph, self.positive, values);
+        let not_negative = computed.decimals(self.graph, self.not_negative, values);
+        equal
+            && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
+            && nonzero.iter().all(|v| v.is_some_and(|v| !v.contains_zero()))
+            && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
+    }
+
+    fn sides(&self, computed: &mut Computed, values: &Values, exact: &FastMap<Leaf, Rational>) -> Option<Found> {
+        let exprs: Vec<Expr> = self.claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let given = computed.decimals(self.graph, &exprs, values);
+        let exprs: Vec<Expr> = self.lowered.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let precise = computed.exactly(self.graph, &exprs, exact);
+        let mut found = Found { point: Point { values: vec![] }, sides: vec![], differs: None, agrees: true };
+        for (at, pair) in given.chunks(2).enumerate() {
+            let &[Some(left), Some(right)] = pair else { return None };
+            let (l, r) = (precise[2 * at].clone(), precise[2 * at + 1].clone());
+            // The exact value of the lowered formula must be one that the formula as given may have.
+            let fits = |e: &Option<Rational>, d: Bounded| {
+                e.as_ref()
+                    .is_none_or(|e| rounded(e).is_some_and(|e| (e.value - d.value).abs() <= 2.0 * (e.error + d.error)))
+            };
+            if !fits(&l, left) || !fits(&r, right) {
+                return None;
+            }
+            let error = left.error + right.error;
+            let apart = (left.value - right.value).abs() > 4.0 * error;
+            let differs = match (&l, &r) {
+                (Some(l), Some(r)) => l != r,
+                _ => apart,
+            };
+            if differs && found.differs.is_none() {
+                found.differs = Some(at);
+            }
+            found.agrees &= !differs && error <= 1e-6 * left.value.abs().max(1.0);
+            found.sides.push((Side { exact: l, decimal: left.value }, Side { exact: r, decimal: right.value }));
+        }
+        Some(found)
+    }
+}
+
+/// The result of an operation, if it has one.
+fn function(f: impl FnOnce(&mut Bounded) -> Result<(), NoValue>) -> Option<Bounded> {
+    let mut out = Bounded::exact(0.0);
+    f(&mut out).ok()?;
+    Some(out)
+}
+
+/// The refutation from points found: the first exact one, or the first; with a second point whose sides differ otherwise.
+pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
+    let refuting = || found.iter().filter(|f| f.differs.is_some());
+    let is_exact =
+        |f: &&Found| f.differs.is_some_and(|at| f.sides[at].0.exact.is_some() && f.sides[at].1.exact.is_some());
+    let best = refuting().find(is_exact).or_else(|| refuting().next())?;
+    let equation = best.differs?;
+    let gap = |f: &Found| f.sides[equation].0.decimal - f.sides[equation].1.decimal;
+    let second = found
+        .iter()
+        .find(|f| (gap(f) - gap(best)).abs() > 1e-6 * gap(best).abs())
+        .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
+    let (left, right) = best.sides[equation].clone();
+    Some(Refutation { equation, point: best.point.clone(), left, right, second })
+}
+
+/// The first of these expressions that may vanish at a point; what has no value there counts as not vanishing.
+pub(super) fn vanishing(graph: &Graph, exprs: &[Expr], point: &Point) -> Option<Expr> {
+    let values: Values = point
+        .values
+        .iter()
+        .map(|&(leaf, ref v)| {
+            let rounding = v.decimal.abs() * 4.0 * f64::EPSILON;
+            let exact = v.exact.as_ref().and_then(rounded);
+            (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
+        })
+        .collect();
+    let at = decimals(graph, exprs, &values);
+    exprs.iter().zip(at).find_map(|(&e, v)| v.is_some_and(|v| v.contains_zero()).then_some(e))
+}
