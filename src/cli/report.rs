@@ -87,7 +87,7 @@ fn printed(arguments: &ReportArguments, target: &Path) -> Result<Exit, Stop> {
     let (derivation, account) = checked(arguments)?;
     let (tex, page) = match arguments.summary {
         true => (report::tex_summary(&derivation, &account), report::first_page(&derivation, &account)),
-        false => (report::tex(&derivation, &account), report::page(&derivation, &account)),
+        false => (report::tex(&derivation, &account), report::printed_page(&derivation, &account)),
     };
     let sources = [("report.tex", tex), ("index.html", page)];
     let mut failures = Vec::new();

@@ -162,10 +162,13 @@ fn brief(s: &Separation, style: &Style) -> String {
     let parts: Vec<String> = e.conditions.iter().map(short).collect();
     let rivals = match s.rivals.len() + s.more_rivals {
         0 => String::new(),
-        1 => "; one other condition fits as well".to_owned(),
-        n => format!("; {n} other conditions fit as well"),
+        n => format!("; {} as well", fits(n).to_lowercase()),
     };
     format!("on the motions tried, it holds just where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
+}
+
+fn fits(rivals: usize) -> String {
+    if rivals == 1 { "One other condition fits".to_owned() } else { format!("{rivals} other conditions fit") }
 }
 
 /// For the terminal: a line for every claim that is split, and for every assumption that is not needed.
@@ -207,7 +210,10 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
 /// What separates the trajectories of a claim, for its section in `report.md`.
 pub(super) fn separation(conditions: &ConditionsAccount) -> String {
     let Some(separation) = &conditions.separation else { return String::new() };
-    format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" "))
+    let all = sentences(separation, &MARKDOWN);
+    let rivals = separation.rivals.len() + separation.more_rivals;
+    let rivals = if rivals > 0 { format!(" {} as well.", fits(rivals)) } else { String::new() };
+    format!("**What separates:** {}{rivals}\n\n", all.first().map(String::as_str).unwrap_or_default())
 }
 
 fn condition_json(c: &ConditionName) -> Value {

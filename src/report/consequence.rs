@@ -43,6 +43,11 @@ impl<'a> Consequences<'a> {
         Consequences { carried, conclusions }
     }
 
+    /// What rests directly on what: from, to.
+    pub fn edges(&self) -> impl Iterator<Item = (&'a str, &'a str)> {
+        self.carried.iter().flat_map(|(from, to)| to.iter().map(|to| (*from, *to)))
+    }
+
     /// Everything that rests on a claim, directly or through others, in the order of the file.
     pub fn carried_by(&self, id: &str, wholes: &[Whole<'_>]) -> Vec<String> {
         let reached = self.reached(id);

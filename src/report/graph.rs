@@ -89,6 +89,21 @@ pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> Str
     }
 }
 
+/// The same in a few words.
+pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String {
+    let error = identity.log2_error.map(|e| format!(", error probability at most 2^{}", e.ceil())).unwrap_or_default();
+    let from = if identity.from.is_empty() { String::new() } else { format!(", from {}", identity.from.join(", ")) };
+    let (verdict, reason) = (identity.verdict, identity.reason.as_deref().unwrap_or_default());
+    match proof {
+        ProofStanding::Proved => format!("proved{from}{error}."),
+        ProofStanding::Except => format!("proved{from}, special cases of what is given apart{error}."),
+        ProofStanding::Given(open) => format!("proved, given {}{from}{error}.", open.join(", ")),
+        ProofStanding::Circular => "it rests on itself, which proves nothing.".to_owned(),
+        ProofStanding::None if verdict == "refuted" => format!("not so{from}: a point refutes it."),
+        ProofStanding::None => format!("{verdict}{from}: {reason}."),
+    }
+}
+
 /// Everything that a claim rests on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Rests {

@@ -242,14 +242,10 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             let all: Vec<String> = claim.assumptions.iter().map(|a| math(a)).collect();
             out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
         }
-        if let Some(remark) = &claim.remark {
-            out.push_str(&format!("> Remark of the file: {}\n\n", prose(remark)));
-        }
         if let Some(identity) = &claim.identity {
-            let sentence = super::graph::sentence(identity, &graph.proof_of(claim));
-            let certificate = super::certificates::file_name(claim).map(|f| format!(" Certificate: [{f}]({f})."));
-            let certificate = certificate.unwrap_or_default();
-            out.push_str(&format!("**For all values:** {}{certificate}\n\n", prose(&sentence)));
+            let certificate = super::certificates::file_name(claim).map(|f| format!(" [Certificate]({f})."));
+            let sentence = prose(&super::graph::brief(identity, &graph.proof_of(claim)));
+            out.push_str(&format!("**For all values:** {sentence}{}\n\n", certificate.unwrap_or_default()));
         }
         out.push_str(&super::region::section(claim));
         out.push_str(&super::conditions::separation(&claim.conditions));
@@ -314,7 +310,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
 }
 
 /// Most trajectories that are named beside a verdict that is as expected.
-const NAMED: usize = 8;
+const NAMED: usize = 3;
 
 /// The pairs of a claim with the same verdict, in one line: where, the largest residual, and a witness or a reason.
 fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
@@ -341,7 +337,11 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     };
     let mut out = format!("**{verdict}** {on}{expected}.");
     if let Some(pair) = group.telling() {
-        out.push_str(&if group.word == "fails" { witness(pair) } else { told(pair, group.word == "holds") });
+        out.push_str(&match group.word {
+            "fails" => witness(pair),
+            "not-applicable" if !group.unexpected => String::new(),
+            word => told(pair, word == "holds"),
+        });
     }
     out.push_str("\n\n");
     out
@@ -362,7 +362,7 @@ fn told(pair: &PairAccount, holds: bool) -> String {
             count(evidence.samples, "sample"),
         ));
     }
-    if let Some(reason) = &evidence.reason {
+    if let Some(reason) = evidence.reason.as_ref().filter(|_| !holds) {
         out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(reason)));
     }
     if let Some(e) = evidence.excluded.first() {
@@ -399,8 +399,10 @@ fn witness(pair: &PairAccount) -> String {
 }
 
 /// So many values of a witness are written out.
-const FEW: usize = 6;
+const FEW: usize = 3;
 
+/// Most trajectories of which a measure is written.
+const MEASURED: usize = 8;
 /// Most values of a measure that are written for a trajectory.
 const VALUES_SHOWN: usize = 1;
 
@@ -423,8 +425,11 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
             cells.extend(m.reason.iter().map(|r| prose(r)));
             vec![format!("`{}`", m.trajectory), cells.join("; ")]
         });
-        let rows: Vec<Vec<String>> = rows.collect();
+        let mut rows: Vec<Vec<String>> = rows.collect();
         let summary = format!("Values on {}", count(rows.len(), "trajectory"));
+        let more = rows.len().saturating_sub(MEASURED);
+        rows.truncate(MEASURED);
+        rows.extend((more > 0).then(|| vec![format!("and {more} more"), "in report.json".to_owned()]));
         out.push_str(&folded(&summary, &table(&["trajectory", "value ± error bound (time)"], rows)));
     }
     if out.is_empty() { out } else { format!("## Measured\n\n{out}") }

@@ -51,7 +51,7 @@ pub use github::github;
 pub use json::{json, json_with_paper};
 pub use junit::{Checked, junit};
 pub use markdown::markdown;
-pub use page::{first_page, page};
+pub use page::{first_page, page, printed_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;

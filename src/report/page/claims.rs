@@ -42,7 +42,12 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
-    let n = |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+    let tally = |claim: &ClaimAccount| {
+        let n = |word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+        let words = [("holds", "holds"), ("fails", "fails"), ("not-applicable", "does not apply"), ("undecided", "undecided")];
+        let told = words.iter().filter(|(word, _)| n(word) > 0).map(|(word, said)| format!("{said} on {}", n(word)));
+        told.collect::<Vec<_>>().join(", ")
+    };
     let own = family.iter().any(|c| c.reading.is_none());
     html! {
         div.family {
@@ -55,9 +60,9 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                     thead {
                         tr {
                             th { "reading" }
+                            th { "whose" }
                             th { "says" }
-                            th { "as a formula" }
-                            @for head in ["holds", "fails", "does not apply", "undecided"] { th { (head) } }
+                            th { "verdicts" }
                         }
                     }
                     tbody {
@@ -66,11 +71,9 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                                 th scope="row" {
                                     a href={ "#" (name(claim)) } { (claim.reading.as_deref().unwrap_or("the claim itself")) }
                                 }
+                                td { (declared(derivation, claim).map(|d| d.role).unwrap_or_default().word()) }
                                 td { (prose(&claim.says, scope_of(derivation, claim))) }
-                                td { (formulas(derivation, claim, true)) }
-                                @for word in ["holds", "fails", "not-applicable", "undecided"] {
-                                    td.number { (n(claim, word)) }
-                                }
+                                td.number { (tally(claim)) }
                             }
                         }
                     }
@@ -106,7 +109,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                     "Precision asked for: " (size(p)) "."
                 }
             }
-            (formulas(derivation, claim, false))
+            (formulas(derivation, claim))
             @if !claim.assumptions.is_empty() {
                 p {
                     "Assuming "
@@ -129,6 +132,64 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
             (region::block(claim, scope))
         }
+    }
+}
+
+/// The claims as they are printed: without the tables of pairs, which are in `report.json`.
+pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
+    let graph = DerivationGraph::new(derivation, account);
+    let mut last = "";
+    html! {
+        section.claims id="/claims" {
+            h2 { "Claims" }
+            @for claim in &account.claims {
+                @let declared = declared(derivation, claim);
+                @let scope = scope_of(derivation, claim);
+                @let parent = declared.and_then(|d| d.parent_says.as_ref());
+                @if let Some(parent) = parent.filter(|_| std::mem::replace(&mut last, &claim.id) != claim.id) {
+                    h3 { (claim.id) ": " (prose(parent, scope)) }
+                }
+                article.claim {
+                    h4 { (name(claim)) ": " (prose(&claim.says, scope)) }
+                    p.quiet {
+                        @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
+                        @if let Some(place) = &claim.place { (prose(place, scope)) "." }
+                    }
+                    (formulas(derivation, claim))
+                    @if !claim.assumptions.is_empty() {
+                        p {
+                            "Assuming "
+                            @for (i, a) in claim.assumptions.iter().enumerate() { @if i > 0 { ", " } (formula(a, scope)) }
+                            "."
+                        }
+                    }
+                    @if let Some(identity) = &claim.identity {
+                        p { b { "For all values: " } (sentence(identity, &graph.proof_of(claim), scope)) }
+                    }
+                    @for group in groups(claim) {
+                        p {
+                            b { (group_word(group.word)) } " on " (count(group.pairs.len(), "trajectory"))
+                            @if group.pairs.len() < account.trajectories.len() {
+                                ": "
+                                @for (i, pair) in group.pairs.iter().enumerate() { @if i > 0 { ", " } (pair.trajectory) }
+                            }
+                            "."
+                        }
+                        @if let Some(pair) = group.telling().filter(|_| group.word == "fails") { (witness(pair, scope)) }
+                    }
+                    (region::block(claim, scope))
+                }
+            }
+        }
+    }
+}
+
+fn group_word(word: &str) -> &'static str {
+    match word {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
     }
 }
 
@@ -173,7 +234,7 @@ fn sentence(identity: &IdentityAccount, proof: &ProofStanding, scope: &Scope) ->
 }
 
 /// The formulas of a claim, each with what is claimed of it.
-fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Markup {
+fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
     let kinds: Vec<&str> =
         declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
@@ -203,21 +264,19 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
                 @if std::mem::replace(&mut last, kind) != kind {
                     p.kind { @match over(i) { Some(text) => (prose(&text, scope)), None => (words) } }
                 }
-                @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
+                (display(text, scope))
             }
         }
     }
 }
 
+/// Most trajectories that are named above a table.
+const NAMED: usize = 12;
+
 /// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
 fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let of = account.trajectories.len();
-    let word = match group.word {
-        "holds" => "Holds",
-        "fails" => "Fails",
-        "undecided" => "Undecided",
-        _ => "Does not apply",
-    };
+    let word = group_word(group.word);
     let on = match group.pairs.len() {
         n if n == claim.results.len() && n == of && n > 1 => format!("on all {}", count(n, "trajectory")),
         n if n == claim.results.len() && n > 1 => format!("on all {} on which it is tried", count(n, "trajectory")),
@@ -233,6 +292,13 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
                     ", " strong.alarm {
                         @match group.expected { Some(word) => { "expected: " (word) }, None => { "not expected" } }
                     }
+                }
+            }
+            @if group.pairs.len() < of {
+                p.names {
+                    @for (i, pair) in group.pairs.iter().take(NAMED).enumerate() { @if i > 0 { ", " } (pair.trajectory) }
+                    @if group.pairs.len() > NAMED { " and " (group.pairs.len() - NAMED) " more" }
+                    "."
                 }
             }
             div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(account, claim, group, scope)) }
