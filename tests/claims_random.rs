@@ -13,15 +13,12 @@ use std::path::Path;
 
 use claims::claim::Claim;
 use claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
-use claims::judge::{Said, key, minimized, said};
-use claims::truth::{Truth, truth};
+use claims::judge::{Said, key, minimized, number_of, said};
+use claims::logic::Truth;
+use claims::truth::truth;
 
 const CLAIMS: usize = 400;
 const SEED: u64 = 20_260_707;
-
-fn number_of(name: &str, default: u64) -> u64 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
-}
 
 struct Drawn {
     profile: Profile,
@@ -116,7 +113,7 @@ fn no_random_claim_gets_a_wrong_verdict() {
     for (d, s) in new.iter().take(shown) {
         let (small, s2, t2) = minimized(&d.claim);
         println!("=== {} {:?} {s:?}, truth {:?}", key(&d.claim), d.profile, d.truth);
-        println!("{:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.span, small.toml("c"));
+        println!("{:?} {:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.motion, small.span, small.toml("c"));
     }
     // Claims that are not drawn any more, and those that are right now.
     let stale: Vec<_> = known.keys().filter(|k| !drawn_keys.contains(*k) || !keys.contains(*k)).collect();

@@ -7,7 +7,11 @@ use rederive::derivation::load;
 use rederive::diag::render;
 
 fn account() -> Account {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/premises.toml");
+    account_of("premises")
+}
+
+fn account_of(file: &str) -> Account {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/corpus/{file}.toml"));
     let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
     let account = check(&mut derivation, &Options::default(), &|_, _| {});
     account.unwrap_or_else(|e| panic!("{e:?}"))
@@ -49,4 +53,23 @@ fn a_definition_is_given_on_every_motion() {
 fn a_motion_refutes_no_step_whose_premise_it_meets_at_some_times_only() {
     assert_ne!(found(&account(), "from-the-right-half", None).0, "refuted");
     assert_ne!(found(&account(), "from-the-turns", None).0, "proved");
+}
+
+#[test]
+fn claims_on_motions_by_formulas_are_proved_at_once() {
+    let account = account_of("formulas");
+    let mut count = 0;
+    for claim in &account.claims {
+        for pair in &claim.results {
+            let outcome = pair.verdict.outcome();
+            if claim.id == "from-a-false-hypothesis" {
+                assert_eq!(outcome, Outcome::NotApplicable);
+                continue;
+            }
+            assert_eq!(outcome.strength(), Some("proved"), "{}: {:?}", claim.id, pair.verdict.evidence().reason);
+            assert_eq!(pair.expected, Some(outcome.word()), "{}", claim.id);
+            count += 1;
+        }
+    }
+    assert_eq!(count, 12);
 }

@@ -12,6 +12,7 @@
 
 mod account;
 mod between;
+mod by_formula;
 mod cache;
 mod comparison;
 mod describe;
@@ -339,7 +340,8 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried).map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried, &account.trajectories)
+        .map_err(CheckError::Defect)?;
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
@@ -451,7 +453,8 @@ fn undecided(reason: String) -> Verdict {
     Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
 }
 
-/// Gives verdicts the strength of the proofs behind them, and compares the two.
+/// Gives verdicts the strength of the proofs behind them, and compares the two. Motions that are given by formulas come first, see
+/// [`by_formula`].
 ///
 /// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
 /// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
@@ -465,7 +468,10 @@ fn strengthen(
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
+    trajectories: &[TrajectoryAccount],
 ) -> Result<(), String> {
+    by_formula::settle(derivation, claims, claimed, tried)?;
+    let problem = |id: &str| trajectories.iter().any(|t| t.id == id && t.problem.is_some());
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
@@ -498,6 +504,14 @@ fn strengthen(
                 }
                 match pair.verdict.outcome() {
                     Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
+                    // Samples that do not settle it say at least that it has a value; what was not reached is not known.
+                    Outcome::Undecided
+                        if pair.verdict.evidence().samples > 0
+                            && identity.exceptions.is_empty()
+                            && !problem(&pair.trajectory) =>
+                    {
+                        ready.push((k, at));
+                    }
                     Outcome::Fails(_) => {
                         return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
                     }

@@ -153,8 +153,14 @@ impl Verdict {
 
     /// The same verdict with a proof behind it.
     pub(super) fn proved(&mut self) {
-        if let Outcome::Holds(_) = self.outcome {
-            self.outcome = Outcome::Holds(Strength::Proved);
+        match self.outcome {
+            Outcome::Holds(_) => self.outcome = Outcome::Holds(Strength::Proved),
+            // What samples left open is settled where there was something to compare.
+            Outcome::Undecided if self.evidence.samples > 0 => {
+                self.outcome = Outcome::Holds(Strength::Proved);
+                self.evidence.reason = None;
+            }
+            Outcome::Undecided | Outcome::Fails(_) | Outcome::NotApplicable => {}
         }
     }
 

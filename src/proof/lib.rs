@@ -95,6 +95,7 @@
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
 mod absolute;
+mod along;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -124,6 +125,7 @@ mod structure;
 mod values;
 mod witness;
 
+pub use along::{Along, Apart, InTime, along};
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
 pub use conditions::domains;
 pub use memory::Memory;

@@ -122,7 +122,7 @@ fn evaluate<N: Number<Context = ()>>(
 ///
 /// An angle atan2(y, x) that the bounds place on both sides of the negative half-axis has no value here: [`Bounded`] would
 /// yield one of two representatives.
-fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
+pub(super) fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
     let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
     let torn = tape.instructions().iter().any(|i| {
         let y = slots.value(i.a as usize);
@@ -138,7 +138,7 @@ fn rounded(r: &Rational) -> Option<Bounded> {
     Some(out)
 }
 
-type Values = FastMap<Leaf, Bounded>;
+pub(super) type Values = FastMap<Leaf, Bounded>;
 
 /// What all points of a scene have in common.
 pub(super) struct Frame {

@@ -1,9 +1,10 @@
 //! Random claims as data, and how they are written in a derivation file.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::line::{Q, whole};
-use super::term::{Term, latex_number, toml_number};
+use super::term::{Motion, Term, latex_number, toml_number};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
@@ -157,10 +158,15 @@ pub struct Claim {
     pub scene: Scene,
     /// Place of the span, or range of x, in [`SPANS`].
     pub span: usize,
+    pub motion: Motion,
     pub forms: Vec<Form>,
     pub assuming: Vec<Text>,
     pub at: Option<(Term, Term)>,
     pub throughout: bool,
+    /// The role of the symbol `k`, where one stands for a term.
+    pub role: &'static str,
+    /// How much later all of it happens.
+    pub later: i64,
 }
 
 /// First and last times.
@@ -169,7 +175,42 @@ pub const SPANS: [(i64, i64); 3] = [(0, 4), (-1, 2), (-3, 3)];
 impl Claim {
     pub fn range(&self) -> (Q, Q) {
         let (a, b) = SPANS[self.span];
-        (whole(a), whole(b))
+        (whole(a + self.later), whole(b + self.later))
+    }
+
+    /// All terms that stand in its texts.
+    pub fn for_each_term(&mut self, f: &mut dyn FnMut(&mut Term)) {
+        let statement = |s: &mut Statement, f: &mut dyn FnMut(&mut Term)| match s {
+            Statement::Relation { sides, .. } => sides.iter_mut().flatten().for_each(f),
+            Statement::Limit { of, .. } => f(of),
+        };
+        for s in self.assuming.iter_mut().flatten() {
+            statement(s, f);
+        }
+        if let Some((l, r)) = &mut self.at {
+            f(l);
+            f(r);
+        }
+        for form in &mut self.forms {
+            match form {
+                Form::Always(t) | Form::Never(t) | Form::Eventually(t) => {
+                    t.iter_mut().flatten().for_each(|s| statement(s, f));
+                }
+                Form::FirstIntegral(e) | Form::Defined(e) => e.iter_mut().flat_map(|(_, c)| c).for_each(|t| f(t)),
+                Form::Solves(p, q) => {
+                    f(p);
+                    f(q);
+                }
+                Form::SameMotion(..) | Form::Independent(_) | Form::Exists { .. } => {}
+            }
+        }
+    }
+
+    /// What `k` stands for.
+    fn named(&self) -> Option<Term> {
+        let mut found = None;
+        self.clone().for_each_term(&mut |t| found = found.take().or(t.named().cloned()));
+        found
     }
 
     /// Its tables in a derivation file, under an id.
@@ -190,7 +231,7 @@ impl Claim {
                         out,
                         "[[trajectory]]\nid = \"other-{id}\"\nformula = {{ 'x' = '{}', 'y' = 2 }}\nparameters = {{ 'a' = 1.5 \
                          }}\nspan = [{a}, {b}]\n\n",
-                        x.latex().replace('x', "t"),
+                        x.latex(),
                     );
                 }
                 Form::Always(_)
@@ -203,13 +244,17 @@ impl Claim {
             }
         }
         let _ = write!(out, "[[claim]]\nid = \"{id}\"\nsays = \"{id}\"\n");
+        if let Some(named) = self.named() {
+            let _ =
+                writeln!(out, "symbols = {{ 'k' = {{ role = \"{}\", formula = '{}' }} }}", self.role, named.latex());
+        }
         if self.scene == Scene::Box {
             if self.forms.iter().any(|f| matches!(f, Form::Exists { .. })) {
                 out += "symbols = { 'u' = { role = \"parameter\" } }\n";
             }
             let _ = writeln!(out, "ranges = {{ 'x' = [{from}, {to}], 'y' = 2, 'a' = 1.5 }}");
         } else {
-            let _ = writeln!(out, "trajectories = [\"{}\"]", trajectory_of(self.scene, self.span));
+            let _ = writeln!(out, "trajectories = [\"{}\"]", trajectory_of(self));
         }
         if !self.assuming.is_empty() {
             let _ = writeln!(out, "assuming = [{}]", texts(&self.assuming));
@@ -264,14 +309,68 @@ fn terms(terms: &[Shaped]) -> String {
     quoted(terms.iter().map(|(s, c)| s.latex(c)))
 }
 
-fn trajectory_of(scene: Scene, span: usize) -> String {
-    let source = match scene {
-        Scene::Integrated => "integrated",
-        Scene::Formula => "formula",
-        Scene::Derived => "derived",
-        Scene::Box | Scene::All => "none",
+fn trajectory_of(claim: &Claim) -> String {
+    format!("{:?}-{:?}-{}-{}", claim.scene, claim.motion, claim.span, claim.later).to_lowercase()
+}
+
+/// The same term for a motion that is later by n.
+pub fn later(term: &Term, n: i64) -> Term {
+    let moved = |t: Term| match t {
+        Term::T => super::term::sub(Term::T, Term::Number(whole(n))),
+        Term::At(e, c) => Term::At(e, c + whole(n)),
+        t => t,
     };
-    format!("{source}-{span}")
+    if n == 0 { term.clone() } else { term.map(&moved) }
+}
+
+/// The motion of a claim, with what it is made from.
+fn trajectory(claim: &Claim) -> String {
+    let name = trajectory_of(claim);
+    let (from, to) = claim.range();
+    let shown = |t: Term| later(&t, claim.later).latex();
+    let (x, rate) = (shown(claim.motion.term()), shown(claim.motion.rate()));
+    let start = claim.motion.at(&(&from - whole(claim.later)));
+    match claim.scene {
+        Scene::Integrated => format!(
+            r#"[system.{name}]
+states = ['x', 'y']
+equations = ['\dot x={rate}', '\dot y=0']
+
+[[trajectory]]
+id = "{name}"
+system = "{name}"
+parameters = {{ 'a' = 1.5 }}
+initial = {{ 'x' = {start}, 'y' = 2 }}
+initial-time = {from}
+span = [{from}, {to}]
+
+"#
+        ),
+        Scene::Formula => format!(
+            r#"[[trajectory]]
+id = "{name}"
+formula = {{ 'x' = '{x}', 'y' = 2 }}
+parameters = {{ 'a' = 1.5 }}
+span = [{from}, {to}]
+
+"#
+        ),
+        Scene::Derived => format!(
+            r#"[[trajectory]]
+id = "shifted-{name}"
+formula = {{ 'x' = '{x}+1', 'y' = 1 }}
+parameters = {{ 'a' = 1.5 }}
+span = [{from}, {to}]
+
+[[trajectory]]
+id = "{name}"
+from = "shifted-{name}"
+map = {{ 'x' = 'x-1', 'y' = '2y' }}
+
+"#
+        ),
+        Scene::Box | Scene::All => String::new(),
+    }
 }
 
 /// A file with the motions of all scenes, and these claims.
@@ -286,37 +385,10 @@ concerns = "rederive's own tests"
 'x' = { role = "state" }
 'y' = { role = "state" }
 
-[system.unit]
-states = ['x', 'y']
-equations = ['\dot x=1', '\dot y=0']
-
 "#
     .to_owned();
-    for (i, (a, b)) in SPANS.iter().enumerate() {
-        let used = |scene: Scene| claims.iter().any(|(_, c)| c.span == i && c.scene == scene);
-        if used(Scene::Integrated) {
-            let _ = write!(
-                out,
-                "[[trajectory]]\nid = \"integrated-{i}\"\nsystem = \"unit\"\nparameters = {{ 'a' = 1.5 }}\ninitial = {{ 'x' = \
-                 {a}, 'y' = 2 }}\ninitial-time = {a}\nspan = [{a}, {b}]\n\n"
-            );
-        }
-        if used(Scene::Formula) {
-            let _ = write!(
-                out,
-                "[[trajectory]]\nid = \"formula-{i}\"\nformula = {{ 'x' = 't', 'y' = 2 }}\nparameters = {{ 'a' = 1.5 }}\nspan = \
-                 [{a}, {b}]\n\n"
-            );
-        }
-        if used(Scene::Derived) {
-            let _ = write!(
-                out,
-                "[[trajectory]]\nid = \"shifted-{i}\"\nformula = {{ 'x' = 't+1', 'y' = '1' }}\nparameters = {{ 'a' = 1.5 \
-                 }}\nspan = [{a}, {b}]\n\n[[trajectory]]\nid = \"derived-{i}\"\nfrom = \"shifted-{i}\"\nmap = {{ 'x' = 'x-1', \
-                 'y' = '2y' }}\n\n"
-            );
-        }
-    }
+    let motions: BTreeSet<String> = claims.iter().map(|(_, c)| trajectory(c)).collect();
+    out.extend(motions);
     for (id, claim) in claims {
         out += &claim.toml(id);
         out += "\n";

@@ -2,7 +2,7 @@
 
 use super::claim::{Claim, Form, KINDS, Kind, SCENES, SHAPES, Scene, Shape, Shaped, Statement, Text};
 use super::line::{Q, fraction, whole};
-use super::term::{FUNCTIONS, Function, Term, abs, add, div, mul, number, of, power, rate, signed, sub};
+use super::term::{Function, MOTIONS, Motion, Term, abs, add, div, mul, number, of, power, signed, sub};
 
 /// Numbers from a seed (SplitMix64): the same on every machine.
 pub struct Chance(u64);
@@ -67,30 +67,56 @@ pub fn usual_profile(chance: &mut Chance) -> Profile {
     p
 }
 
-struct Draw<'a> {
-    chance: &'a mut Chance,
-    scene: Scene,
-    span: usize,
-    range: (Q, Q),
+/// What is drawn for, and from.
+pub struct Draw<'a> {
+    pub chance: &'a mut Chance,
+    pub scene: Scene,
+    pub span: usize,
+    pub motion: Motion,
     /// Events, once they are chosen.
-    events: Vec<Q>,
+    pub events: Vec<Q>,
+    /// Some numbers differ by little: no place for equations, of which may be said that they hold to within a bound.
+    pub near: bool,
 }
 
 /// A claim of this profile, if there is one.
 pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
     let [relation, shape, sign, form, restriction, scene, defined] = *profile;
     let span = chance.below(3);
-    let mut claim =
-        Claim { scene: SCENES[scene], span, forms: Vec::new(), assuming: Vec::new(), at: None, throughout: false };
-    let range = claim.range();
-    let mut draw = Draw { chance, scene: SCENES[scene], span, range, events: Vec::new() };
+    let scene = SCENES[scene];
+    let motion = match scene {
+        Scene::Box | Scene::All => Motion::Forward,
+        // No kink in a right side: that is a matter of its own.
+        Scene::Integrated => chance.one(&[
+            Motion::Forward,
+            Motion::Forward,
+            Motion::Backward,
+            Motion::Turning,
+            Motion::Fast,
+            Motion::Around,
+        ]),
+        Scene::Formula | Scene::Derived => chance.one(&MOTIONS),
+    };
+    let mut claim = Claim {
+        scene,
+        span,
+        motion,
+        forms: Vec::new(),
+        assuming: Vec::new(),
+        at: None,
+        throughout: false,
+        role: "abbreviation",
+        later: 0,
+    };
+    let mut draw = Draw { chance, scene, span, motion, events: Vec::new(), near: false };
     let moving = draw.moving();
     match RESTRICTIONS[restriction] {
         "none" => {}
         "at" if moving => claim.at = Some(draw.event(sign == 3 || sign == 4)),
         "selector" => {
-            for _ in 0..=draw.chance.below(2) {
-                let s = draw.selector(sign >= 3);
+            let several = draw.chance.once_in(2);
+            for _ in 0..=usize::from(several) {
+                let s = draw.selector(sign >= 3, sign == 4 || several);
                 claim.assuming.push(vec![s]);
             }
         }
@@ -98,7 +124,7 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
             let s = draw.hypothesis(sign >= 3);
             claim.assuming.push(vec![s]);
             if draw.chance.once_in(3) {
-                let s = draw.selector(false);
+                let s = draw.selector(false, false);
                 if draw.chance.once_in(2) { claim.assuming[0].push(s) } else { claim.assuming.push(vec![s]) }
             }
         }
@@ -108,7 +134,9 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
         }
         _ => return None,
     }
-    if (sign == 3 || sign == 4) && restriction == 0 {
+    // ≠ with ± stands alone.
+    let different = sign == 4 && relation == 1;
+    if different || ((sign == 3 || sign == 4) && restriction == 0) {
         return None;
     }
     let assumed_sign = claim.assuming.iter().flatten().any(Statement::has_sign)
@@ -129,6 +157,9 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
         }
     }
     claim.forms.insert(0, form);
+    if draw.near && has_allowance(&claim) {
+        return None;
+    }
     if claim.scene == Scene::All {
         let single =
             matches!(&claim.forms[..], [Form::Always(t)] if t.len() == 1 && t[0].len() == 1 && t[0][0].is_equation());
@@ -138,244 +169,6 @@ pub fn claim(profile: &Profile, chance: &mut Chance) -> Option<Claim> {
 }
 
 impl Draw<'_> {
-    fn moving(&self) -> bool {
-        !matches!(self.scene, Scene::Box | Scene::All)
-    }
-
-    /// A point: on a grid that samples meet, or off it; mostly inside of the range.
-    fn point(&mut self) -> Q {
-        let (a, b) = super::claim::SPANS[self.span];
-        match self.chance.below(10) {
-            0 => whole(a),
-            1 => whole(b),
-            2 => whole(a - 1),
-            3 => whole(b + 1),
-            4 | 5 => whole(a + 1 + self.chance.below((b - a - 1) as usize) as i64),
-            6 => fraction(2 * a + 1 + 2 * self.chance.below((b - a) as usize) as i64, 2),
-            7 => fraction(3 * a + 1 + self.chance.below(3 * (b - a) as usize - 1) as i64, 3),
-            8 => fraction(10 * a + 1 + self.chance.below(10 * (b - a) as usize - 1) as i64, 10),
-            _ => fraction(7 * a + 1 + self.chance.below(7 * (b - a) as usize - 1) as i64, 7),
-        }
-    }
-
-    /// x − p, or p − x.
-    fn linear(&mut self) -> Term {
-        let p = self.point();
-        if self.chance.once_in(5) { sub(Term::Number(p), Term::X) } else { self.distance(p) }
-    }
-
-    fn distance(&mut self, p: Q) -> Term {
-        sub(Term::X, Term::Number(p))
-    }
-
-    fn constant(&mut self) -> Term {
-        match self.chance.below(6) {
-            0 => Term::Y,
-            1 => Term::A,
-            2 => number(1),
-            3 => number(-1),
-            4 => Term::Number(fraction(1, 2)),
-            _ => number(2 + self.chance.below(3) as i64),
-        }
-    }
-
-    /// A difference of sides: its zeros, holes and signs are those of its linear factors.
-    fn plain(&mut self) -> Term {
-        match self.chance.below(14) {
-            0 | 1 => self.linear(),
-            2 => mul(self.linear(), self.linear()),
-            3 => power(self.linear(), 2),
-            4 => abs(self.linear()),
-            5 => self.constant(),
-            6 => {
-                let e = self.linear();
-                mul(e.clone(), abs(e))
-            }
-            7 => div(self.linear(), add(power(Term::X, 2), number(1))),
-            8 => {
-                let (e, f) = (self.linear(), self.linear());
-                // The smaller or the larger of two.
-                let d = abs(sub(e.clone(), f.clone()));
-                let both = add(e, f);
-                let both = if self.chance.once_in(2) { sub(both, d) } else { add(both, d) };
-                div(both, number(2))
-            }
-            9 => {
-                let e = self.linear();
-                sub(abs(e.clone()), e)
-            }
-            10 => add(abs(self.linear()), self.constant()),
-            11 => mul(self.constant(), power(self.linear(), 3)),
-            12 => sub(power(Term::X, 2), Term::X),
-            _ => mul(number(0), self.linear()),
-        }
-    }
-
-    /// One with a function of which the sign is known: to be compared with 0.
-    fn functional(&mut self) -> Term {
-        let f = self.chance.one(&FUNCTIONS);
-        let e = if self.chance.once_in(3) { mul(self.linear(), self.linear()) } else { self.linear() };
-        of(f, e)
-    }
-
-    fn difference(&mut self) -> Term {
-        match self.chance.below(8) {
-            0 => self.functional(),
-            1 => div(self.plain(), self.linear()),
-            2 if self.moving() => rate(self.plain()),
-            3 if self.moving() && self.chance.once_in(3) => rate(rate(self.plain())),
-            _ => self.plain(),
-        }
-    }
-
-    /// What is 0 where it has a value, and has none in the wanted places.
-    fn hole(&mut self, defined: usize) -> Option<Term> {
-        let (a, b) = self.range.clone();
-        match DEFINED[defined] {
-            "everywhere" => None,
-            "holes" => {
-                let p = self.point();
-                Some(self.hole_at(p))
-            }
-            "not at the start" => {
-                let p = if self.chance.once_in(4) { b } else { a };
-                Some(self.hole_at(p))
-            }
-            "not at the events" => {
-                let p = self.events.first().cloned()?;
-                Some(self.hole_at(p))
-            }
-            "a part" => {
-                let e = match self.chance.below(5) {
-                    0 => mul(self.linear(), self.linear()),
-                    1 => Term::Neg(Box::new(power(self.linear(), 2))),
-                    2 => Term::Neg(Box::new(abs(self.linear()))),
-                    _ => self.linear(),
-                };
-                let f = self.chance.one(&[
-                    Function::Root,
-                    Function::Logarithm,
-                    Function::Mean,
-                    Function::Power,
-                    Function::InversePower,
-                    Function::ArcSine,
-                    Function::ArcCosine,
-                ]);
-                Some(of(f, e))
-            }
-            _ => {
-                let e = match self.chance.below(3) {
-                    0 => sub(Term::X, Term::Number(b + whole(1))),
-                    1 => sub(Term::Number(a - whole(1)), Term::X),
-                    _ => sub(number(-1), power(Term::X, 2)),
-                };
-                let f = self.chance.one(&[Function::Root, Function::Logarithm, Function::Mean, Function::Power]);
-                Some(if self.chance.once_in(4) { div(number(1), mul(number(0), Term::X)) } else { of(f, e) })
-            }
-        }
-    }
-
-    /// What has no value at one point.
-    fn hole_at(&mut self, p: Q) -> Term {
-        let e = self.distance(p);
-        match self.chance.below(9) {
-            0 => power(e, -1),
-            1 => power(e, -2),
-            2 => of(Function::Angle, e),
-            3 => of(Function::Logarithm, power(e, 2)),
-            4 => of(Function::InversePower, power(e, 2)),
-            5 => div(e.clone(), abs(e)),
-            6 if self.moving() => rate(abs(e)),
-            7 => div(e.clone(), e),
-            _ => div(number(1), e),
-        }
-    }
-
-    fn with_hole(&mut self, e: Term, defined: usize) -> Term {
-        match self.hole(defined) {
-            None => e,
-            Some(h) => {
-                let zero = if self.chance.once_in(3) { sub(h.clone(), h) } else { mul(number(0), h) };
-                if self.chance.once_in(2) { add(e, zero) } else { add(zero, e) }
-            }
-        }
-    }
-
-    /// Two terms that are equal, at least where both have values.
-    fn equal(&mut self) -> (Term, Term) {
-        let p = self.point();
-        let e = self.linear();
-        match self.chance.below(if self.moving() { 12 } else { 7 }) {
-            0 => (
-                mul(sub(Term::X, Term::Number(p.clone())), add(Term::X, Term::Number(p.clone()))),
-                sub(power(Term::X, 2), Term::Number(&p * &p)),
-            ),
-            1 => (power(abs(e.clone()), 2), power(e, 2)),
-            2 => (of(Function::Root, power(e.clone(), 2)), abs(e)),
-            3 => (add(Term::Y, number(1)), mul(number(2), Term::A)),
-            4 => (mul(Term::X, add(e.clone(), number(1))), add(mul(Term::X, e), Term::X)),
-            5 => (div(e.clone(), e), number(1)),
-            6 => (abs(e.clone()), abs(sub(number(0), e))),
-            7 => (rate(Term::X), number(1)),
-            8 => (rate(power(e.clone(), 2)), mul(number(2), e)),
-            9 => (mul(rate(abs(e.clone())), abs(e.clone())), e),
-            10 => (rate(mul(e.clone(), abs(e.clone()))), mul(mul(number(2), abs(e.clone())), rate(e))),
-            _ => {
-                let (a, b) = super::claim::SPANS[self.span];
-                let c = a + self.chance.below((b - a + 1) as usize) as i64;
-                (Term::At(Box::new(Term::X), whole(c)), number(c))
-            }
-        }
-    }
-
-    /// Sides of one relation between numbers.
-    fn sides(&mut self, kind: Kind, signs: usize, defined: usize) -> (Term, Term) {
-        let (mut l, mut r) = if signs > 0 {
-            self.signed_sides(signs)
-        } else if (kind == Kind::Equal && self.chance.once_in(2)) || self.chance.once_in(10) {
-            self.equal()
-        } else {
-            let d = self.difference();
-            let opaque = has_function(&d);
-            let r = match self.chance.below(5) {
-                _ if opaque => number(0),
-                0 => number(0),
-                1 => Term::X,
-                2 => self.constant(),
-                3 => power(Term::X, 2),
-                _ => number(0),
-            };
-            if r == number(0) { (d, r) } else { (add(d, r.clone()), r) }
-        };
-        l = self.with_hole(l, defined);
-        if self.chance.once_in(4) {
-            std::mem::swap(&mut l, &mut r);
-        }
-        (l, r)
-    }
-
-    fn signed_sides(&mut self, signs: usize) -> (Term, Term) {
-        let s = |e: Term| signed(true, e);
-        let opposite = |e: Term| signed(false, e);
-        let (e, f, c) = (self.linear(), self.plain(), self.constant());
-        if signs == 2 {
-            return match self.chance.below(4) {
-                0 => (add(e, s(c)), opposite(f)),
-                1 => (s(e), opposite(c)),
-                2 => (mul(add(Term::X, s(c.clone())), add(Term::X, opposite(c))), f),
-                _ => (add(s(e.clone()), opposite(f)), number(0)),
-            };
-        }
-        match self.chance.below(6) {
-            0 => (Term::X, s(c)),
-            1 => (abs(e.clone()), s(e)),
-            2 => (add(f, s(c)), number(0)),
-            3 => (add(e.clone(), s(f)), self.constant()),
-            4 => (s(e), c),
-            _ => (s(f), number(0)),
-        }
-    }
-
     fn statement(&mut self, relation: usize, shape: Shape, signs: usize, defined: usize) -> Option<Statement> {
         match RELATIONS[relation] {
             "limit" => (self.moving() && signs == 0).then(|| self.limit()),
@@ -427,7 +220,8 @@ impl Draw<'_> {
 
     fn limit(&mut self) -> Statement {
         let (a, b) = super::claim::SPANS[self.span];
-        let p = self.point();
+        let t = self.time();
+        let p = self.motion.at(&t);
         let of = match self.chance.below(5) {
             0 => div(sub(power(Term::X, 2), Term::Number(&p * &p)), sub(Term::X, Term::Number(p.clone()))),
             1 => div(self.linear(), sub(Term::X, Term::Number(p.clone()))),
@@ -439,8 +233,8 @@ impl Draw<'_> {
             0 => None,
             1 => Some(whole(a)),
             2 => Some(whole(b)),
-            3 => Some(self.point()),
-            _ => Some(p.clone()),
+            3 => Some(self.time()),
+            _ => Some(t),
         };
         let value = match self.chance.below(4) {
             0 => &p * whole(2),
@@ -472,9 +266,9 @@ impl Draw<'_> {
         }
     }
 
-    fn selector(&mut self, sign: bool) -> Statement {
+    fn selector(&mut self, sign: bool, shared: bool) -> Statement {
         let signs = usize::from(sign);
-        let relation = 1 + self.chance.below(5);
+        let relation = if shared { 2 + self.chance.below(4) } else { 1 + self.chance.below(5) };
         let shape = if relation == 1 && !sign { self.chance.one(&SHAPES) } else { Shape::Scalar };
         let defined = if self.chance.once_in(4) { self.chance.below(3) } else { 0 };
         if !sign && self.chance.once_in(2) {
@@ -553,34 +347,21 @@ impl Draw<'_> {
                 self.shaped(shape, signs, defined, |d| if d.chance.once_in(6) { d.difference() } else { d.plain() }),
             ]),
             "solves" if moving && signs == 0 => {
-                let p = if self.chance.once_in(3) { self.difference() } else { number(1) };
+                let p = if self.chance.once_in(3) { self.difference() } else { self.motion.rate() };
                 let p = self.with_hole(p, defined);
                 let q = if self.chance.once_in(4) { self.plain() } else { number(0) };
                 Form::Solves(p, q)
             }
             "same-motion" if moving && signs == 0 => {
+                let x = self.motion.term();
+                let e = sub(Term::T, Term::Number(self.time()));
                 let x = match self.chance.below(4) {
-                    0 => Term::X,
-                    1 => {
-                        let p = self.point();
-                        add(abs(sub(Term::X, Term::Number(p.clone()))), Term::Number(p))
-                    }
-                    2 => add(Term::X, mul(self.linear(), self.linear())),
-                    _ => Term::X,
+                    0 => add(x, sub(abs(e.clone()), e.clone())),
+                    1 => add(x, power(e.clone(), 2)),
+                    _ => x,
                 };
-                let x = if DEFINED[defined] == "holes" {
-                    let p = self.point();
-                    let e = sub(Term::X, Term::Number(p));
-                    mul(x, div(e.clone(), e))
-                } else {
-                    x
-                };
+                let x = if DEFINED[defined] == "holes" { mul(x, div(e.clone(), e)) } else { x };
                 let (a, b) = super::claim::SPANS[self.chance.below(3)];
-                let (from, to) = self.range.clone();
-                let common = from.max(whole(a)) < to.min(whole(b));
-                if !common {
-                    return None;
-                }
                 Form::SameMotion(x, (whole(a), whole(b)))
             }
             "independent" if moving && signs == 0 => {
@@ -612,7 +393,20 @@ impl Draw<'_> {
     }
 }
 
-/// Whether a function occurs that is no rational function, so that only its sign is known.
-fn has_function(e: &Term) -> bool {
-    matches!(e, Term::Of(..)) || e.parts().iter().any(|p| has_function(p))
+/// Whether it says what may hold to within a bound: equations, and inequalities at their border, at all times.
+fn has_allowance(claim: &Claim) -> bool {
+    let allowed = |s: &Statement| match s {
+        Statement::Relation { kinds, .. } => {
+            kinds.iter().any(|k| matches!(k, Kind::Equal | Kind::AtMost | Kind::AtLeast))
+        }
+        Statement::Limit { .. } => true,
+    };
+    let hypothesis = claim.assuming.iter().flatten().any(|s| s.is_equation() || matches!(s, Statement::Limit { .. }));
+    hypothesis
+        || claim.forms.iter().any(|f| match f {
+            Form::Always(t) => t.iter().flatten().any(allowed),
+            Form::Never(t) | Form::Eventually(t) => t.iter().flatten().any(|s| matches!(s, Statement::Limit { .. })),
+            Form::FirstIntegral(_) | Form::Solves(..) | Form::SameMotion(..) => true,
+            Form::Defined(_) | Form::Independent(_) | Form::Exists { .. } => false,
+        })
 }

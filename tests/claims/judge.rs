@@ -1,12 +1,13 @@
 //! What the program says of random claims, compared with what they are.
 
-use rederive::check::{CheckError, Options, Proposition, check, prove};
+use rederive::check::{CheckError, Options, Proposition, Rigor, check, prove};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::Source;
 
 use super::claim::{Claim, Form, Scene, Statement, file};
-use super::term::Term;
-use super::truth::{Truth, truth};
+use super::logic::Truth;
+use super::term::{Motion, Term};
+use super::truth::truth;
 
 /// What the program said.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,8 +70,8 @@ fn together(claims: &[(usize, &Claim)], found: &mut [Option<Said>]) {
     let error = match parse(source, "random") {
         Err(problems) => Said::Refused(problems.first().map_or(String::new(), |p| p.message.clone())),
         Ok(mut derivation) => {
-            let options = Options { plain: true, ..Options::default() };
-            match check(&mut derivation, &options, &|_, _| {}) {
+            let options = Options { plain: true, rigor: Rigor::Enclosed, ..Options::default() };
+            match caught(|| check(&mut derivation, &options, &|_, _| {})) {
                 Ok(account) => {
                     for ((i, _), (id, _)) in claims.iter().zip(&named) {
                         let judged = account.claims.iter().find(|c| c.id == *id);
@@ -103,6 +104,12 @@ fn together(claims: &[(usize, &Claim)], found: &mut [Option<Said>]) {
     together(second, found);
 }
 
+/// A panic is a defect of one claim, not of the run.
+fn caught<T>(f: impl FnOnce() -> Result<T, CheckError>) -> Result<T, CheckError> {
+    let panic = |_| Err(CheckError::Defect("a panic".to_owned()));
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(f)).unwrap_or_else(panic)
+}
+
 /// A claim about all real numbers.
 fn proposition(claim: &Claim) -> Said {
     let [Form::Always(texts)] = &claim.forms[..] else { return Said::Refused("no proposition".to_owned()) };
@@ -115,7 +122,7 @@ fn proposition(claim: &Claim) -> Said {
         return Said::Refused(format!("{problems:?}"));
     }
     let proposition = Proposition { formula, given, throughout: claim.throughout };
-    match prove(&mut derivation, &proposition) {
+    match caught(|| prove(&mut derivation, &proposition)) {
         Ok(account) => {
             let word =
                 if account.verdict == "proved" && !account.exceptions.is_empty() { "except" } else { account.verdict };
@@ -130,7 +137,7 @@ fn proposition(claim: &Claim) -> Said {
 
 /// A short text by which a claim is known: FNV-1a of what is written in the file, and the scene.
 pub fn key(claim: &Claim) -> String {
-    let text = format!("{:?} {} {}", claim.scene, claim.span, claim.toml("c"));
+    let text = format!("{:?} {} {:?} {}", claim.scene, claim.span, claim.motion, claim.toml("c"));
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
     format!("{hash:016x}")
 }
@@ -185,6 +192,9 @@ fn reductions(claim: &Claim) -> Vec<Claim> {
     }
     if claim.throughout {
         found.push(Claim { throughout: false, ..claim.clone() });
+    }
+    if claim.motion != Motion::Forward {
+        found.push(Claim { motion: Motion::Forward, ..claim.clone() });
     }
     if claim.scene == Scene::Derived {
         found.push(Claim { scene: Scene::Formula, ..claim.clone() });
@@ -248,7 +258,7 @@ fn reductions(claim: &Claim) -> Vec<Claim> {
 
 fn count_terms(claim: &Claim) -> usize {
     let mut n = 0;
-    for_each_term(&mut claim.clone(), &mut |_| n += 1);
+    claim.clone().for_each_term(&mut |_| n += 1);
     n
 }
 
@@ -256,7 +266,7 @@ fn count_terms(claim: &Claim) -> usize {
 fn replacements(claim: &Claim, n: usize) -> Vec<Claim> {
     let mut options = Vec::new();
     let mut i = 0;
-    for_each_term(&mut claim.clone(), &mut |t| {
+    claim.clone().for_each_term(&mut |t| {
         if i == n {
             options = smaller_terms(t);
         }
@@ -265,7 +275,7 @@ fn replacements(claim: &Claim, n: usize) -> Vec<Claim> {
     let put = |option: Term| {
         let mut c = claim.clone();
         let mut i = 0;
-        for_each_term(&mut c, &mut |t| {
+        c.for_each_term(&mut |t| {
             if i == n {
                 *t = option.clone();
             }
@@ -293,7 +303,7 @@ fn with_part(term: &Term, i: usize, part: Term) -> Term {
     let mut parts = parts.into_iter().map(Box::new);
     let mut next = || parts.next().unwrap_or(Box::new(Term::X));
     match term {
-        Term::Number(_) | Term::X | Term::Y | Term::A | Term::U => term.clone(),
+        Term::Number(_) | Term::X | Term::Y | Term::A | Term::T | Term::U => term.clone(),
         Term::Neg(_) => Term::Neg(next()),
         Term::Power(_, n) => Term::Power(next(), *n),
         Term::Abs(_) => Term::Abs(next()),
@@ -301,6 +311,7 @@ fn with_part(term: &Term, i: usize, part: Term) -> Term {
         Term::Rate(_) => Term::Rate(next()),
         Term::At(_, c) => Term::At(next(), c.clone()),
         Term::Signed(u, _) => Term::Signed(*u, next()),
+        Term::Named(_) => Term::Named(next()),
         Term::Add(..) => Term::Add(next(), next()),
         Term::Sub(..) => Term::Sub(next(), next()),
         Term::Mul(..) => Term::Mul(next(), next()),
@@ -308,30 +319,7 @@ fn with_part(term: &Term, i: usize, part: Term) -> Term {
     }
 }
 
-/// All terms of a claim that may be made smaller.
-fn for_each_term(claim: &mut Claim, f: &mut dyn FnMut(&mut Term)) {
-    let statement = |s: &mut Statement, f: &mut dyn FnMut(&mut Term)| match s {
-        Statement::Relation { sides, .. } => sides.iter_mut().flatten().for_each(f),
-        Statement::Limit { of, .. } => f(of),
-    };
-    for s in claim.assuming.iter_mut().flatten() {
-        statement(s, f);
-    }
-    if let Some((l, r)) = &mut claim.at {
-        f(l);
-        f(r);
-    }
-    for form in &mut claim.forms {
-        match form {
-            Form::Always(t) | Form::Never(t) | Form::Eventually(t) => {
-                t.iter_mut().flatten().for_each(|s| statement(s, f))
-            }
-            Form::FirstIntegral(e) | Form::Defined(e) => e.iter_mut().flat_map(|(_, c)| c).for_each(|t| f(t)),
-            Form::Solves(p, q) => {
-                f(p);
-                f(q);
-            }
-            Form::SameMotion(..) | Form::Independent(_) | Form::Exists { .. } => {}
-        }
-    }
+/// A number that is given from outside.
+pub fn number_of(name: &str, default: u64) -> u64 {
+    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
 }

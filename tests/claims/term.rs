@@ -1,6 +1,7 @@
 //! Terms of random claims: how they are written in LaTeX, and what they are, exactly, as functions of t.
 //!
-//! In every scene x is t, y is 2 and a is 3/2, so that a term is a function of one variable whose zeros and holes are known.
+//! In every scene y is 2, a is 3/2, and x is one of a few [`Motion`]s, so that a term is a function of one variable whose zeros
+//! and holes are known.
 
 use super::line::{Irrational, Line, Polynomial, Q, Value, fraction, root, sign_of, whole};
 
@@ -46,6 +47,8 @@ pub enum Term {
     X,
     Y,
     A,
+    /// The time.
+    T,
     /// An unknown of `exists`, which stands for a number that is put in for it.
     U,
     Neg(Box<Term>),
@@ -61,9 +64,11 @@ pub enum Term {
     At(Box<Term>, Q),
     /// ±, and ∓ if the flag is false.
     Signed(bool, Box<Term>),
+    /// A symbol `k` that stands for a term.
+    Named(Box<Term>),
 }
 
-use Term::{A, Abs, Add, At, Div, Mul, Neg, Number, Of, Power, Rate, Signed, Sub, U, X, Y};
+use Term::{A, Abs, Add, At, Div, Mul, Named, Neg, Number, Of, Power, Rate, Signed, Sub, T, U, X, Y};
 
 pub fn number(n: i64) -> Term {
     Number(whole(n))
@@ -128,6 +133,7 @@ impl Term {
             X => "x".to_owned(),
             Y => "y".to_owned(),
             A => "a".to_owned(),
+            T => "t".to_owned(),
             U => "u".to_owned(),
             Neg(e) => format!("-{}", e.factor()),
             Add(e, f) => match &**f {
@@ -147,8 +153,11 @@ impl Term {
             },
             At(e, c) => match &**e {
                 X => format!("x({})", latex_number(c)),
+                Rate(e) if **e == X => format!(r"\frac{{dx}}{{dt}}({})", latex_number(c)),
+                e if c.denominator().to_string() == "1" => format!(r"\left({}\right)({})", e.latex(), latex_number(c)),
                 e => format!(r"\left.{}\right|_{{t={}}}", e.factor(), latex_number(c)),
             },
+            Named(_) => "k".to_owned(),
             Signed(true, e) => format!(r"\pm {}", e.factor()),
             Signed(false, e) => format!(r"\mp {}", e.factor()),
         }
@@ -158,7 +167,7 @@ impl Term {
     fn factor(&self) -> String {
         match self {
             Number(q) if sign_of(q) >= 0 => self.latex(),
-            X | Y | A | U | Abs(_) | Of(..) | Div(..) => self.latex(),
+            X | Y | A | T | U | Named(_) | Abs(_) | Of(..) | Div(..) => self.latex(),
             Number(_) | Neg(_) | Add(..) | Sub(..) | Mul(..) | Power(..) | Rate(_) | At(..) | Signed(..) => {
                 format!(r"\left({}\right)", self.latex())
             }
@@ -170,32 +179,62 @@ impl Term {
         matches!(self, Signed(..)) || self.parts().iter().any(|p| p.has_sign())
     }
 
+    /// Whether it depends on the time.
+    pub fn moves(&self) -> bool {
+        matches!(self, X | T) || self.parts().iter().any(|p| p.moves())
+    }
+
+    /// What `k` stands for in it.
+    pub fn named(&self) -> Option<&Term> {
+        match self {
+            Named(e) => Some(e),
+            e => e.parts().into_iter().find_map(Term::named),
+        }
+    }
+
+    /// The same with each part replaced, from the inside out.
+    pub fn map(&self, f: &dyn Fn(Term) -> Term) -> Term {
+        let of = |e: &Term| Box::new(e.map(f));
+        f(match self {
+            Number(_) | X | Y | A | T | U => self.clone(),
+            Neg(e) => Neg(of(e)),
+            Power(e, n) => Power(of(e), *n),
+            Abs(e) => Abs(of(e)),
+            Of(g, e) => Of(*g, of(e)),
+            Rate(e) => Rate(of(e)),
+            At(e, c) => At(of(e), c.clone()),
+            Signed(upper, e) => Signed(*upper, of(e)),
+            Named(e) => Named(of(e)),
+            Add(e, g) => Add(of(e), of(g)),
+            Sub(e, g) => Sub(of(e), of(g)),
+            Mul(e, g) => Mul(of(e), of(g)),
+            Div(e, g) => Div(of(e), of(g)),
+        })
+    }
+
     /// The terms that it is made of.
     pub fn parts(&self) -> Vec<&Term> {
         match self {
-            Number(_) | X | Y | A | U => Vec::new(),
-            Neg(e) | Power(e, _) | Abs(e) | Of(_, e) | Rate(e) | At(e, _) | Signed(_, e) => vec![e],
+            Number(_) | X | Y | A | T | U => Vec::new(),
+            Neg(e) | Power(e, _) | Abs(e) | Of(_, e) | Rate(e) | At(e, _) | Signed(_, e) | Named(e) => vec![e],
             Add(e, f) | Sub(e, f) | Mul(e, f) | Div(e, f) => vec![e, f],
         }
     }
 
-    /// The function of t that it is, where ± is this sign and the unknown is this number.
-    ///
-    /// `known` are the times at which the motion is known; elsewhere nothing has a value.
-    pub fn line(&self, sign: i8, unknown: Option<&Q>, known: &Option<(Q, Q)>) -> Result<Line<Value>, Irrational> {
-        let of = |e: &Term| e.line(sign, unknown, known);
+    /// The function of t that it is.
+    pub fn line(&self, setting: &Setting) -> Result<Line<Value>, Irrational> {
+        let of = |e: &Term| e.line(setting);
         Ok(match self {
             Number(q) => Line::constant(Value::number(q.clone())),
             Y => Line::constant(Value::number(whole(2))),
             A => Line::constant(Value::number(fraction(3, 2))),
-            U => Line::constant(Value::number(unknown.ok_or(Irrational)?.clone())),
-            X => {
-                let x = Value::Quotient(Polynomial::new(vec![Q::ZERO, Q::ONE]), Polynomial::constant(Q::ONE));
-                restricted(Line::constant(x), known)
-            }
+            U => return Err(Irrational),
+            T => restricted(time(), &setting.known),
+            X => setting.motion.term().line(setting)?,
+            Named(e) => of(e)?,
             Neg(e) => product(&minus_one(), &of(e)?)?,
             Signed(upper, e) => {
-                let s = whole(i64::from(if *upper { sign } else { -sign }));
+                let s = whole(i64::from(if *upper { setting.sign } else { -setting.sign }));
                 product(&Line::constant(Value::number(s)), &of(e)?)?
             }
             Add(e, f) => sum(&of(e)?, &of(f)?)?,
@@ -214,7 +253,7 @@ impl Term {
             })?,
             Of(Function::Root, e) if matches!(&**e, Power(_, 2)) => {
                 let Power(base, _) = &**e else { return Err(Irrational) };
-                Abs(base.clone()).line(sign, unknown, known)?
+                Abs(base.clone()).line(setting)?
             }
             Of(f, e) => f.line(&of(e)?)?,
             Rate(e) => of(e)?.rate()?,
@@ -225,6 +264,77 @@ impl Term {
             }
         })
     }
+}
+
+/// What x is as a function of t.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Motion {
+    /// t
+    Forward,
+    /// 1 − t
+    Backward,
+    /// t²
+    Turning,
+    /// |t − 1|
+    Bent,
+    /// 2t
+    Fast,
+    /// (1 − t²)/(1 + t²), the cosine of a motion around the circle
+    Around,
+}
+
+pub const MOTIONS: [Motion; 6] =
+    [Motion::Forward, Motion::Backward, Motion::Turning, Motion::Bent, Motion::Fast, Motion::Around];
+
+impl Motion {
+    pub fn term(self) -> Term {
+        match self {
+            Motion::Forward => T,
+            Motion::Backward => sub(number(1), T),
+            Motion::Turning => power(T, 2),
+            Motion::Bent => abs(sub(T, number(1))),
+            Motion::Fast => mul(number(2), T),
+            Motion::Around => div(sub(number(1), power(T, 2)), add(number(1), power(T, 2))),
+        }
+    }
+
+    /// Its rate, by hand.
+    pub fn rate(self) -> Term {
+        match self {
+            Motion::Forward => number(1),
+            Motion::Backward => number(-1),
+            Motion::Turning => mul(number(2), T),
+            Motion::Bent => div(sub(T, number(1)), abs(sub(T, number(1)))),
+            Motion::Fast => number(2),
+            Motion::Around => div(mul(number(-4), T), power(add(number(1), power(T, 2)), 2)),
+        }
+    }
+
+    pub fn at(self, t: &Q) -> Q {
+        match self {
+            Motion::Forward => t.clone(),
+            Motion::Backward => whole(1) - t,
+            Motion::Turning => t * t,
+            Motion::Bent if *t < whole(1) => whole(1) - t,
+            Motion::Bent => t - whole(1),
+            Motion::Fast => whole(2) * t,
+            Motion::Around => (whole(1) - t * t) / (whole(1) + t * t),
+        }
+    }
+}
+
+/// What terms depend on.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// The upper sign: 1 or −1.
+    pub sign: i8,
+    pub motion: Motion,
+    /// The times at which the motion is known; elsewhere nothing that moves has a value.
+    pub known: Option<(Q, Q)>,
+}
+
+fn time() -> Line<Value> {
+    Line::constant(Value::Quotient(Polynomial::new(vec![Q::ZERO, Q::ONE]), Polynomial::constant(Q::ONE)))
 }
 
 /// Nothing outside of the times that are known.

@@ -3,69 +3,13 @@
 //! Where the page leaves two meanings open, both are computed, and a verdict that fits either is no wrong one.
 
 use super::claim::{Claim, Form, Kind, Scene, Shaped, Statement, Text, text_has_sign};
-use super::line::{Irrational, Line, Piece, Q, Value};
-use super::term::{Term, difference};
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Truth {
-    True,
-    False,
-    Void,
-}
-
-use Truth::{False, True, Void};
-
-impl Piece for Truth {
-    fn at(&self, _: &Q) -> Truth {
-        *self
-    }
-}
-
-/// Strong Kleene.
-fn and(a: Truth, b: Truth) -> Truth {
-    match (a, b) {
-        (False, _) | (_, False) => False,
-        (True, True) => True,
-        (Void, _) | (_, Void) => Void,
-    }
-}
-
-fn not(a: Truth) -> Truth {
-    match a {
-        True => False,
-        False => True,
-        Void => Void,
-    }
-}
-
-fn or(a: Truth, b: Truth) -> Truth {
-    not(and(not(a), not(b)))
-}
-
-fn given(p: Truth, c: Truth) -> Truth {
-    if c == True { p } else { Void }
-}
-
-fn assert(p: Truth) -> Truth {
-    if p == Void { False } else { p }
-}
-
-/// What is void is not counted.
-fn all(p: impl IntoIterator<Item = Truth>) -> Truth {
-    let mut found = Void;
-    for p in p {
-        match p {
-            False => return False,
-            True => found = True,
-            Void => {}
-        }
-    }
-    found
-}
-
-fn some(p: impl IntoIterator<Item = Truth>) -> Truth {
-    not(all(p.into_iter().map(not)))
-}
+use super::line::{Irrational, Line, Q, Value};
+use super::logic::{
+    Truth,
+    Truth::{False, True, Void},
+    all, and, assert, given, not, or, some,
+};
+use super::term::{Setting, Term, difference};
 
 type Truths = Line<Truth>;
 type Found<T> = Result<T, Irrational>;
@@ -139,7 +83,7 @@ impl<'a> Scope<'a> {
     }
 
     fn line(&self, term: &Term, sign: i8) -> Found<Line<Value>> {
-        term.line(sign, None, &self.known)
+        term.line(&Setting { sign, motion: self.claim.motion, known: self.known.clone() })
     }
 
     /// One relation between numbers.
@@ -182,27 +126,38 @@ impl<'a> Scope<'a> {
                 Ok(found)
             }
             Statement::Limit { of, at, kind, value } => {
-                Ok(vec![Line::constant(self.limit(&self.line(of, sign)?, at, *kind, value, selected)?)])
+                // What does not move is known at all times, as one may see it.
+                let known = if self.reading.beyond && !of.moves() { None } else { self.known.clone() };
+                let limit = self.limit(&self.line(of, sign)?, &known, at, *kind, value, selected)?;
+                Ok(vec![Line::constant(limit)])
             }
         }
     }
 
-    fn limit(&self, of: &Line<Value>, at: &Option<Q>, kind: Kind, value: &Q, selected: &Line<bool>) -> Found<Truth> {
+    fn limit(
+        &self,
+        of: &Line<Value>,
+        known: &Option<(Q, Q)>,
+        at: &Option<Q>,
+        kind: Kind,
+        value: &Q,
+        selected: &Line<bool>,
+    ) -> Found<Truth> {
         let line = of.zip(selected, |v, s| if *s { v.clone() } else { Value::Nothing });
-        let line = line.cut(at.as_slice()).cut(&ends(&self.known));
-        let known = line.within(&self.known);
+        let line = line.cut(at.as_slice()).cut(&ends(known));
+        let inside = line.within(known);
         let mut limits = Vec::new();
         match at {
             None => {
                 let last = line.pieces.len() - 1;
-                if known.contains(&last) && line.pieces[last] != Value::Nothing {
+                if inside.contains(&last) && line.pieces[last] != Value::Nothing {
                     limits.push(line.pieces[last].limit_at_infinity()?);
                 }
             }
             Some(c) => {
                 let i = 2 * line.cuts.iter().position(|k| k == c).ok_or(Irrational)? + 1;
                 for side in [i - 1, i + 1] {
-                    if known.contains(&side) && line.pieces[side] != Value::Nothing {
+                    if inside.contains(&side) && line.pieces[side] != Value::Nothing {
                         limits.push(line.pieces[side].limit(c)?);
                     }
                 }
@@ -507,7 +462,8 @@ impl<'a> Scope<'a> {
             }
             Form::SameMotion(x, other) => {
                 let l = self.line(&Term::X, sign)?;
-                let t = self.atom(&l, Kind::Equal, &x.line(sign, None, &None)?)?;
+                let t =
+                    self.atom(&l, Kind::Equal, &x.line(&Setting { sign, motion: self.claim.motion, known: None })?)?;
                 let Some((a, b)) = range else { return Err(Irrational) };
                 let common = (a.max(&other.0).clone(), b.min(&other.1).clone());
                 found = every(&t, s, &Some(common));

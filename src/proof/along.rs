@@ -1,0 +1,214 @@
+//! Identities in time alone: what an equation is along a motion that is given by formulas.
+//!
+//! **In:** two sides in which time is the only leaf, what else must have a value, what selects the times that count, and a
+//! span. **Out:** [`Along`]: both sides agree wherever they have values; or they differ for certain at a time of the span;
+//! or neither was shown.
+//!
+//! **Guaranteed.** That sides agree is an identity, with the error bound of [`identity_test`](super::identity_test). That they
+//! differ is shown by balls that lie apart at a time that is a number of binary64, at which every formula has a value. The
+//! difference is computed twice: as it is written, and with its sums and products expanded over the generators, so that terms that
+//! cancel along the motion, however large, are gone before a number is put in.
+
+use super::conditions::raised;
+use super::linear::{Combination, Combinations, expression};
+use super::lower::Generators;
+use super::lowered::lower;
+use super::memory::Memory;
+use super::outcome::{Identity, Options, Premises, Wanted};
+use super::prove::identity_test_after;
+use super::witness::decimals;
+use expr::{Expr, FastMap, Graph, Leaf};
+use number::Bounded;
+
+/// What is asked.
+#[derive(Clone, Debug, Default)]
+pub struct InTime {
+    /// The time: the only leaf of what follows.
+    pub time: Option<Leaf>,
+    /// First and last time; finite.
+    pub span: (f64, f64),
+    /// The equation.
+    pub sides: Option<(Expr, Expr)>,
+    /// What must have a value beside the sides: the states, and the observables whose rates occur.
+    pub needs: Vec<Expr>,
+    /// Times count at which these are > 0.
+    pub positive: Vec<Expr>,
+    /// Times count at which these are ≥ 0.
+    pub not_negative: Vec<Expr>,
+    /// Times count at which these are ≠ 0.
+    pub nonzero: Vec<Expr>,
+}
+
+/// A time at which two sides differ for certain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apart {
+    /// The time.
+    pub time: f64,
+    /// Left side there, as far as binary64 shows it.
+    pub left: f64,
+    /// Right side there.
+    pub right: f64,
+    /// How far the difference may be from that of these two.
+    pub bound: f64,
+}
+
+/// What an equation is along a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Along {
+    /// Both sides agree at every time at which they have values.
+    Agree {
+        /// Whether the identity has no condition at all: nothing in it lacks a value at any time.
+        everywhere: bool,
+        /// A time that counts and at which both sides have values, if one was seen.
+        seen: Option<f64>,
+    },
+    /// They do not.
+    Differ(Apart),
+    /// Neither was shown.
+    Open,
+}
+
+/// Times that are looked at.
+const TIMES: u32 = 64;
+
+/// Decides an equation along a motion that is given by formulas.
+pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along {
+    let (Some(time), Some((left, right))) = (question.time, question.sides) else { return Along::Open };
+    let all = [left, right].into_iter().chain(question.needs.iter().copied());
+    let guards = question.positive.iter().chain(&question.not_negative).chain(&question.nonzero);
+    if graph.leaves(all.chain(guards.copied())).iter().any(|&l| l != time) {
+        return Along::Open;
+    }
+    let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
+    let agrees = match left == right {
+        true => Some(Vec::new()),
+        false => match identity_test_after(memory, graph, &[(left, right)], &Premises::default(), &options) {
+            Identity::Proved(proof) => Some(proof.conditions),
+            Identity::Refuted(_) | Identity::Undecided(_) => None,
+        },
+    };
+    let place = |at: u32| {
+        let (from, to) = question.span;
+        // The ends, the middle, and what is no simple fraction of the span.
+        match at {
+            0 => from,
+            1 => to,
+            _ => from + (to - from) * ((f64::from(at) * 0.618_033_988_749_894_9).fract()),
+        }
+    };
+    if let Some(conditions) = agrees {
+        let seen = (0..TIMES).map(place).find(|&t| sides_at(graph, question, time, t).is_some());
+        let mut formulas = question.needs.clone();
+        formulas.extend([left, right]);
+        let everywhere = conditions.is_empty() && super::domains(graph, &formulas).is_empty();
+        return Along::Agree { everywhere, seen };
+    }
+    let expanded = expanded(graph, left, right);
+    let apart = (0..TIMES).map(place).find_map(|t| {
+        let (l, r) = sides_at(graph, question, time, t)?;
+        let error = l.error + r.error;
+        if (l.value - r.value).abs() > 2.0 * error && (l.value - r.value).is_finite() && error.is_finite() {
+            return Some(Apart { time: t, left: l.value, right: r.value, bound: error });
+        }
+        // What is left when everything that cancels is gone.
+        let values = FastMap::from_iter([(time, Bounded::exact(t))]);
+        let rest = decimals(graph, &[expanded?], &values)[0]?;
+        let certain = rest.value.is_finite() && rest.error.is_finite() && rest.value.abs() > 2.0 * rest.error;
+        certain.then(|| Apart { time: t, left: r.value + rest.value, right: r.value, bound: rest.error })
+    });
+    apart.map_or(Along::Open, Along::Differ)
+}
+
+/// Both sides at a time that counts, at which everything has a value; `None` otherwise.
+fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bounded, Bounded)> {
+    let (left, right) = question.sides?;
+    let values = FastMap::from_iter([(time, Bounded::exact(at))]);
+    let needs = decimals(graph, &question.needs, &values);
+    let positive = decimals(graph, &question.positive, &values);
+    let not_negative = decimals(graph, &question.not_negative, &values);
+    let nonzero = decimals(graph, &question.nonzero, &values);
+    let counts = needs.iter().all(Option::is_some)
+        && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
+        && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
+        && nonzero.iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error));
+    let sides = decimals(graph, &[left, right], &values);
+    counts.then_some(sides[0]?).zip(sides[1])
+}
+
+/// left − right with all sums and products expanded over the generators, written in the formulas as given.
+fn expanded(graph: &mut Graph, left: Expr, right: Expr) -> Option<Expr> {
+    let mut combinations = Combinations::default();
+    let lowered = lower(graph, &[], &[(left, right)], [&[], &[], &[]], &[], false, &mut combinations).ok()?;
+    let &(l, r) = lowered.claim.first()?;
+    let difference = graph.sub(l, r);
+    let combination: Combination = Combinations::default().of(graph, difference);
+    let mut sum = graph.integer(0);
+    for (monomial, q) in &combination {
+        let term = expression(graph, monomial, q);
+        sum = graph.add(sum, term);
+    }
+    let generators: &Generators = &lowered.generators;
+    Some(raised(graph, generators, sum))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expr::{Op, Shape};
+
+    /// A graph with the time t, and e^{−t}.
+    fn decaying() -> (Graph, Leaf, Expr) {
+        let mut g = Graph::new();
+        let t = g.declare("t", Shape::scalar(), false);
+        let time = Leaf { symbol: t, component: 0, rate: 0, instant: None };
+        let node = g.leaf(time);
+        let minus = g.neg(node);
+        let f = g.unary(Op::Exp, minus);
+        (g, time, f)
+    }
+
+    fn ask(g: &mut Graph, time: Leaf, span: (f64, f64), sides: (Expr, Expr)) -> Along {
+        let question = InTime { time: Some(time), span, sides: Some(sides), ..InTime::default() };
+        along(&mut Memory::default(), g, &question)
+    }
+
+    #[test]
+    fn what_cancels_is_gone_before_numbers_are_put_in() {
+        let (mut g, time, f) = decaying();
+        let rate = g.time_derivative(f, time, |_| false).expect("elementary");
+        let sum = g.add(rate, f);
+        let zero = g.integer(0);
+        assert!(matches!(ask(&mut g, time, (-100.0, -33.0), (sum, zero)), Along::Agree { everywhere: true, .. }));
+        let little = g.constant(expr::Rational::from(37) / expr::Rational::from(100));
+        match ask(&mut g, time, (-100.0, -33.0), (sum, little)) {
+            Along::Differ(apart) => assert!(apart.right == 0.37 && apart.bound < 1e-12, "{apart:?}"),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn an_identity_of_positive_times_does_not_differ_on_them() {
+        let (mut g, time, _) = decaying();
+        let t = g.leaf(time);
+        let size = g.unary(Op::Abs, t);
+        assert_eq!(ask(&mut g, time, (1.0, 2.0), (size, t)), Along::Open);
+        assert!(matches!(ask(&mut g, time, (-1.0, 2.0), (size, t)), Along::Differ(a) if a.time < 0.0));
+    }
+
+    #[test]
+    fn what_has_no_value_does_not_differ() {
+        let (mut g, time, _) = decaying();
+        let t = g.leaf(time);
+        let root = g.unary(Op::Sqrt, t);
+        let one = g.integer(1);
+        assert_eq!(ask(&mut g, time, (-2.0, -1.0), (root, one)), Along::Open);
+        let question = InTime {
+            time: Some(time),
+            span: (-2.0, -1.0),
+            sides: Some((t, one)),
+            needs: vec![root],
+            ..InTime::default()
+        };
+        assert_eq!(along(&mut Memory::default(), &mut g, &question), Along::Open);
+    }
+}
