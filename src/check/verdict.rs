@@ -144,10 +144,11 @@ impl Verdict {
         Verdict { outcome, evidence: Evidence { samples, reason: Some(reason), ..Evidence::default() } }
     }
 
-    /// The same verdict with its witness completed: what it shows, not what it means.
-    pub(super) fn show(&mut self, witness: Witness) {
+    /// The same verdict with its witness completed, and another curve where one is given: what it shows, not what it means.
+    pub(super) fn show(&mut self, witness: Witness, series: Option<Arc<Residuals>>) {
         if self.evidence.witness.is_some() {
             self.evidence.witness = Some(witness);
+            self.evidence.series = series.or(self.evidence.series.take());
         }
     }
 

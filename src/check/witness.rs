@@ -7,13 +7,17 @@
 //! witness, after all methods are done, so that no method can hand over the values of another one. A side that has no value is
 //! no number.
 
+use std::sync::Arc;
+
 use super::account::ClaimAccount;
 use super::program::{Program, Use};
+use super::series::{ResidualPoint, Residuals};
 use super::stage::Stage;
 use super::verdict::Witness;
 use super::{Prepared, same_motion};
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Expr, Graph, Leaf};
+use crate::latex::RelationKind;
 
 /// What the witness of a limit at infinity is called beside its formula.
 const IN_THE_LIMIT: &str = ", in the limit";
@@ -47,8 +51,11 @@ pub(super) fn complete(points: &Points, claims: &mut [ClaimAccount]) {
             let Some(witness) = pair.verdict.evidence().witness.as_ref() else { continue };
             let trajectories = &points.derivation.trajectories;
             let Some(&t) = points.tried.iter().find(|&&t| trajectories[t].id == pair.trajectory) else { continue };
-            let complete = of_point(points, &points.prepared[k][points.start_of[t]], t, witness.clone());
-            pair.verdict.show(complete);
+            let prepared = &points.prepared[k][points.start_of[t]];
+            let complete = of_point(points, prepared, t, witness.clone());
+            let series = pair.verdict.evidence().series.as_ref().filter(|s| s.formula != complete.formula);
+            let series = series.and_then(|s| drawn(points, prepared, t, &complete, s));
+            pair.verdict.show(complete, series);
         }
     }
 }
@@ -101,6 +108,30 @@ fn sides(program: &Program, label: &str) -> (Vec<Expr>, bool) {
         }
     }
     (out, undefined)
+}
+
+/// The curve of the comparison that the witness is of, at the times of the one that was drawn, and at that of the witness. For ±
+/// no sign is that of all times: then there is none.
+fn drawn(points: &Points, prepared: &Prepared, t: usize, witness: &Witness, before: &Residuals) -> Option<Arc<Residuals>> {
+    let groups = prepared.program.groups.iter().filter(|(how, g)| !g.branching && !matches!(how, Use::Defined | Use::Limit(_)));
+    let comparison = groups.flat_map(|(_, g)| &g.comparisons).find(|c| c.label == witness.formula)?;
+    let at = prepared.program.position(comparison)?;
+    let mut times: Vec<(f64, f64)> = before.points.iter().map(|p| (p.t, p.limit)).collect();
+    let limit = times.first().map_or(0.0, |(_, limit)| *limit);
+    if !times.iter().any(|(time, _)| *time == witness.t) {
+        times.push((witness.t, limit));
+    }
+    times.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let values: crate::flow::Points = times.iter().map(|(time, _)| points.stage.values(t, *time)).collect();
+    let series = prepared.program.measure((&values, times.len()), 1.0);
+    let measured = times.iter().enumerate().filter_map(|(i, &(t, limit))| {
+        let m = series.get(at)?.get(i).ok()?;
+        let (residual, bound) = (m.difference.value.abs(), m.difference.error);
+        Some(ResidualPoint { t, left: m.left, right: m.right, residual, bound, limit })
+    });
+    let points: Vec<ResidualPoint> = measured.collect();
+    let equation = comparison.kind == RelationKind::Equal;
+    Some(Arc::new(Residuals { formula: comparison.label.clone(), equation, points, ..before.clone() }))
 }
 
 /// A state of a motion and of the one that it is compared with.

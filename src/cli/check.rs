@@ -113,6 +113,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     Ok(exit)
 }
 
+/// After this time a run says what it does.
+const PATIENCE: Duration = Duration::from_millis(400);
+/// How often it shows that it goes on.
+const TICK: Duration = Duration::from_millis(200);
+
 /// Checks one derivation, with a progress bar on a terminal if it takes long.
 ///
 /// `claims` are ids, or `id/reading` for one reading; all if empty, as for trajectories.
@@ -124,19 +129,25 @@ pub fn account(
 ) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
-        && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
+        && let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}")
     {
         bar.set_style(style);
         bar.set_prefix(derivation.id.clone());
+        bar.set_message("motions are built");
+        // What takes long says so by itself, also while nothing is done yet.
+        let bar = bar.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(PATIENCE);
+            if !bar.is_finished() {
+                bar.set_draw_target(ProgressDrawTarget::stderr());
+                bar.enable_steady_tick(TICK);
+            }
+        });
     }
-    let started = std::time::Instant::now();
     let progress = |done: usize, of: usize| {
-        let long = started.elapsed() > Duration::from_millis(500);
-        if long && bar.is_hidden() && std::io::stderr().is_terminal() {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
         bar.set_length(of as u64);
         bar.set_position(done as u64);
+        bar.set_message(if done < of { "claims are tried on motions" } else { "proofs, enclosures, altered formulas" });
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
     let options = Options { claims: ids, trajectories: trajectories.to_vec(), rigor, ..Options::default() };

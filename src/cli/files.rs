@@ -16,6 +16,11 @@ pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
     let mut found = Vec::new();
     for path in paths {
         let path = within_project(path);
+        if !path.exists() && path == Path::new("derivations") {
+            let message = "there is no folder `derivations` here: name a derivation file or a folder with some, or draft one with \
+                           `rederive init PAPER.tex`";
+            return Err(Stop::Message(message.to_owned()));
+        }
         if !path.is_dir() {
             found.push(path);
             continue;
