@@ -23,12 +23,7 @@
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
-//! Each of the lower rooms is a crate, with its own `Cargo.toml`; `tests/layering.rs` keeps these rules in them and above.
+//! Each room is a crate, with its own `Cargo.toml`; `tests/layering.rs` keeps these rules.
 
-pub mod check;
-pub mod derivation;
-pub mod paper;
-pub mod report;
-
-pub use ::{diag, expr, flow, latex, number, proof};
+pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report};
 pub use expr::tape;

@@ -6,16 +6,14 @@
 //! `REDERIVE_CLAIMS=20000` tries as many claims; `REDERIVE_CLAIMS_SEED` draws others; `REDERIVE_CLAIMS_WRITE=1` writes the
 //! list of what is known to be wrong anew.
 
-mod claims;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use claims::claim::Claim;
-use claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
-use claims::judge::{Said, key, minimized, number_of, said};
-use claims::logic::Truth;
-use claims::truth::truth;
+use crate::claims::claim::Claim;
+use crate::claims::draw::{Chance, FORMS, Profile, SIZES, claim, profile, usual_profile};
+use crate::claims::judge::{Said, key, minimized, number_of, said};
+use crate::claims::logic::Truth;
+use crate::claims::truth::truth;
 
 const CLAIMS: usize = 400;
 const SEED: u64 = 20_260_707;
@@ -109,8 +107,15 @@ fn no_random_claim_gets_a_wrong_verdict() {
         std::fs::write(known_path(), text).expect("the list can be written");
     }
     let new: Vec<_> = wrong.iter().filter(|(d, _)| !known.contains_key(&key(&d.claim))).collect();
-    let shown = usize::try_from(number_of("REDERIVE_CLAIMS_SHOWN", 40)).expect("a number");
-    for (d, s) in new.iter().take(shown) {
+    // Some of each form, made small.
+    let shown = usize::try_from(number_of("REDERIVE_CLAIMS_SHOWN", 5)).expect("a number");
+    let mut told: BTreeMap<&str, usize> = BTreeMap::new();
+    for (d, s) in &new {
+        let count = told.entry(FORMS[d.profile[3]]).or_default();
+        *count += 1;
+        if *count > shown {
+            continue;
+        }
         let (small, s2, t2) = minimized(&d.claim);
         println!("=== {} {:?} {s:?}, truth {:?}", key(&d.claim), d.profile, d.truth);
         println!("{:?} {:?} {}: {s2:?}, truth {t2:?}\n{}", small.scene, small.motion, small.span, small.toml("c"));

@@ -1,8 +1,6 @@
 //! Enclosed motions: widths, ends, angles, dense output.
 
-mod flow_support;
-
-use flow_support::{UNIT, World, rigid_states};
+use crate::flow_support::{UNIT, World, rigid_states};
 use rederive::check::{Options, Outcome, Rigor, Strength, check};
 use rederive::derivation::load;
 use rederive::diag::render;
@@ -207,7 +205,7 @@ fn width(enclosure: &Enclosure, t: f64) -> f64 {
 #[test]
 fn decimals_near_a_separatrix_stay_sharp() {
     let mut w = World::default();
-    let field = flow_support::rigid_body(&mut w);
+    let field = crate::flow_support::rigid_body(&mut w);
     let initial: Vec<(&str, &str)> =
         rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.13", "1.6", "0.12"])).collect();
     let moments = [("I1", "1.748"), ("I2", "1.638"), ("I3", "0.121")];
@@ -245,7 +243,7 @@ fn widths_of_the_free_rigid_body() {
     assert!(width(&e, 20.0) < 1.05 * least && width(&e, 20.0) < 1.6e-9);
 
     let mut w = World::default();
-    let field = flow_support::rigid_body(&mut w);
+    let field = crate::flow_support::rigid_body(&mut w);
     let initial: Vec<(&str, &str)> =
         rigid_states().into_iter().zip(UNIT.into_iter().chain(["0.01", "1", "0.01"])).collect();
     for (span, most) in [(20.0, 4e-15), (100.0, 4e-15)] {

@@ -3,10 +3,7 @@
 //! That the comparison can fail is shown beside the code, where a test can break rounding, remainder and directions
 //! (`src/flow/enclosure/tests.rs`).
 
-mod enclosure_support;
-mod flow_support;
-
-use enclosure_support::CASES;
+use crate::enclosure_support::CASES;
 
 #[test]
 fn closed_forms_are_inside() {

@@ -2,9 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
-mod flow_support;
-
-use flow_support::World;
+use crate::flow_support::World;
 use rederive::flow::{Incomplete, Motion, Setup, Source, Zeros};
 use rederive::number::NoValue;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

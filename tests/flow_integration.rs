@@ -2,9 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
-mod flow_support;
-
-use flow_support::{UNIT, World, rigid_motion};
+use crate::flow_support::{UNIT, World, rigid_motion};
 use rederive::flow::{FlowError, Problem};
 
 /// The largest |numerical − exact| over the span, which must lie within the claimed error at every time.
@@ -116,9 +114,9 @@ fn a_motion_that_blows_up_is_kept_up_to_there() {
 #[test]
 fn a_singular_inertia_names_the_state() {
     let mut w = World::default();
-    let field = flow_support::rigid_body(&mut w);
+    let field = crate::flow_support::rigid_body(&mut w);
     let initial: Vec<(&str, &str)> =
-        flow_support::rigid_states().into_iter().zip(UNIT.into_iter().chain(["1", "2", "3"])).collect();
+        crate::flow_support::rigid_states().into_iter().zip(UNIT.into_iter().chain(["1", "2", "3"])).collect();
     let parameters = [("I1", "1.9"), ("I2", "0"), ("I3", "0.7")];
     let error = w.integrate(&field, &initial, &parameters, &[], (0.0, 1.0), 0.0).unwrap_err();
     assert!(matches!(&error, FlowError::Singular { state, .. } if state == "O2"), "{error}");

@@ -2,9 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
-mod flow_support;
-
-use flow_support::{UNIT, World, rigid_motion};
+use crate::flow_support::{UNIT, World, rigid_motion};
 use rederive::flow::{FlowError, Motion, Setup, Source};
 use rederive::number::NoValue;
 use std::f64::consts::{PI, TAU};

@@ -2,9 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
-mod flow_support;
-
-use flow_support::{UNIT, World, rigid_motion};
+use crate::flow_support::{UNIT, World, rigid_motion};
 use rederive::flow::Motion;
 
 /// sn, cn and dn by the arithmetic–geometric mean (Abramowitz & Stegun 16.4), with parameter m = k² and m₁ = 1 − m given
@@ -171,7 +169,7 @@ fn reference_values_of_rotation_and_angular_velocity() {
             )
         };
         let mut names = vec!["O1", "O2", "O3"];
-        names.extend(&flow_support::rigid_states()[..9]);
+        names.extend(&crate::flow_support::rigid_states()[..9]);
         w.prepare(&mut m, &names);
         let (mut worst, mut claimed) = (0.0_f64, 0.0_f64);
         for ((x, exact), name) in m.at(t).iter().zip(&expected).zip(&names) {

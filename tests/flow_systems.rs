@@ -1,8 +1,6 @@
 //! Systems that are implicit in their rates.
 
-mod flow_support;
-
-use flow_support::World;
+use crate::flow_support::World;
 use rederive::flow::FlowError;
 
 /// Values of the rates of a field at given states and parameters, by integrating to a very short time: x₁ is the rate.

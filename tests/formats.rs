@@ -1,7 +1,5 @@
 //! Formats for machines: what they say, where it goes, and that their readers can read it.
 
-mod formats_support;
-
 use std::fs;
 use std::path::Path;
 
@@ -9,7 +7,7 @@ use assert_cmd::Command;
 use predicates::prelude::*;
 use serde_json::Value;
 
-use formats_support::{commands, junit, sarif, xml};
+use crate::formats_support::{commands, junit, sarif, xml};
 
 /// One claim of every kind: expected or not, with characters that every format must escape.
 const FILE: &str = r#"

@@ -1,10 +1,8 @@
 //! The page on the formula language is right: its examples mean what they say, its tables are complete.
 
-mod latex_support;
-
 use std::collections::BTreeSet;
 
-use latex_support::{World, shown};
+use crate::latex_support::{World, shown};
 use rederive::expr::Op;
 use rederive::latex::{RelationKind, Role};
 

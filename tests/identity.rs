@@ -1,8 +1,6 @@
 //! Identities that must be proved, and the error bound that comes with them.
 
-mod infix;
-
-use infix::Reader;
+use crate::infix::Reader;
 use rederive::check::identity::{Condition, Identity, Options, branches_test, identity_test};
 
 /// Tests `claim` under `premises`; `moving` names what depends on t.
@@ -133,11 +131,9 @@ fn nearly_true() {
     refuted(&format!("(x - 1)*({}) + x^31 = x^60 - 1", sum(60)), "");
 }
 
-mod comment;
-
 #[test]
 fn the_comment() {
-    for step in comment::steps() {
+    for step in crate::comment::steps() {
         let start = std::time::Instant::now();
         let outcome = test(&step.claim, &step.premises, &step.moving);
         let took = start.elapsed();
@@ -163,11 +159,11 @@ fn what_the_comment_leaves_open() {
     let premises = format!(
         "{}; E = (I1*w1^2 + I2*w2^2 + I3*w3^2)/2; w1 = m3*R31/I1; w2 = m3*R32/I2; w3 = m3*R33/I3; \
          2*E = m3^2/I3; I1 > 0; I2 > 0; I3 > 0",
-        comment::orthogonal("R")
+        crate::comment::orthogonal("R")
     );
     refuted("R33 = 1", &premises);
     // ψ₀ is real for some orders of the moments only: that is among the conditions.
-    let given = format!("{}; I1 - I2 != 0; I1 > 0; I2 > 0; I3 > 0", comment::PSI0);
+    let given = format!("{}; I1 - I2 != 0; I1 > 0; I2 > 0; I3 > 0", crate::comment::PSI0);
     let Identity::Proved(p) = test("sin(ps)^2 = I1*(I2 - I3)/(I3*(I2 - I1))", &given, "") else { panic!() };
     let radicands = p.conditions.iter().filter(|c| matches!(c, Condition::Discriminant(_))).count();
     assert_eq!(radicands, 2, "cos² ≥ 0 and 1 − cos² ≥ 0: {:?}", p.conditions);
@@ -179,7 +175,12 @@ fn plus_or_minus() {
     let root = "sqrt(((1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(ps)^2)\
                 *(1/I3 - 2*E/m3^2 + (1/I1 - 1/I3) - (1/I1 - 1/I2)*cos(ps)^2))/(1/I1 - (1/I1 - 1/I2)*cos(ps)^2)";
     let branches = vec![r.equations(&format!("ps'/ph' = {root}")), r.equations(&format!("ps'/ph' = -{root}"))];
-    let given = format!("{}; {}; {}; m3 != 0; I1 > 0; I2 > 0; I3 > 0", comment::T9B, comment::T9C, comment::T10);
+    let given = format!(
+        "{}; {}; {}; m3 != 0; I1 > 0; I2 > 0; I3 > 0",
+        crate::comment::T9B,
+        crate::comment::T9C,
+        crate::comment::T10
+    );
     let given = r.premises(&given, "");
     let verdict = branches_test(&mut r.graph, &branches, &given, &Options::default());
     assert!(matches!(verdict.pointwise, Identity::Proved(_)), "{verdict:#?}");

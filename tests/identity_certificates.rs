@@ -5,10 +5,7 @@
 
 #![cfg(feature = "certificates")]
 
-mod comment;
-mod infix;
-
-use infix::Reader;
+use crate::infix::Reader;
 use rederive::check::agree;
 use rederive::check::identity::{
     Certificate, Effort, Identity, NoCertificate, Options, Origin, certify, identity_test,
@@ -39,7 +36,7 @@ fn the_comment_has_certificates() {
     let thorough = std::env::var_os("REDERIVE_THOROUGH").is_some();
     let effort = if thorough { Effort::THOROUGH } else { Effort::QUICK };
     let mut without = Vec::new();
-    for step in comment::steps() {
+    for step in crate::comment::steps() {
         let start = std::time::Instant::now();
         let (one, two) = both(&step.claim, &step.premises, &step.moving, effort);
         assert!(matches!(one, Identity::Proved(_)), "{}", step.id);
@@ -239,7 +236,7 @@ fn both_routes_agree_on_random_identities() {
 fn both_routes_agree_on_edited_steps() {
     let edits = [("sin(", "cos("), ("^2", ""), (" + ", " - "), ("I1", "I2"), ("R31", "R32"), ("m3", "(2*m3)")];
     let (mut tried, mut certified) = (0, Vec::new());
-    for step in comment::steps() {
+    for step in crate::comment::steps() {
         let first = step.claim.split(';').next().unwrap_or_default().trim().to_owned();
         for (from, to) in edits {
             let Some(at) = first.find(from) else { continue };

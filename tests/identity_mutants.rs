@@ -1,9 +1,6 @@
 //! Every claim of the Comment with one edit: refuted with a witness, never proved.
 
-mod comment;
-mod infix;
-
-use infix::Reader;
+use crate::infix::Reader;
 use rederive::check::identity::{Identity, Options, identity_test};
 
 /// Texts with one edit: a sign, an index, a function, a square, a factor.
@@ -39,7 +36,7 @@ fn edits(text: &str) -> Vec<String> {
 fn no_mutant_is_proved() {
     let (mut refuted, mut all) = (0, 0);
     let mut survivors = Vec::new();
-    for step in comment::steps() {
+    for step in crate::comment::steps() {
         let texts: Vec<&str> = step.claim.split(';').map(str::trim).collect();
         // One equation of a system stands for all where they differ only by their indices.
         for text in texts.iter().take(3) {

@@ -1,6 +1,6 @@
 //! Random true identities, built by rewriting, and random near-misses: neither may get the opposite verdict.
 //!
-//! `REDERIVE_CASES=10000 cargo test --release --test identity_random` for the long run.
+//! `REDERIVE_CASES=10000 cargo test --release --test all identity_random` for the long run.
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 

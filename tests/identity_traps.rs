@@ -1,10 +1,7 @@
 //! What must never be proved, and what orthogonal matrices and sums of squares add.
 
-mod comment;
-mod infix;
-
-use comment::{determinant, orthogonal};
-use infix::Reader;
+use crate::comment::{determinant, orthogonal};
+use crate::infix::Reader;
 use rederive::check::identity::order::{Fate, Question, Requirement, decide};
 use rederive::check::identity::{Condition, Identity, Options, Reason, identity_test};
 

@@ -2,7 +2,7 @@
 //! point of the box.
 //!
 //! `INTERVAL_POINTS` sets the number of random points per operation for the long run, which is not part of every test:
-//! `INTERVAL_POINTS=1000000 cargo test --release --test interval_laws -- --ignored --nocapture`.
+//! `INTERVAL_POINTS=1000000 cargo test --release --test all interval_laws -- --ignored --nocapture`.
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 

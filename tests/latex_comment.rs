@@ -2,9 +2,7 @@
 //! sides is evaluated at random points and compared with the same thing written in matrices.
 #![expect(clippy::disallowed_methods, reason = "the platform's functions are the independent second route")]
 
-mod latex_support;
-
-use latex_support::{Point, World, close, rows};
+use crate::latex_support::{Point, World, close, rows};
 use nalgebra::{Matrix3, Vector3};
 use rederive::latex::{LimitPoint, Relation, RelationKind, Role, Statement};
 

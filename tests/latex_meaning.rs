@@ -3,9 +3,7 @@
 #![allow(clippy::type_complexity, reason = "tables of formulas and closures")]
 #![expect(clippy::disallowed_methods, reason = "the platform's functions are the independent second route")]
 
-mod latex_support;
-
-use latex_support::{Point, World, close, rows};
+use crate::latex_support::{Point, World, close, rows};
 use nalgebra::Matrix3;
 use rederive::latex::Role;
 

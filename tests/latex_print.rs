@@ -2,9 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
 
-mod latex_support;
-
-use latex_support::World;
+use crate::latex_support::World;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use rederive::expr::{Expr, Leaf, Op, Rational, Symbol};
@@ -143,7 +141,7 @@ proptest! {
             let text = w.graph.to_latex(e);
             match w.try_expression(&text) {
                 Ok(t) => prop_assert_eq!(t.as_scalar(), Some(e), "{}", text),
-                Err(p) => prop_assert!(p[0].code == "latex::too-deep", "{}", latex_support::shown(&text, &p)),
+                Err(p) => prop_assert!(p[0].code == "latex::too-deep", "{}", crate::latex_support::shown(&text, &p)),
             }
         }
     }
@@ -187,10 +185,11 @@ fn unplaced(chain: &Chain) -> String {
 }
 
 fn round_trip(w: &World, text: &str) -> usize {
-    let chains = parse(text, &w.scope).unwrap_or_else(|p| panic!("{}", latex_support::shown(text, &p)));
+    let chains = parse(text, &w.scope).unwrap_or_else(|p| panic!("{}", crate::latex_support::shown(text, &p)));
     for chain in &chains {
         let printed = to_latex(chain);
-        let again = parse(&printed, &w.scope).unwrap_or_else(|p| panic!("{}", latex_support::shown(&printed, &p)));
+        let again =
+            parse(&printed, &w.scope).unwrap_or_else(|p| panic!("{}", crate::latex_support::shown(&printed, &p)));
         assert_eq!(again.len(), 1, "{printed}");
         assert_eq!(unplaced(&again[0]), unplaced(chain), "{text}\n{printed}");
     }
@@ -236,7 +235,7 @@ fn formulas_of_the_derivations_read_back() {
 fn formulas_of_the_comment_read_back() {
     let w = World::rigid_body();
     let mut seen = 0;
-    for text in latex_support::COMMENT {
+    for text in crate::latex_support::COMMENT {
         seen += round_trip(&w, text);
     }
     assert!(seen >= 38, "{seen}");
@@ -254,7 +253,7 @@ fn printed_trees_stay_near_the_original() {
         r"\frac{d\psi}{d\varphi}=\pm\frac{\sqrt{1/I_3-2E/m_3^2}}{1/I_1}",
         r"{\bf x}_N=R(t){\bf x}_N(0)",
     ] {
-        let chains = parse(text, &w.scope).unwrap_or_else(|p| panic!("{}", latex_support::shown(text, &p)));
+        let chains = parse(text, &w.scope).unwrap_or_else(|p| panic!("{}", crate::latex_support::shown(text, &p)));
         assert_eq!(to_latex(&chains[0]), text);
     }
 }

@@ -1,8 +1,6 @@
 //! What is wrong or has two readings is refused: with a code, at the place, with a hint on how to write it.
 
-mod latex_support;
-
-use latex_support::{World, shown};
+use crate::latex_support::{World, shown};
 use rederive::latex::Role;
 
 /// Symbols of mechanics, with some names that are there to be confused.

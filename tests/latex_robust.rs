@@ -1,8 +1,6 @@
 //! Any text ends quickly in a meaning or in problems whose places lie inside the text.
 
-mod latex_support;
-
-use latex_support::{COMMENT, World};
+use crate::latex_support::{COMMENT, World};
 use rederive::diag::Problem;
 use rederive::latex::Role;
 use std::time::{Duration, Instant};

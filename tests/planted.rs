@@ -1,6 +1,6 @@
 //! One random edit is planted in each of the formulas of many derivations: is it found, and is the original offered?
 //!
-//! The whole table takes a few minutes: `cargo test --release --test planted -- --ignored --nocapture`. Every eighth formula
+//! The whole table takes a few minutes: `cargo test --release --test all planted -- --ignored --nocapture`. Every eighth formula
 //! is part of the usual run.
 
 use std::time::{Duration, Instant};

@@ -1,16 +1,14 @@
 //! The schemas of derivation files and reports: published as printed, complete, and true of every file of this project.
 
-mod schema_support;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::schema_support::Validator;
 use rederive::check::{Options, check};
 use rederive::derivation::{self, load};
 use rederive::diag::render;
 use rederive::{paper, report};
-use schema_support::Validator;
 use serde_json::{Value, json};
 
 fn root() -> &'static Path {

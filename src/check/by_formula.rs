@@ -230,13 +230,8 @@ impl<'a> Setting<'a> {
     }
 
     fn ask(&mut self, asked: &Asked, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
-        let question = InTime {
-            time: Some(self.time),
-            span: self.span,
-            sides: Some(sides),
-            needs,
-            ..asked.guards.clone()
-        };
+        let question =
+            InTime { time: Some(self.time), span: self.span, sides: Some(sides), needs, ..asked.guards.clone() };
         along(&mut self.memory, &mut self.graph, &question)
     }
 

@@ -115,8 +115,7 @@ fn checked_again(
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);
-    strengthen_all(derivation, &mut late, &account.claims, &account.trajectories)
-        .map_err(CheckError::Defect)?;
+    strengthen_all(derivation, &mut late, &account.claims, &account.trajectories).map_err(CheckError::Defect)?;
     account.claims.extend(late);
     Ok(())
 }

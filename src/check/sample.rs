@@ -1,4 +1,5 @@
-//! A handmade account with verdicts of every kind, for the tests of the reports. Not part of the program.
+//! A handmade account with verdicts of every kind, for the tests of the reports. It is there in builds with debug assertions
+//! only: the program has no verdicts but those that it found.
 
 use super::separation::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
@@ -8,7 +9,7 @@ use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, 
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 
 /// The derivation file that the account belongs to.
-pub(crate) const FILE: &str = r"
+pub const FILE: &str = r"
 [derivation]
 title = 'A spring'
 concerns = 'Nobody, *Springs* (1900)'
@@ -141,7 +142,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
 }
 
 /// The account.
-pub(crate) fn account() -> Account {
+pub fn account() -> Account {
     let sampled = Outcome::Holds(Strength::Sampled);
     let refuted = Outcome::Fails(Strength::Sampled);
     let gap = Exclusion { from: 1.0, to: 1.5, reason: "the denominator x is too close to 0".into() };

@@ -10,8 +10,8 @@ use super::model::{Claim, Form, FormKind, Formula, Measure, Written};
 use super::role::ClaimRole;
 use super::number::finite;
 use super::table::{Literal, Table, Value, text_of};
-use crate::expr::Tensor;
-use crate::latex::Statement;
+use expr::Tensor;
+use latex::Statement;
 
 /// The precision that is asked for where a claim does not say.
 pub const DEFAULT_PRECISION: f64 = 1e-9;

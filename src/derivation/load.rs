@@ -12,9 +12,9 @@ use toml::de::{DeTable, DeValue};
 use super::keys;
 use super::model::{Derivation, System, Trajectory, Written};
 use super::table::{Literal, Problems, Table, check_id, text_of};
-use crate::diag::{Diagnostic, Source, sort};
-use crate::expr::{Symbol, Tensor};
-use crate::latex::{self, Relation, RelationKind, Scope, Statement};
+use diag::{Diagnostic, Source, sort};
+use expr::{Symbol, Tensor};
+use latex::{self, Relation, RelationKind, Scope, Statement};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;
@@ -216,7 +216,7 @@ impl<'s> Loader<'s> {
     }
 
     /// Notes the problems that were found in a formula.
-    pub fn note_formula(&mut self, formula: &Literal<'_>, found: Vec<crate::diag::Problem>) {
+    pub fn note_formula(&mut self, formula: &Literal<'_>, found: Vec<diag::Problem>) {
         let source = self.problems.source;
         self.problems.found.extend(found.into_iter().map(|p| Diagnostic::of_formula(source, formula.start, p)));
     }

@@ -3,9 +3,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::diag::Source;
-use crate::expr::{Expr, Graph, Leaf, Symbol, Tensor};
-use crate::latex::{Role, Scope, Statement};
+use diag::Source;
+use expr::{Expr, Graph, Leaf, Symbol, Tensor};
+use latex::{Role, Scope, Statement};
 
 use super::role::ClaimRole;
 use super::unit::Unit;

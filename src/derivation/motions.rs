@@ -10,8 +10,8 @@ use super::model::{GivenValue, Motion, System, Trajectory, Written};
 use super::number::finite;
 use super::table::{Table, Value, check_id, note_double_quoted, text_of};
 use super::values::Known;
-use crate::expr::{Expr, Leaf, Rational, Symbol};
-use crate::latex::{Role, Scope};
+use expr::{Expr, Leaf, Rational, Symbol};
+use latex::{Role, Scope};
 
 type Values = Vec<(Symbol, Written<Vec<Expr>>)>;
 

@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::table::{Problems, Value};
-use crate::expr::Rational;
+use expr::Rational;
 use toml::de::DeValue;
 
 /// Largest power of ten: binary64 ends near 10^308, and larger powers would only fill the memory.

@@ -4,7 +4,7 @@ use super::keys;
 use super::load::Loader;
 use super::model::{Picture, PictureKind};
 use super::table::{Literal, Table, Value};
-use crate::latex::Role;
+use latex::Role;
 
 impl Loader<'_> {
     /// Reads every `[[picture]]`.
@@ -56,7 +56,7 @@ impl Loader<'_> {
         if let Some(levels) = &picture.levels {
             let graph = &self.out.graph;
             let shown = graph.leaves(picture.show.iter().map(|w| w.value));
-            let fixed = |leaf: &crate::expr::Leaf| self.out.scope.role(leaf.symbol) == Some(Role::Parameter);
+            let fixed = |leaf: &expr::Leaf| self.out.scope.role(leaf.symbol) == Some(Role::Parameter);
             let other = graph.leaves([levels.value]).into_iter().find(|l| !shown.contains(l) && !fixed(l));
             if shown.len() != 3 || other.is_some() {
                 let message = "`levels` is a formula in the three symbols that are shown, and in parameters";
@@ -78,7 +78,7 @@ impl Loader<'_> {
     }
 
     /// Formulas for one number each.
-    fn scalars(&mut self, formulas: Vec<Literal<'_>>) -> Vec<super::model::Written<crate::expr::Expr>> {
+    fn scalars(&mut self, formulas: Vec<Literal<'_>>) -> Vec<super::model::Written<expr::Expr>> {
         let scope = self.out.scope.clone();
         let mut out = Vec::new();
         for formula in formulas {

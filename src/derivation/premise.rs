@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use super::load::Loader;
 use super::model::{Claim, Derivation};
+use expr::{Symbol, Tensor};
 
 /// What a name under `follows-from` means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +40,12 @@ impl Derivation {
             return Premise::System(system);
         }
         self.claims.iter().position(|c| c.is_called(name)).map_or(Premise::Definition, Premise::Claim)
+    }
+
+    /// The definition of a symbol, wherever it is declared.
+    pub fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
+        let in_claims = || self.claims.iter().find_map(|c| c.scope.definition(symbol));
+        self.scope.definition(symbol).or_else(in_claims)
     }
 }
 

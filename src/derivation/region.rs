@@ -9,8 +9,8 @@ use super::load::Loader;
 use super::model::{Claim, Form, FormKind, Formula, Ranged, Region, SymbolEntry, Values, Written};
 use super::table::{Table, Value};
 use super::values::Known;
-use crate::expr::{Expr, Leaf, Rational, Symbol};
-use crate::latex::{RelationKind, Role, Scope, Statement};
+use expr::{Expr, Leaf, Rational, Symbol};
+use latex::{RelationKind, Role, Scope, Statement};
 
 /// The forms that a claim over ranges may have.
 const POSSIBLE: &[FormKind] = &[FormKind::Always, FormKind::Defined, FormKind::Exists];

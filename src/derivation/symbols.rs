@@ -6,8 +6,8 @@ use super::keys;
 use super::load::Loader;
 use super::model::SymbolEntry;
 use super::table::{Literal, Table, Value, literal_of, note_double_quoted};
-use crate::expr::Shape;
-use crate::latex::{Declaration, DeclareError, Role, Scope};
+use expr::Shape;
+use latex::{Declaration, DeclareError, Role, Scope};
 
 pub(super) const ROLES: &[(&str, Role)] = &[
     ("time", Role::Time),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::diag::{Diagnostic, Label, Source, nearest};
+use diag::{Diagnostic, Label, Source, nearest};
 
 /// A value and its place.
 pub(super) type Value<'s> = Spanned<DeValue<'s>>;

@@ -11,9 +11,9 @@ use std::sync::Arc;
 
 use super::model::{Derivation, SymbolEntry};
 use super::symbols::{ROLES, parse_shape};
-use crate::diag::{Diagnostic, Source, nearest};
-use crate::expr::{Graph, Shape};
-use crate::latex::{Declaration, DeclareError, Role, Scope};
+use diag::{Diagnostic, Source, nearest};
+use expr::{Graph, Shape};
+use latex::{Declaration, DeclareError, Role, Scope};
 
 impl Derivation {
     /// A derivation that says nothing: no symbols, no claims.
@@ -96,7 +96,7 @@ impl Derivation {
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
         let declaration = Declaration { role: typed.role, shape, diagonal, formula, arguments: &names };
         let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
-            let at = |start: usize, found: Vec<crate::diag::Problem>| {
+            let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()
             };
             match error {

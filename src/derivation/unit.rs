@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::expr::Rational;
+use expr::Rational;
 
 /// The base units, in the order in which they are written.
 const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];

@@ -8,8 +8,8 @@ use super::load::Loader;
 use super::model::Written;
 use super::number::rational;
 use super::table::{Value, literal_of};
-use crate::expr::{Expr, Leaf, Symbol};
-use crate::latex::Scope;
+use expr::{Expr, Leaf, Symbol};
+use latex::Scope;
 
 /// The values of symbols that a formula may use, one expression for each stored component.
 pub(super) type Known = HashMap<Symbol, Vec<Expr>>;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::mark::{Mark, marks, parts};
 use super::token::tokens;
 use super::{Equation, Paper, Part};
-use crate::derivation::{Claim, Derivation, Form, SymbolEntry};
-use crate::diag::Source;
+use derivation::{Claim, Derivation, Form, SymbolEntry};
+use diag::Source;
 
 /// A formula that is not what the paper prints under its label.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -171,7 +171,7 @@ pub fn compare(derivation: &Derivation, paper: &Paper) -> Comparison {
                 owner,
                 label: label.to_owned(),
                 span,
-                near: crate::diag::nearest(label, paper.equations.iter().filter_map(|e| e.label.as_deref()))
+                near: diag::nearest(label, paper.equations.iter().filter_map(|e| e.label.as_deref()))
                     .map(str::to_owned),
             }),
         }

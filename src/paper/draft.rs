@@ -11,8 +11,8 @@ use std::ops::Range;
 use super::Paper;
 use super::mark::{Mark, marks};
 use super::token::tokens;
-use crate::derivation::parse;
-use crate::diag::{Diagnostic, Source};
+use derivation::parse;
+use diag::{Diagnostic, Source};
 
 /// The draft of a derivation file.
 #[derive(Clone, Debug, PartialEq, Eq)]

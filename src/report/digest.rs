@@ -488,7 +488,7 @@ pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     Some(format!("on the motions tried, it holds just where {}{rivals}", explanation(e)))
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

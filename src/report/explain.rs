@@ -163,7 +163,7 @@ fn would_change(outcome: Outcome) -> &'static str {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

@@ -318,11 +318,11 @@ pub fn rule_says(rule: &str) -> &'static str {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
     use crate::check::sample::account;
-    use crate::report::tests::derivation;
+    use crate::tests::derivation;
 
     #[test]
     fn what_is_not_as_expected_and_what_is_open_is_found_and_nothing_else() {

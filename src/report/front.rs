@@ -113,11 +113,11 @@ impl Front {
             },
             version: format!(
                 "{} {}, file {file}, SHA-256 {}",
-                env!("CARGO_PKG_NAME"),
+                crate::PROGRAM,
                 env!("CARGO_PKG_VERSION"),
                 derivation.sha256.get(..16).unwrap_or_default(),
             ),
-            command: format!("{} check {file}", env!("CARGO_PKG_NAME")),
+            command: format!("{} check {file}", crate::PROGRAM),
         }
     }
 }
@@ -430,7 +430,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> Value {
     })
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

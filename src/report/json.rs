@@ -9,7 +9,7 @@ use super::paper::paper_data;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::{ClaimRole, Derivation};
-use crate::paper::Comparison;
+use ::paper::Comparison;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
@@ -45,7 +45,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
         derivation.conventions.iter().map(|(k, v)| (k.clone(), Value::String(v.clone()))).collect();
     json!({
         "schema": 1,
-        "tool": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
+        "tool": { "name": crate::PROGRAM, "version": env!("CARGO_PKG_VERSION") },
         "derivation": {
             "id": derivation.id,
             "title": derivation.title,
@@ -205,7 +205,7 @@ pub(super) fn write(value: &Value, depth: usize, out: &mut String) {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

@@ -27,7 +27,7 @@ pub struct Checked<'a> {
 
 /// The report of a run: the files that were checked, then what was found beside verdicts.
 pub fn junit(checked: &[Checked<'_>], others: &[Finding]) -> String {
-    let mut report = Report::new(env!("CARGO_PKG_NAME"));
+    let mut report = Report::new(crate::PROGRAM);
     for one in checked {
         let mut suite = TestSuite::new(one.derivation.id.as_str());
         suite.add_property(("file", one.derivation.file.path.as_str()));

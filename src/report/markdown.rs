@@ -446,14 +446,14 @@ fn repeat(derivation: &Derivation) -> String {
          - precision asked for, unless a claim says otherwise: {}\n\n\
          A residual, left side minus right side, is compared with its own error bound, which is propagated from the error of \
          the trajectory and from rounding. A bound that is larger than the precision asked for leaves the claim undecided.\n",
-        env!("CARGO_PKG_NAME"),
+        crate::PROGRAM,
         env!("CARGO_PKG_VERSION"),
         derivation.sha256,
         size(DEFAULT_PRECISION),
     )
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::finding::{Finding, Level, Place};
 use super::numbers::count;
 use crate::derivation::Derivation;
-use crate::paper::{Comparison, Difference};
+use ::paper::{Comparison, Difference};
 
 /// The most equations and relations that are listed for a terminal.
 const SHOWN: usize = 20;

@@ -120,7 +120,7 @@ pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) ->
     };
     let document = json!({
         "schema": 1,
-        "tool": { "name": env!("CARGO_PKG_NAME"), "version": env!("CARGO_PKG_VERSION") },
+        "tool": { "name": crate::PROGRAM, "version": env!("CARGO_PKG_VERSION") },
         "formula": proposition.formula,
         "given": proposition.given,
         "branches": if proposition.throughout { "throughout" } else { "pointwise" },

@@ -271,7 +271,7 @@ fn counts(account: &Account, paint: Paint) -> String {
     format!("{claims} (readings counted) on {trajectories}: {unexpected}\n{verdicts}\n")
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

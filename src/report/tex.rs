@@ -51,11 +51,11 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
     out.push_str(&format!(
         "\\subsection*{{How it was made}}\n{} {}, from the file {}, SHA-256\\\\\\texttt{{\\footnotesize {}}}.\\\\\nTo repeat it: \
          \\texttt{{{} check {}}}\n\n\\end{{document}}\n",
-        env!("CARGO_PKG_NAME"),
+        crate::PROGRAM,
         env!("CARGO_PKG_VERSION"),
         escaped(&derivation.file.path),
         derivation.sha256,
-        env!("CARGO_PKG_NAME"),
+        crate::PROGRAM,
         escaped(&derivation.file.path)
     ));
     out
@@ -507,7 +507,7 @@ fn sign(c: char) -> String {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::super::tests::derivation;
     use super::*;

@@ -108,6 +108,10 @@ impl Draw<'_> {
         match self.chance.below(8) {
             0 => self.functional(),
             1 => div(self.plain(), self.linear()),
+            2 if self.moving() && self.chance.once_in(3) => {
+                let f = self.chance.one(&[Function::Logarithm, Function::ArcTangent]);
+                rate(of(f, self.linear()))
+            }
             2 if self.moving() => rate(self.plain()),
             3 if self.moving() && self.chance.once_in(3) => rate(rate(self.plain())),
             _ => self.plain(),
@@ -272,5 +276,10 @@ impl Draw<'_> {
 
 /// Whether a function occurs that is no rational function, so that only its sign is known.
 fn has_function(e: &Term) -> bool {
-    matches!(e, Term::Of(..)) || e.parts().iter().any(|p| has_function(p))
+    match e {
+        // A rate of a logarithm or an arc tangent is a rational function.
+        Term::Rate(f) => f.parts().iter().any(|p| has_function(p)),
+        Term::Of(..) => true,
+        e => e.parts().iter().any(|p| has_function(p)),
+    }
 }

@@ -13,7 +13,7 @@ use super::judge::{Said, number_of, said};
 use super::metamorphic::{Kept, RULES};
 use super::truth::truth;
 
-const CLAIMS: usize = 120;
+const CLAIMS: usize = 160;
 const SEED: u64 = 31;
 
 fn known_path() -> std::path::PathBuf {
@@ -74,7 +74,7 @@ fn what_says_the_same_is_judged_alike() {
     let mut told = String::new();
     for (rule, kept, apply) in RULES {
         let pairs: Vec<(usize, Claim)> = drawn.iter().enumerate().filter_map(|(i, c)| Some((i, apply(c)?))).collect();
-        assert!(n < CLAIMS || pairs.len() >= 3, "{rule}: {} pairs", pairs.len());
+        assert!(n < CLAIMS || pairs.len() >= 2, "{rule}: {} pairs", pairs.len());
         let mut count = 0;
         for part in pairs.chunks(100) {
             let after = said(&part.iter().map(|(_, c)| c).collect::<Vec<_>>());

@@ -256,7 +256,20 @@ impl Term {
                 Abs(base.clone()).line(setting)?
             }
             Of(f, e) => f.line(&of(e)?)?,
-            Rate(e) => of(e)?.rate()?,
+            Rate(e) => match &**e {
+                // Where these have a value they are smooth, with rational rates.
+                Of(f @ (Function::Logarithm | Function::ArcTangent), e) => {
+                    let inner = of(e)?;
+                    let below = match f {
+                        Function::Logarithm => {
+                            inner.by_sign(|v, s| if s == Some(1) { v.clone() } else { Value::Nothing })?
+                        }
+                        _ => sum(&product(&inner, &inner)?, &Line::constant(Value::number(whole(1))))?,
+                    };
+                    product(&inner.rate()?, &inverse(&below)?)?
+                }
+                e => of(e)?.rate()?,
+            },
             At(e, c) => {
                 let line = of(e)?.cut(std::slice::from_ref(c));
                 let at = line.cuts.iter().position(|k| k == c).ok_or(Irrational)?;

@@ -14,7 +14,7 @@ mod infer;
 use std::collections::HashMap;
 
 use crate::derivation::{Claim, Derivation, Form, SymbolEntry, Unit, Written};
-use crate::expr::{Expr, Graph, Leaf, Symbol, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Tensor};
 use crate::latex::{LimitPoint, Role, Statement};
 use infer::{Fault, Inference, State};
 
@@ -409,14 +409,6 @@ impl<'d> Checker<'d> {
         for condition in &self.derivation.conditions {
             condition.holds.iter().for_each(|w| self.statement("condition", &condition.id, w, false));
         }
-    }
-}
-
-impl Derivation {
-    /// The definition of a symbol, wherever it is declared.
-    fn definition(&self, symbol: Symbol) -> Option<&Tensor> {
-        let in_claims = || self.claims.iter().find_map(|c| c.scope.definition(symbol));
-        self.scope.definition(symbol).or_else(in_claims)
     }
 }
 

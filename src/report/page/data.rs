@@ -229,7 +229,7 @@ fn column(values: &[f64], (low, high): (f64, f64)) -> String {
     coarse.chain(values.iter().map(|x| digit(step(x) % FINE))).collect()
 }
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
 

@@ -270,13 +270,13 @@ fn making(derivation: &Derivation) -> Markup {
             h2 { "How it was made" }
             dl {
                 dt { "program" }
-                dd { (env!("CARGO_PKG_NAME")) " " (env!("CARGO_PKG_VERSION")) }
+                dd { (crate::PROGRAM) " " (env!("CARGO_PKG_VERSION")) }
                 dt { "derivation file" }
                 dd { (derivation.file.path) }
                 dt { "SHA-256 of the file" }
                 dd.hash { (derivation.sha256) }
                 dt { "to repeat it" }
-                dd { code { (env!("CARGO_PKG_NAME")) " check " (derivation.file.path) } }
+                dd { code { (crate::PROGRAM) " check " (derivation.file.path) } }
                 dt { "precision asked for" }
                 dd { (size(crate::derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
                 dt { "seeds" }

@@ -1,13 +1,13 @@
 //! The LaTeX source of a paper: what it prints, and whether a derivation file says the same.
 //!
-//! **In:** the text of a paper, and a [`Derivation`](crate::derivation::Derivation). **Out:** the displayed
+//! **In:** the text of a paper, and a [`Derivation`](derivation::Derivation). **Out:** the displayed
 //! [`equations`](Paper::equations) with their labels, and the formulas of the running text; from [`compare`], every formula
 //! that names a label and differs from what is printed under it, and how much of the paper is covered.
 //!
 //! **Guaranteed:** two formulas are called the same only if LaTeX prints them alike, spacing and the size of brackets apart.
 //! Macros of the paper are expanded; every place is one of the file as it was written. No text makes this panic.
 //!
-//! **Why this way:** nothing is *read* here in the sense of [`latex`](crate::latex): what a formula means is a question to
+//! **Why this way:** nothing is *read* here in the sense of [`latex`](latex): what a formula means is a question to
 //! the derivation file. That the file has copied the paper rightly is a question of signs on paper, and is answered with
 //! signs.
 
@@ -26,7 +26,7 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare};
 pub use draft::{Draft, draft};
 
-use crate::diag::{Diagnostic, Source};
+use diag::{Diagnostic, Source};
 use mark::{Mark, group_text, marks, parts, text_of};
 use token::{Kind, Token};
 

@@ -10,6 +10,10 @@
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
+use crate as check;
+use ::{derivation, diag, expr, flow, latex, number};
+use expr::tape;
+
 mod account;
 mod between;
 mod by_formula;
@@ -32,8 +36,9 @@ mod program;
 mod proposition;
 pub mod region;
 mod same_motion;
-#[cfg(test)]
-pub(crate) mod sample;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub mod sample;
 pub mod search;
 mod second_route;
 pub mod separation;

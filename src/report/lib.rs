@@ -9,6 +9,8 @@
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
 
+use ::{check, derivation, diag, expr, latex};
+
 mod alone;
 mod certificates;
 mod conditions;
@@ -42,6 +44,9 @@ mod units;
 mod wording;
 mod write;
 
+/// The name of the program, as reports give it.
+const PROGRAM: &str = "rederive";
+
 pub use certificates::{CERTIFICATES, certificate_text, certificates};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
@@ -60,7 +65,7 @@ pub use summary::{exceptions, summary};
 pub use tex::{tex, tex_summary};
 pub use write::{WriteError, write_files, write_report};
 
-#[cfg(test)]
+#[cfg(all(test, debug_assertions))]
 mod tests {
     use crate::check::sample;
     use crate::derivation::{Derivation, parse};
