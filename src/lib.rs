@@ -1,8 +1,74 @@
 //! `rederive` checks derivations: which claims of a paper hold, along which trajectories, and how strongly.
 //!
 //! A *derivation file* names a paper's symbols, systems of equations, trajectories and claims, with the formulas in LaTeX as
-//! they are printed. [`derivation::load`] reads it, [`check::check`] decides every claim on every trajectory, [`report`]
-//! writes down what was found.
+//! they are printed. The program `rederive` checks such files; this is the library that it is built on.
+//!
+//! # A first check
+//!
+//! A [`Session`] reads the text of a derivation file. What it finds is plain data: one [`Finding`] for each claim on each
+//! motion, with its verdict and how strong that is.
+//!
+//! ```
+//! use rederive::{Ask, Outcome, Session, Strength};
+//!
+//! let text = r"
+//! [derivation]
+//! title = 'A spring'
+//! concerns = 'A textbook'
+//!
+//! [symbols]
+//! 't' = { role = 'time' }
+//! 'x' = { role = 'state' }
+//! 'v' = { role = 'state' }
+//!
+//! [system.spring]
+//! states = ['x', 'v']
+//! equations = ['\dot x=v', '\dot v=-x']
+//!
+//! [[trajectory]]
+//! id = 'pulled'
+//! system = 'spring'
+//! initial = { 'x' = 1, 'v' = 0 }
+//! span = [0, 10]
+//!
+//! [[claim]]
+//! id = 'energy'
+//! says = 'The energy is what it was'
+//! always = ['x^2+v^2=x(0)^2+v(0)^2']
+//!
+//! [[claim]]
+//! id = 'rest'
+//! says = 'It stays where it is'
+//! always = ['x=1']
+//! ";
+//! let session = Session::open("spring.toml", text).expect("no problems");
+//! let findings = session.check(&Ask::default(), &|_, _| {})?;
+//! let [energy, rest] = &findings.all()[..] else { panic!("two claims on one motion") };
+//!
+//! assert!(matches!(energy.outcome, Outcome::Holds(strength) if strength >= Strength::Enclosed));
+//! assert!(matches!(rest.outcome, Outcome::Fails(_)));
+//! // A failure has a point that can be checked by hand.
+//! let witness = rest.witness.as_ref().expect("a witness");
+//! assert!((witness.left - witness.t.cos()).abs() < 1e-9 && witness.right == 1.0);
+//! # Ok::<(), rederive::Failure>(())
+//! ```
+//!
+//! What the text gets wrong is a list of [`diag::Diagnostic`]s, each with its place and a hint:
+//!
+//! ```
+//! let problems = rederive::Session::open("empty.toml", "[derivation]\ntitle = 'Nothing'").unwrap_err();
+//! assert_eq!(problems[0].code, "derivation::missing-key");
+//! assert!(rederive::diag::render(&problems, false).contains("empty.toml:"));
+//! ```
+//!
+//! # While a file is written
+//!
+//! [`Session::change`] takes the next state of the text, [`Session::check_again`] finds what is not known from the one before.
+//!
+//! # What is stable
+//!
+//! Nothing is promised before version 1.0. What will be is what this page names: [`Session`], [`Ask`], [`Findings`],
+//! [`Finding`], [`Failure`]. The crates below serve them.
 //!
 //! # The path of a formula
 //!
@@ -11,19 +77,26 @@
 //!                          ↑ number/ ↑
 //! ```
 //!
-//! | room | what happens there | imports |
+//! | crate | what happens there | imports |
 //! |---|---|---|
 //! | [`diag`] | a problem at a place of a file, and how it is shown | – |
 //! | [`number`] | what a value can be: binary64, duals, error bounds, series, lanes, finite fields | – |
 //! | [`expr`] | the shared graph of expressions, derivatives, printing; [`tape`]: graph → straight-line program; the one evaluation loop | number |
 //! | [`latex`] | formula text → expressions, or a refusal with its place | diag, expr |
 //! | [`derivation`] | the TOML file as written, every formula read | diag, expr, latex |
-//! //! | [`flow`] | vector fields, trajectories, observables, events | expr, tape, number |
-//! | [`check`] | claims → verdicts: along motions, and for all values | diag, derivation, latex, flow, tape, expr, number |
+//! | [`flow`] | vector fields, trajectories, observables, events | expr, number |
+//! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
+//! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
+//! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
+//! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number, verdict |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
-//! Each room is a crate, with its own `Cargo.toml`; `tests/layering.rs` keeps these rules.
+//! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.
 
-pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report};
+mod session;
+
+pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report, units, verdict};
+pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
+pub use session::{Ask, ClaimName, Failure, Finding, Findings, Session};

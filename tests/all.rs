@@ -12,9 +12,11 @@ mod infix;
 mod latex_support;
 mod schema_support;
 
+mod circles;
 mod claims_random;
 mod cli;
 mod cli_mangled;
+mod contributing;
 mod corpus;
 mod derivation_docs;
 mod derivation_errors;

@@ -24,14 +24,25 @@ struct Drawn {
     truth: Vec<Truth>,
 }
 
+/// Two dimensions, each with a value of it.
+type Pair = (usize, usize, usize, usize);
+
 /// All pairs of values that occur together.
-fn pairs(profile: &Profile) -> Vec<(usize, usize, usize, usize)> {
+fn pairs(profile: &Profile) -> Vec<Pair> {
     let n = profile.len();
     (0..n).flat_map(|i| (i + 1..n).map(move |k| (i, profile[i], k, profile[k]))).collect()
 }
 
+/// All triples of values that occur together, by their dimensions.
+fn triples(profile: &Profile) -> Vec<[(usize, usize); 3]> {
+    let n = profile.len();
+    let at = |i: usize| (i, profile[i]);
+    let rest = move |i: usize| (i + 1..n).flat_map(move |k| (k + 1..n).map(move |m| [i, k, m]));
+    (0..n).flat_map(rest).map(|[i, k, m]| [at(i), at(k), at(m)]).collect()
+}
+
 /// Claims whose profiles cover the pairs that can occur, as far as the number reaches, then chance.
-fn draws(n: usize, seed: u64) -> (Vec<Drawn>, BTreeSet<(usize, usize, usize, usize)>) {
+fn draws(n: usize, seed: u64) -> (Vec<Drawn>, BTreeSet<Pair>) {
     let mut chance = Chance::new(seed);
     let mut covered = BTreeSet::new();
     let mut found = Vec::new();
@@ -75,7 +86,12 @@ fn no_random_claim_gets_a_wrong_verdict() {
     let (drawn, _) = draws(n, seed);
     let mut table: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
     let mut wrong = Vec::new();
-    for part in drawn.chunks(100) {
+    // One by one, with its text before it is tried: for a claim on which the program does not end.
+    let each = std::env::var_os("REDERIVE_CLAIMS_EACH").is_some();
+    for part in drawn.chunks(if each { 1 } else { 100 }) {
+        if each {
+            println!("trying {:?}\n{}", part[0].claim.motion, part[0].claim.toml("c"));
+        }
         let claims: Vec<&Claim> = part.iter().map(|d| &d.claim).collect();
         for (d, s) in part.iter().zip(said(&claims)) {
             let row = table.entry(FORMS[d.profile[3]]).or_default();
@@ -94,7 +110,8 @@ fn no_random_claim_gets_a_wrong_verdict() {
     for (form, row) in &table {
         println!("{form:16} {row:?}");
     }
-    println!("{} of {n} claims wrong, seed {seed}", wrong.len());
+    let triples: BTreeSet<_> = drawn.iter().flat_map(|d| triples(&d.profile)).collect();
+    println!("{} of {n} claims wrong, seed {seed}; {} triples of values tried", wrong.len(), triples.len());
     let known = known();
     let keys: BTreeSet<String> = wrong.iter().map(|(d, _)| key(&d.claim)).collect();
     let drawn_keys: BTreeSet<String> = drawn.iter().map(|d| key(&d.claim)).collect();
@@ -132,5 +149,6 @@ fn every_pair_of_values_that_can_stand_together_is_tried() {
     let possible: usize =
         (0..SIZES.len()).map(|i| (i + 1..SIZES.len()).map(|k| SIZES[i] * SIZES[k]).sum::<usize>()).sum();
     println!("{} of {possible} pairs in {} claims", covered.len(), drawn.len());
-    assert!(covered.len() * 10 > possible * 7);
+    // Some cannot stand together: first integrals in boxes, ± without what could carry it.
+    assert!(covered.len() * 100 > possible * 88);
 }

@@ -65,13 +65,13 @@ always = ['\ln x\le 1']
 
 [[claim]]
 id = "never"
-says = "x is never 7"
-never = ['x=7']
+says = "x tends to 0"
+always = ['\lim_{t\rightarrow\infty}x=0']
 
 [[claim]]
 id = "never-expected"
-says = "x is never 8"
-never = ['x=8']
+says = "x tends to 1"
+always = ['\lim_{t\rightarrow\infty}x=1']
 expect = "undecided"
 "#;
 
@@ -122,7 +122,7 @@ fn sarif_has_what_is_not_as_expected_with_its_place() {
         [
             ("verdict::fails", "error", r"\frac{\dot x}{1}=x"),
             ("verdict::holds", "error", r"\dot x=-x"),
-            ("verdict::undecided", "warning", "x=7"),
+            ("verdict::undecided", "warning", r"\lim_{t\rightarrow\infty}x=0"),
         ]
     );
     assert!(text.contains("\"uri\": \"derivations/decay.toml\""));

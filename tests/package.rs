@@ -150,6 +150,22 @@ fn the_package_has_what_it_needs_and_nothing_else() {
     assert!(size < 8 << 20, "the package has {size} bytes");
 }
 
+/// A front end of another kind does not drag in a command line.
+#[test]
+fn the_library_needs_no_terminal() {
+    let tree = |more: &[&str]| {
+        let base = ["tree", "--offline", "--locked", "-p", env!("CARGO_PKG_NAME"), "-e", "normal", "--prefix", "none"];
+        cargo(&[&base[..], more].concat())
+    };
+    let names =
+        |text: &str| text.lines().filter_map(|l| l.split(' ').next()).map(str::to_owned).collect::<BTreeSet<_>>();
+    let (program, library) = (names(&tree(&[])), names(&tree(&["--no-default-features"])));
+    for name in ["clap", "clap_complete", "clap_mangen", "indicatif", "mimalloc"] {
+        assert!(program.contains(name) && !library.contains(name), "{name}");
+    }
+    assert!(library.contains("rederive-check") && library.contains("rederive-report"));
+}
+
 #[test]
 fn the_files_for_ci_use_what_the_program_has() {
     let help = |command: &str| {
@@ -192,7 +208,7 @@ fn the_files_for_ci_use_what_the_program_has() {
 #[test]
 fn the_page_on_rules_has_every_rule() {
     let page = read("docs/continuous-integration.md");
-    for file in ["src/report/finding.rs", "src/report/paper.rs", "src/paper/mod.rs"] {
+    for file in ["src/report/finding.rs", "src/report/paper.rs", "src/paper/lib.rs"] {
         for part in read(file).split('"').skip(1).step_by(2) {
             let is_rule = ["verdict::", "paper::"].iter().any(|r| part.starts_with(r) && part.len() > r.len());
             assert!(!is_rule || page.contains(&format!("`{part}`")), "{file}: `{part}` is not on the page");

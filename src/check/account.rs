@@ -6,7 +6,7 @@ use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
-use super::verdict::{Outcome, Strength, Verdict};
+use crate::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::Claim;
 
 /// A trajectory as it was computed.
@@ -258,6 +258,14 @@ pub struct Summary {
 }
 
 impl Account {
+    /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+        self.claims.iter().flat_map(|claim| {
+            let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+            claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))
+        })
+    }
+
     /// The counts.
     pub fn summary(&self) -> Summary {
         let mut s = Summary::default();
@@ -265,7 +273,7 @@ impl Account {
             match pair.verdict.outcome() {
                 Outcome::Holds(_) => s.holds += 1,
                 Outcome::Fails(_) => s.fails += 1,
-                Outcome::NotApplicable => s.not_applicable += 1,
+                Outcome::NotApplicable(_) => s.not_applicable += 1,
                 Outcome::Undecided => {
                     s.undecided += 1;
                     s.open += usize::from(pair.expected.is_none());

@@ -1,83 +1,43 @@
 //! Motions that are given by formulas are premises: a claim on one of them is first an identity in time.
 //!
-//! **In:** the verdicts of claims on motions, from samples. **Out:** the same verdicts, of which some are *proved*: the states
-//! are replaced by their formulas, parameters by their exact values, observables by their definitions, rates by derivatives, and
-//! values at fixed times by values. What is left is an equation in time alone, which [`along`] decides.
+//! **In:** the verdicts of claims on motions, from samples. **Out:** the same verdicts, with what is proved of their parts: the
+//! states are replaced by their formulas, parameters by their exact values, observables by their definitions, rates by
+//! derivatives, and values at fixed times by values. What is left is an equation in time alone, which [`along`] decides.
 //!
-//! **Guaranteed.** *Holds, proved*: every equation of the claim is such an identity, so are the equations among its assumptions,
-//! and there is a time that counts at which the sides have values. *Fails, proved*: an equation has sides that differ for certain at a time of
-//! the span at which the assumptions hold. Claims of other forms, with ±, limits or `at`, are left as they are.
+//! **Guaranteed.** A part is *true* if each of its equations is such an identity, and there is a time that counts at which the
+//! sides have values; *false* if sides differ for certain at a time of the span that counts. Inequalities, ± and limits are left
+//! to other methods, and so is everything at events.
 
 use super::account::ClaimAccount;
+use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, along};
-use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
-use crate::derivation::{Claim, Derivation, Form, Motion};
+use super::program::{Assumption, Part, What};
+use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
-use crate::latex::{Relation, RelationKind, Scope};
+use crate::latex::{RelationKind, Scope};
+use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use rayon::prelude::*;
 
 /// Settles what can be settled; `tried` are the motions of the results.
-///
-/// # Errors
-/// A description of a claim that is proved, and fails on samples.
-pub(super) fn settle(
-    derivation: &Derivation,
-    claims: &mut [ClaimAccount],
-    claimed: &[usize],
-    tried: &[usize],
-) -> Result<(), String> {
+pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claimed: &[usize], tried: &[usize]) {
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
         let Some(mut setting) = Setting::of(derivation, t) else { return Vec::new() };
         let id = &derivation.trajectories[t].id;
         let mut out = Vec::new();
         for (k, &c) in claimed.iter().enumerate() {
             let Some(at) = claims[k].results.iter().position(|r| r.trajectory == *id) else { continue };
-            let before = &claims[k].results[at].verdict;
-            if matches!(before.outcome(), Outcome::NotApplicable) {
-                continue;
+            let mut verdict = claims[k].results[at].verdict.clone();
+            // What an assumption or a formula leaves out stays out.
+            if !matches!(verdict.outcome(), Outcome::NotApplicable(_)) {
+                setting.claim(&derivation.claims[c], &derivation.trajectories[t], &mut verdict);
+                out.push((k, at, verdict));
             }
-            let Some(answer) = setting.claim(&derivation.claims[c]) else { continue };
-            out.push((k, at, answer.verdict(before)));
         }
         out
     };
     let found: Vec<_> = tried.par_iter().with_max_len(1).map(column).collect();
     for (k, at, verdict) in found.into_iter().flatten() {
-        let pair = &mut claims[k].results[at];
-        if let (Outcome::Fails(_), Outcome::Holds(_)) = (pair.verdict.outcome(), verdict.outcome()) {
-            return Err(format!("{} is an identity in time on {}, and fails there", claims[k].id, pair.trajectory));
-        }
-        pair.verdict = verdict;
-    }
-    Ok(())
-}
-
-/// What was found of a claim on a motion.
-enum Answer {
-    Holds,
-    /// The formula, and where its sides differ.
-    Fails(String, Apart),
-}
-
-impl Answer {
-    fn verdict(self, before: &Verdict) -> Verdict {
-        let old = before.evidence().clone();
-        match self {
-            Answer::Holds => {
-                let evidence = Evidence { samples: old.samples.max(1), witness: None, reason: None, ..old };
-                Verdict::new(Outcome::Holds(Strength::Proved), evidence)
-            }
-            Answer::Fails(formula, apart) => {
-                let Apart { time, left, right, bound } = apart;
-                let witness = Witness { t: time, formula, left, right, bound, values: Vec::new() };
-                let reason = format!(
-                    "with the formulas of the motion put in it is an equation in time alone, whose sides differ for certain \
-                     at t = {time}"
-                );
-                let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..old };
-                Verdict::new(Outcome::Fails(Strength::Proved), evidence)
-            }
-        }
+        claims[k].results[at].verdict = verdict;
     }
 }
 
@@ -92,13 +52,6 @@ struct Setting<'a> {
     values: FastMap<(Symbol, u16), Expr>,
     /// What has a value wherever the formulas have.
     needs: Vec<Expr>,
-}
-
-/// The claim, with everything put in.
-#[derive(Default)]
-struct Asked {
-    guards: InTime,
-    hypotheses: Vec<(Expr, Expr)>,
 }
 
 impl<'a> Setting<'a> {
@@ -198,140 +151,137 @@ impl<'a> Setting<'a> {
         })
     }
 
-    fn sides(&mut self, scope: &Scope, relation: &Relation) -> Option<Vec<(Expr, Expr)>> {
-        let (left, right) = (&relation.left.components, &relation.right.components);
-        left.iter().zip(right).map(|(&l, &r)| Some((self.put(scope, l)?, self.put(scope, r)?))).collect()
+    /// Both sides, with everything put in.
+    fn sides(&mut self, scope: &Scope, (left, right): (Expr, Expr)) -> Option<(Expr, Expr)> {
+        Some((self.put(scope, left)?, self.put(scope, right)?))
     }
 
-    /// What selects times, and what must hold at all of them; `None` for assumptions of other kinds.
-    fn assumptions(&mut self, claim: &Claim) -> Option<Asked> {
-        let mut out = Asked::default();
-        for relation in claim.assuming.iter().flat_map(|w| &w.value.relations) {
-            if relation.limit.is_some() || relation.has_branches {
+    /// What selects times; `None` for assumptions of other kinds.
+    fn guards(&mut self, scope: &Scope, selectors: &[Assumption]) -> Option<InTime> {
+        let mut out = InTime::default();
+        for Assumption { part, .. } in selectors {
+            if part.group.formula.is_some() || part.group.branching {
                 return None;
             }
-            let sides = self.sides(&claim.scope, relation)?;
-            if relation.kind == RelationKind::NotEqual && sides.len() > 1 {
-                return None;
-            }
-            for (l, r) in sides {
+            for c in &part.group.comparisons {
+                let (l, r) = self.sides(scope, (c.left, c.right))?;
                 let (over, under) = (self.graph.sub(l, r), self.graph.sub(r, l));
-                match relation.kind {
-                    RelationKind::Equal => out.hypotheses.push((l, r)),
-                    RelationKind::NotEqual => out.guards.nonzero.push(over),
-                    RelationKind::Greater => out.guards.positive.push(over),
-                    RelationKind::Less => out.guards.positive.push(under),
-                    RelationKind::GreaterEqual => out.guards.not_negative.push(over),
-                    RelationKind::LessEqual => out.guards.not_negative.push(under),
+                match c.kind {
+                    RelationKind::Equal => return None,
+                    RelationKind::NotEqual => out.nonzero.push(over),
+                    RelationKind::Greater => out.positive.push(over),
+                    RelationKind::Less => out.positive.push(under),
+                    RelationKind::GreaterEqual => out.not_negative.push(over),
+                    RelationKind::LessEqual => out.not_negative.push(under),
                 }
             }
         }
         Some(out)
     }
 
-    fn ask(&mut self, asked: &Asked, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
-        let question =
-            InTime { time: Some(self.time), span: self.span, sides: Some(sides), needs, ..asked.guards.clone() };
+    fn ask(&mut self, guards: &InTime, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
+        let question = InTime {
+            time: Some(self.time),
+            span: self.span,
+            sides: Some(sides),
+            needs,
+            ..guards.clone()
+        };
         along(&mut self.memory, &mut self.graph, &question)
     }
 
-    fn claim(&mut self, claim: &Claim) -> Option<Answer> {
+    /// What is proved of a claim on the motion, part by part.
+    fn claim(&mut self, claim: &Claim, motion: &derivation::Trajectory, verdict: &mut Verdict) {
+        let Ok(start) = Rational::try_from(motion.initial_time) else { return };
         if claim.at.is_some() || claim.region.is_some() {
-            return None;
+            return;
         }
+        let denoted = denote(&mut self.graph, &self.derivation.systems, claim, &start);
         self.needs.clear();
-        let asked = self.assumptions(claim)?;
+        let Some(guards) = self.guards(&claim.scope, &denoted.selectors) else { return };
+        // Where a selector has no value, nothing counts.
         let presupposed = std::mem::take(&mut self.needs);
-        for &sides in &asked.hypotheses {
-            match self.ask(&asked, presupposed.clone(), sides) {
-                Along::Agree { seen: Some(_), .. } => {}
-                _ => return None,
+        let parts = denoted.parts.iter().chain(denoted.hypotheses.iter().map(|a| &a.part));
+        for (position, part) in parts.enumerate() {
+            match self.part(claim, &guards, &presupposed, part) {
+                Some(Ok(())) => verdict.prove(position, Possible::TRUE, |e| {
+                    e.samples = e.samples.max(1);
+                    (e.witness, e.reason, e.proof) = (None, None, Some(Proof::default()));
+                }),
+                Some(Err((formula, Apart { time, left, right, bound }))) => {
+                    verdict.prove(position, Possible::FALSE, |e| {
+                        e.witness = Some(Witness { t: time, formula, left, right, bound, values: Vec::new() });
+                        e.reason = Some(format!(
+                            "with the formulas of the motion put in it is an equation in time alone, whose sides differ for \
+                             certain at t = {time}"
+                        ));
+                    });
+                }
+                None => {}
+            }
+            if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved)) {
+                return;
             }
         }
-        let mut holds = true;
-        for form in &claim.forms {
-            match form {
-                Form::Always(w) => {
-                    for relation in &w.value.relations {
-                        if relation.kind != RelationKind::Equal || relation.limit.is_some() || relation.has_branches {
-                            holds = false;
-                            continue;
-                        }
-                        match self.relation(claim, &asked, relation, &w.text, false) {
-                            Some(Answer::Holds) => {}
-                            None => holds = false,
-                            refuted => return refuted,
-                        }
-                    }
-                }
-                Form::Solves { system } => {
-                    let derivation = self.derivation;
-                    for w in &derivation.systems[*system].equations {
-                        for relation in &w.value.relations {
-                            match self.relation(claim, &asked, relation, &w.text, true) {
-                                Some(Answer::Holds) => {}
-                                None => holds = false,
-                                refuted => return refuted,
-                            }
-                        }
-                    }
-                }
-                Form::FirstIntegral(w) => {
-                    holds &= w.value.components.iter().all(|&e| self.is_constant(claim, &asked, e) == Some(true));
-                }
-                Form::Never(_)
-                | Form::Eventually(_)
-                | Form::Defined(_)
-                | Form::SameMotion { .. }
-                | Form::Independent { .. }
-                | Form::Exists { .. } => holds = false,
-            }
-        }
-        holds.then_some(Answer::Holds)
     }
 
-    /// An equation of a claim; `asserted`, it must have a value at every time.
-    fn relation(
+    /// Whether a part is true, or where it is false; `None` where neither is proved.
+    fn part(
         &mut self,
         claim: &Claim,
-        asked: &Asked,
-        relation: &Relation,
-        text: &str,
-        asserted: bool,
-    ) -> Option<Answer> {
+        guards: &InTime,
+        presupposed: &[Expr],
+        part: &Part,
+    ) -> Option<Result<(), (String, Apart)>> {
+        let group = &part.group;
+        let equations = group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
+        if group.formula.is_some() || group.branching || !equations || group.comparisons.is_empty() {
+            return None;
+        }
+        match part.what {
+            What::Every => {}
+            What::Constant => {
+                let constant = |c: &super::comparison::Comparison| self.is_constant(claim, guards, presupposed, c.left);
+                return group.comparisons.iter().all(constant).then_some(Ok(()));
+            }
+            What::Denied
+            | What::Defined
+            | What::Value
+            | What::Limit(_)
+            | What::SameMotion(..)
+            | What::Independent => return None,
+        }
         let mut holds = true;
-        for at in 0..relation.left.components.len() {
-            let (&l, &r) = (relation.left.components.get(at)?, relation.right.components.get(at)?);
+        for c in &group.comparisons {
             self.needs.clear();
-            let sides = self.put(&claim.scope, l).zip(self.put(&claim.scope, r));
-            let needs = std::mem::take(&mut self.needs);
+            let sides = self.sides(&claim.scope, (c.left, c.right));
+            let mut needs = std::mem::take(&mut self.needs);
+            needs.extend(presupposed);
             let Some(sides) = sides else {
                 holds = false;
                 continue;
             };
-            match self.ask(asked, needs, sides) {
-                Along::Agree { everywhere, seen: Some(_) } if everywhere || !asserted => {}
-                Along::Differ(apart) => return Some(Answer::Fails(text.to_owned(), apart)),
+            match self.ask(guards, needs, sides) {
+                Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
+                Along::Differ(apart) => return Some(Err((c.label.clone(), apart))),
                 Along::Agree { .. } | Along::Open => holds = false,
             }
         }
-        holds.then_some(Answer::Holds)
+        holds.then_some(Ok(()))
     }
 
-    /// Whether something has, wherever it has a value, the value that it has at some time of the span.
-    fn is_constant(&mut self, claim: &Claim, asked: &Asked, e: Expr) -> Option<bool> {
+    /// Whether something has, wherever it has a value, the value that it has at some time of the span that counts.
+    fn is_constant(&mut self, claim: &Claim, guards: &InTime, presupposed: &[Expr], e: Expr) -> bool {
         self.needs.clear();
-        let e = self.put(&claim.scope, e)?;
-        let needs = std::mem::take(&mut self.needs);
+        let Some(e) = self.put(&claim.scope, e) else { return false };
+        let mut needs = std::mem::take(&mut self.needs);
+        needs.extend(presupposed);
         let (time, (from, to)) = (self.time, self.span);
-        for at in [from, 0.5 * (from + to), to] {
-            let start = Rational::try_from(at).ok()?;
+        [from, 0.5 * (from + to), to].into_iter().any(|at| {
+            let Ok(start) = Rational::try_from(at) else { return false };
             let start = self.graph.constant(start);
             let then = self.graph.substitute(e, |_, l| (l == time).then_some(start));
-            if let Along::Agree { seen: Some(_), .. } = self.ask(asked, needs.clone(), (e, then)) {
-                return Some(true);
-            }
-        }
-        None
+            matches!(self.ask(guards, needs.clone(), (e, then)), Along::Agree { seen: Some(_), .. })
+        })
     }
 }

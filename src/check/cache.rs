@@ -37,7 +37,7 @@ impl Cache {
     /// The account of the whole file, and the ids of the claims that were checked for it.
     ///
     /// # Errors
-    /// Those of [`check`]; what was known is forgotten then.
+    /// Those of [`check()`]; what was known is forgotten then.
     pub fn check(&mut self, derivation: &mut Derivation) -> Result<(Account, Vec<String>), CheckError> {
         let known = self.known.take();
         let Some(contents) = contents(derivation) else {
@@ -83,7 +83,7 @@ impl Cache {
 /// `before` are their accounts in an earlier state of the file.
 ///
 /// # Errors
-/// Those of [`check`].
+/// Those of [`check()`].
 fn checked_again(
     derivation: &mut Derivation,
     account: &mut Account,
@@ -115,7 +115,7 @@ fn checked_again(
     account.claims.extend(claims);
     check_some(derivation, account, rest)?;
     let mut late = account.claims.split_off(others);
-    strengthen_all(derivation, &mut late, &account.claims, &account.trajectories).map_err(CheckError::Defect)?;
+    strengthen_all(derivation, &mut late, &account.claims);
     account.claims.extend(late);
     Ok(())
 }

@@ -1,18 +1,18 @@
 //! Comparisons: what every form of claim becomes.
 //!
-//! **In:** the two sides of a relation. **Out:** scalar [`Comparison`]s, gathered in [`Group`]s of those that must be true
-//! together (all components of one equation share one sign of ±), and [`Standing`], the judgement of a comparison at one
-//! point.
+//! **In:** the two sides of a relation. **Out:** scalar [`Comparison`]s, gathered in [`Group`]s with what they must be together
+//! (all components of one equation share one sign of ±), and what is known of a comparison at one point.
 //!
-//! **The rule.** With v = left − right and b its propagated error bound, an equation is *violated* when |v| > κ·b,
-//! *satisfied* when |v| ≤ b and b is small against the size of the terms (b ≤ precision · scale), and *inconclusive*
+//! **The rule.** With v = left − right and b its propagated error bound, an equation is *false* when |v| > κ·b,
+//! *true* when |v| ≤ b and b is small against the size of the terms (b ≤ precision · scale), and *open*
 //! otherwise: a loose bound can excuse a wrong formula, so it never makes a claim hold. κ = [`GUARD`] leaves room between
 //! the two, because the error of a trajectory is an estimate.
 
 use super::telling::Told;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
-use crate::number::{Bounded, NoValue};
+use crate::number::Bounded;
+use crate::verdict::{Possible, Proposition, Quantifier};
 
 /// A residual refutes an equation only beyond this many error bounds.
 pub(super) const GUARD: f64 = 10.0;
@@ -79,13 +79,52 @@ fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Vec<
     [1, -1].map(|n| graph.substitute(difference, |g, l| (l == sign).then(|| g.integer(n)))).to_vec()
 }
 
-/// Comparisons that must be true together, for one sign of ±.
+/// Comparisons at one time, and what they must be together.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
     /// The comparisons.
     pub comparisons: Vec<Comparison>,
+    /// What is said of them; that all are true, where there is none.
+    pub formula: Option<Proposition>,
     /// Whether a ± occurs.
     pub branching: bool,
+    /// For how many signs of ± it must be so.
+    pub signs: Quantifier,
+    /// Whether one sign of ± must serve the whole motion.
+    pub throughout: bool,
+    /// Whether a value is promised: what has none is false, not void.
+    pub asserted: bool,
+}
+
+impl Default for Group {
+    fn default() -> Group {
+        let (comparisons, formula, signs) = (Vec::new(), None, Quantifier::Some);
+        Group { comparisons, formula, branching: false, signs, throughout: false, asserted: false }
+    }
+}
+
+impl Group {
+    /// What the group is, where `comparison` tells what is known of each comparison, for one sign of ±.
+    pub fn value(&self, mut comparison: impl FnMut(usize) -> Possible) -> Possible {
+        let mut one = |n: usize| match self.asserted {
+            true => comparison(n).asserted(),
+            false => comparison(n),
+        };
+        match &self.formula {
+            Some(formula) => formula.value(&mut one),
+            None => (0..self.comparisons.len()).fold(Possible::TRUE, |value, n| value.and(one(n))),
+        }
+    }
+
+    /// The same for all signs of ± together, where one sign need not serve the whole motion.
+    pub fn over_signs(&self, signs: impl Iterator<Item = Possible>) -> Possible {
+        signs.reduce(|a, b| self.signs.join(a, b)).unwrap_or(Possible::ANY)
+    }
+
+    /// Whether agreement to within an allowance may count as equality of a comparison: in a conjunction, for some sign.
+    pub fn allows(&self) -> bool {
+        self.formula.is_none() && self.signs == Quantifier::Some
+    }
 }
 
 /// `e` with observables replaced by their definitions, at fixed times too; rates stay.
@@ -177,54 +216,17 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
     image[&e]
 }
 
-/// How a comparison stands at one point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Standing {
-    /// True within a tight error bound.
-    Satisfied,
-    /// False beyond the error bound.
-    Violated,
-    /// The error bound is too large to tell.
-    Inconclusive,
-    /// A side has no value.
-    NoValue(NoValue),
-}
-
-impl Standing {
-    /// The standing of several comparisons that must be true together: no value, then violated, then inconclusive.
-    pub fn and(self, other: Standing) -> Standing {
-        let rank = |s: Standing| match s {
-            Standing::NoValue(_) => 3,
-            Standing::Violated => 2,
-            Standing::Inconclusive => 1,
-            Standing::Satisfied => 0,
-        };
-        if rank(other) > rank(self) { other } else { self }
-    }
-
-    /// The standing of two alternatives of which one must be true.
-    pub fn or(self, other: Standing) -> Standing {
-        let rank = |s: Standing| match s {
-            Standing::Satisfied => 0,
-            Standing::Inconclusive => 1,
-            Standing::Violated => 2,
-            Standing::NoValue(_) => 3,
-        };
-        if rank(other) < rank(self) { other } else { self }
-    }
-}
-
 /// Judges `left kind right`, where `difference` is left − right with its error bound.
 ///
 /// `scale` is the size of the terms, see [`magnitude`]; `precision` what the claim asks for, relative to it.
-pub(super) fn judge(kind: RelationKind, difference: Bounded, scale: f64, precision: f64) -> Standing {
+pub(super) fn judge(kind: RelationKind, difference: Bounded, scale: f64, precision: f64) -> Possible {
     let (v, b) = (difference.value, difference.error);
     let tight = b <= precision * scale;
     let (zero, apart) = (v.abs() <= b, v.abs() > GUARD * b);
     let decide = |satisfied: bool, violated: bool| match (satisfied, violated) {
-        (true, _) => Standing::Satisfied,
-        (_, true) => Standing::Violated,
-        _ => Standing::Inconclusive,
+        (true, _) => Possible::TRUE,
+        (_, true) => Possible::FALSE,
+        _ => Possible::OPEN,
     };
     match kind {
         RelationKind::Equal => decide(zero && tight, apart),
@@ -246,31 +248,31 @@ mod tests {
 
     #[test]
     fn a_loose_bound_never_makes_an_equation_hold() {
-        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-13), 1.0, 1e-9), Standing::Satisfied);
-        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-6), 1.0, 1e-9), Standing::Inconclusive);
-        assert_eq!(judge(RelationKind::Equal, at(0.0, 0.0), 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-13), 1.0, 1e-9), Possible::TRUE);
+        assert_eq!(judge(RelationKind::Equal, at(1e-14, 1e-6), 1.0, 1e-9), Possible::OPEN);
+        assert_eq!(judge(RelationKind::Equal, at(0.0, 0.0), 1.0, 1e-9), Possible::TRUE);
     }
 
     #[test]
     fn beyond_the_guarded_bound_an_equation_is_violated_and_between_it_is_open() {
-        assert_eq!(judge(RelationKind::Equal, at(1.1e-12, 1e-13), 1.0, 1e-9), Standing::Violated);
-        assert_eq!(judge(RelationKind::Equal, at(5e-13, 1e-13), 1.0, 1e-9), Standing::Inconclusive);
-        assert_eq!(judge(RelationKind::Equal, at(1.0, 0.01), 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::Equal, at(1.1e-12, 1e-13), 1.0, 1e-9), Possible::FALSE);
+        assert_eq!(judge(RelationKind::Equal, at(5e-13, 1e-13), 1.0, 1e-9), Possible::OPEN);
+        assert_eq!(judge(RelationKind::Equal, at(1.0, 0.01), 1.0, 1e-9), Possible::FALSE);
     }
 
     #[test]
     fn strict_relations_exclude_equality_and_weak_ones_admit_it() {
         let zero = at(1e-16, 1e-15);
-        assert_eq!(judge(RelationKind::Less, zero, 1.0, 1e-9), Standing::Violated);
-        assert_eq!(judge(RelationKind::LessEqual, zero, 1.0, 1e-9), Standing::Satisfied);
-        assert_eq!(judge(RelationKind::Greater, zero, 1.0, 1e-9), Standing::Violated);
-        assert_eq!(judge(RelationKind::GreaterEqual, zero, 1.0, 1e-9), Standing::Satisfied);
-        assert_eq!(judge(RelationKind::NotEqual, zero, 1.0, 1e-9), Standing::Violated);
+        assert_eq!(judge(RelationKind::Less, zero, 1.0, 1e-9), Possible::FALSE);
+        assert_eq!(judge(RelationKind::LessEqual, zero, 1.0, 1e-9), Possible::TRUE);
+        assert_eq!(judge(RelationKind::Greater, zero, 1.0, 1e-9), Possible::FALSE);
+        assert_eq!(judge(RelationKind::GreaterEqual, zero, 1.0, 1e-9), Possible::TRUE);
+        assert_eq!(judge(RelationKind::NotEqual, zero, 1.0, 1e-9), Possible::FALSE);
         let below = at(-0.5, 1e-15);
-        assert_eq!(judge(RelationKind::Less, below, 1.0, 1e-9), Standing::Satisfied);
-        assert_eq!(judge(RelationKind::LessEqual, below, 1.0, 1e-9), Standing::Satisfied);
-        assert_eq!(judge(RelationKind::Greater, below, 1.0, 1e-9), Standing::Violated);
-        assert_eq!(judge(RelationKind::GreaterEqual, below, 1.0, 1e-9), Standing::Violated);
-        assert_eq!(judge(RelationKind::NotEqual, below, 1.0, 1e-9), Standing::Satisfied);
+        assert_eq!(judge(RelationKind::Less, below, 1.0, 1e-9), Possible::TRUE);
+        assert_eq!(judge(RelationKind::LessEqual, below, 1.0, 1e-9), Possible::TRUE);
+        assert_eq!(judge(RelationKind::Greater, below, 1.0, 1e-9), Possible::FALSE);
+        assert_eq!(judge(RelationKind::GreaterEqual, below, 1.0, 1e-9), Possible::FALSE);
+        assert_eq!(judge(RelationKind::NotEqual, below, 1.0, 1e-9), Possible::TRUE);
     }
 }

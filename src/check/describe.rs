@@ -12,7 +12,7 @@ use crate::derivation::Claim;
 use crate::expr::{Graph, Leaf};
 use crate::flow::Points;
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Fault, Slots};
+use crate::expr::tape::{Fault, Slots};
 
 /// Describes points in words and numbers, for witnesses and reasons.
 pub(super) struct Describer<'a> {
@@ -60,7 +60,7 @@ impl<'a> Describer<'a> {
             times: self.times,
             left,
             precision: self.claim.precision,
-            one_sign_throughout: self.claim.branches_throughout,
+            first: false,
             shown: self.shown,
             describer: self,
         }

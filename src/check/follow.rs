@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use super::memory::Recall;
-use super::{ClaimAccount, Column, IdentityAccount, Step, TrajectoryAccount, counterexample, strengthen};
+use super::{ClaimAccount, Column, IdentityAccount, Step, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
 
 /// What becomes of claims whose premises have changed.
@@ -78,20 +78,16 @@ pub(super) fn follow(
 }
 
 /// Gives the verdicts of some claims the strength of the proofs behind them, once all have their accounts.
-///
-/// # Errors
-/// A description of a claim that is proved and fails.
 pub(super) fn strengthen_all(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     known: &[ClaimAccount],
-    trajectories: &[TrajectoryAccount],
-) -> Result<(), String> {
+) {
     let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
-    let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return Ok(()) };
+    let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
-    strengthen(derivation, claims, &claimed, known, &tried, trajectories)
+    strengthen(derivation, claims, &claimed, known, &tried);
 }
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that

@@ -7,19 +7,23 @@
 use nalgebra::DMatrix;
 
 use super::comparison::traced_now;
-use super::trial::{Trial, assumptions_of};
-use super::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
+use super::trial::{Tried, Trial};
 use super::weigh::Left;
 use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
 use crate::latex::{Scope, Statement};
-use crate::number::Bounded;
-use crate::tape::Tape;
+use crate::number::{Bounded, NoValue};
+use crate::expr::tape::Tape;
+use crate::verdict::{Evidence, Finding, Possible, Witness};
 
 /// Singular values below this share of the largest count as zero.
 const ZERO: f64 = 5e-15;
 /// Singular values above this share of the largest count as nonzero; between the two nothing is concluded.
 const NONZERO: f64 = 1e-6;
+/// Most minima of the smallest singular value that are followed between samples.
+const MINIMA: usize = 12;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Number of sample times at which the rank is taken.
 const POINTS: usize = 33;
 
@@ -74,76 +78,161 @@ impl Gradients {
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         graph.leaves(self.entries.iter().copied())
     }
+}
 
-    /// Tries the independence along a motion.
-    pub fn try_on(&self, trial: &Trial) -> Verdict {
-        let Trial { graph, course, .. } = *trial;
-        let left = match assumptions_of(trial) {
-            Ok(left) => left,
-            Err(verdict) => return *verdict,
-        };
-        let undecided =
-            |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
-        let Ok(tape) = Tape::compile(graph, course.leaves, &self.entries) else {
-            return undecided("the functions depend on something that this motion does not have".to_owned());
-        };
-        let mut slots = tape.slots::<Bounded>(&());
-        let mut evidence = Evidence::default();
-        let step = (course.points.len() / POINTS).max(1);
-        let (mut unclear, mut smallest) = (None, f64::INFINITY);
-        let mut dependent = 0;
-        for ((i, &t), left) in course.times.iter().enumerate().zip(&left).step_by(step) {
-            if *left != Left::In {
-                continue;
+/// Tries the independence along a motion.
+pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
+    let Trial { graph, course, .. } = *trial;
+    let Ok(tape) = Tape::compile(graph, course.leaves, &of.entries) else {
+        return Finding::open("the functions depend on something that this motion does not have");
+    };
+    let mut slots = tape.slots::<Bounded>(&());
+    let mut evidence = Evidence::default();
+    let step = (tried.points.len() / POINTS).max(1);
+    let (mut unclear, mut smallest) = (None, f64::INFINITY);
+    let mut dependent = 0;
+    let mut selected = 0;
+    // Spread over the times that count.
+    let counting: Vec<usize> = (0..tried.times.len()).filter(|&i| tried.left[i] == Left::In).collect();
+    let spread = if counting.len() < POINTS * 2 { 1 } else { step.min(counting.len() / POINTS) };
+    for &i in counting.iter().step_by(spread.max(1)) {
+        let t = tried.times[i];
+        selected += 1;
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+        let all = normalised(rows, n, &values);
+        let some = normalised(of.constraints, n, &values[..of.constraints * n]);
+        let (full, full_gap) = rank(&all);
+        let (base, base_gap) = rank(&some);
+        evidence.samples += 1;
+        smallest = smallest.min(full_gap);
+        match (full, base) {
+            (Some(full), Some(base)) if full == base + of.functions => {}
+            (Some(full), Some(base)) => {
+                let found = full.saturating_sub(base);
+                dependent += 1;
+                evidence.witness.get_or_insert(Witness {
+                    t,
+                    formula: of.text.clone(),
+                    left: found as f64,
+                    right: of.functions as f64,
+                    bound: 0.0,
+                    values: vec![],
+                });
+                evidence
+                    .reason
+                    .get_or_insert(format!("only {found} of the {} functions are independent there", of.functions));
             }
-            let values = tape.evaluate(&(), &course.points.row(i), &mut slots);
-            let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
-            let (n, rows) = (self.variables.len(), self.constraints + self.functions);
-            let all = normalised(rows, n, &values);
-            let some = normalised(self.constraints, n, &values[..self.constraints * n]);
-            let (full, full_gap) = rank(&all);
-            let (base, base_gap) = rank(&some);
-            evidence.samples += 1;
-            smallest = smallest.min(full_gap);
-            match (full, base) {
-                (Some(full), Some(base)) if full == base + self.functions => {}
-                (Some(full), Some(base)) => {
-                    let found = full.saturating_sub(base);
-                    dependent += 1;
-                    evidence.witness.get_or_insert(Witness {
-                        t,
-                        formula: self.text.clone(),
-                        left: found as f64,
-                        right: self.functions as f64,
-                        bound: 0.0,
-                        values: vec![],
-                    });
-                    evidence.reason.get_or_insert(format!(
-                        "only {found} of the {} functions are independent there",
-                        self.functions
-                    ));
-                }
-                _ => unclear = Some((t, full_gap.min(base_gap))),
-            }
+            _ => unclear = Some((t, full_gap.min(base_gap))),
         }
-        if dependent > 0 && dependent == evidence.samples {
-            return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
-        }
-        if dependent > 0 {
-            return undecided(format!(
-                "dependent at {dependent} of {} samples only: independence is generic at best",
-                evidence.samples
-            ));
-        }
-        if let Some((t, gap)) = unclear {
-            return undecided(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
-        }
-        if evidence.samples == 0 {
-            return undecided("the gradients have no value at any sample".to_owned());
-        }
-        evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
-        Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
     }
+    if dependent > 0 && dependent == evidence.samples {
+        return Finding::sampled(Possible::FALSE, evidence);
+    }
+    if dependent > 0 {
+        return Finding::open(format!(
+            "dependent at {dependent} of {} samples only: independence is generic at best",
+            evidence.samples
+        ));
+    }
+    if let Some((t, gap)) = unclear {
+        return Finding::open(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
+    }
+    if evidence.samples == 0 {
+        let out = |l: &Left| match l {
+            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
+            Left::In => None,
+        };
+        let open = tried.left.iter().any(|l| matches!(l, Left::Open(_)));
+        return match (selected, open) {
+            (0, false) => {
+                let reason = tried.left.iter().find_map(out);
+                let reason = reason.unwrap_or_else(|| "there is no time at which it could be tried".to_owned());
+                Finding::sampled(Possible::VOID, Evidence::because(reason))
+            }
+            (0, true) => Finding::open("there is no time of which it is known that it counts"),
+            _ => Finding::open("the gradients have no value at any sample"),
+        };
+    }
+    if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
+        return Finding::open(format!("near t = {t}, between two samples, a singular value falls to {gap:.1e}"));
+    }
+    evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
+    Finding::sampled(Possible::TRUE, evidence)
+}
+
+/// A time between samples near which the rank may fall, with the smallest singular value in units of the largest: where it is
+/// smallest among samples, it is followed by the golden section.
+fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Option<(f64, f64)> {
+    if trial.program.at.is_some() {
+        return None;
+    }
+    let mut slots = tape.slots::<Bounded>(&());
+    let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    // The lengths of gradients, which normalised rows do not show: against the longest of each along the motion.
+    let mut longest = vec![0.0_f64; rows];
+    let lengths = |values: &[Bounded]| -> Vec<f64> {
+        values.chunks(n.max(1)).map(|row| row.iter().map(|x| x.value * x.value).sum::<f64>().sqrt()).collect()
+    };
+    for i in 0..tried.times.len() {
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        longest.iter_mut().zip(lengths(&values)).for_each(|(most, now)| *most = most.max(now));
+    }
+    // Redundant constraints are no loss.
+    let mut smallest = |point: &[Result<Bounded, NoValue>]| -> Option<f64> {
+        let values = tape.evaluate(&(), point, &mut slots);
+        let values = values.into_iter().collect::<Result<Vec<Bounded>, _>>().ok()?;
+        let shrunk = lengths(&values).into_iter().zip(&longest).skip(of.constraints);
+        let shrunk = shrunk.filter(|(_, most)| **most > 0.0).map(|(now, most)| now / most).fold(1.0, f64::min);
+        let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
+        let mut all: Vec<f64> = normalised(rows, n, &values).singular_values().iter().copied().collect();
+        all.sort_by(|a, b| b.total_cmp(a));
+        let wanted = base + of.functions;
+        Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
+    };
+    let along: Vec<Option<f64>> = (0..tried.times.len()).map(|i| smallest(&tried.points.row(i))).collect();
+    let mut lowest: Vec<usize> = (1..tried.times.len().saturating_sub(1))
+        .filter(|&i| match (along[i - 1], along[i], along[i + 1]) {
+            (Some(a), Some(b), Some(c)) => b <= a && b <= c && tried.left[i] == Left::In,
+            _ => false,
+        })
+        .collect();
+    lowest.sort_by(|a, b| along[*a].unwrap_or(1.0).total_cmp(&along[*b].unwrap_or(1.0)));
+    for &i in lowest.iter().take(MINIMA) {
+        let (mut a, mut b) = (tried.times[i - 1], tried.times[i + 1]);
+        // Where a selector may change, the loss is at a time that does not count.
+        if changes(trial, (a, b)) {
+            continue;
+        }
+        let mut least = (tried.times[i], along[i]?);
+        for _ in 0..60 {
+            let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else { break };
+            for (t, size) in [(x, u), (y, v)] {
+                if size < least.1 {
+                    least = (t, size);
+                }
+            }
+            if u < v { b = y } else { a = x }
+        }
+        if least.1 <= NONZERO {
+            return Some(least);
+        }
+    }
+    None
+}
+
+/// Whether the sides of a selector change their order between two times.
+fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
+    let program = trial.program;
+    let points = trial.course.points_at(program, &[a, b]);
+    let selected = program.selectors.iter().map(|s| s.part.group.comparisons.len()).sum();
+    program.measure((&points, 2), 1.0).iter().take(selected).any(|series| {
+        let signs = [0, 1].map(|i| series.difference(i).ok().map(|d| d.value.signum()));
+        signs[0] != signs[1]
+    })
 }
 
 /// A matrix with rows scaled to length 1; zero rows stay.

@@ -11,14 +11,14 @@
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
 use crate as check;
-use ::{derivation, diag, expr, flow, latex, number};
-use expr::tape;
+use ::{derivation, diag, expr, flow, latex, number, verdict};
 
 mod account;
 mod between;
 mod by_formula;
 mod cache;
 mod comparison;
+mod denote;
 mod describe;
 mod enclose;
 mod follow;
@@ -29,7 +29,6 @@ mod measure;
 mod measured;
 mod memory;
 mod met;
-mod occurrence;
 mod part;
 mod picture;
 mod program;
@@ -48,13 +47,13 @@ mod steep;
 mod step;
 mod telling;
 mod trial;
-pub mod units;
+
 mod variant;
-mod verdict;
 mod weigh;
 mod witness;
 
 pub use ::proof as identity;
+pub use ::units;
 pub use account::{
     Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
 };
@@ -64,24 +63,26 @@ pub use identity::{Certificate, Cofactor, Origin};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
-pub use series::{ResidualPoint, Residuals};
 pub use variant::{
     Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
     VariantAccount, WEAK, altered_formulas, says_the_same,
 };
-pub use verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+pub use verdict::{
+    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength, Verdict,
+    Witness,
+};
 
-use crate::derivation::{Claim, Derivation, Form, Premise};
+use derivation::{Claim, Derivation, Form, Premise};
 use crate::diag::Diagnostic;
-use crate::expr::Rational;
-use crate::flow::Motion;
-use crate::latex::RelationKind;
+use expr::Rational;
+use flow::Motion;
 use independence::Gradients;
 use memory::Recall;
 use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
@@ -131,7 +132,7 @@ pub fn check(
     check_recalling(derivation, options, Recall::default(), progress)
 }
 
-/// [`check`], with what is known from before.
+/// [`check()`], with what is known from before.
 fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,
@@ -289,12 +290,17 @@ fn check_and(
     let done = AtomicUsize::new(0);
     let failed: Vec<AtomicBool> = prepared.iter().map(|_| AtomicBool::new(false)).collect();
     let column = |t: usize| -> Result<Tried, String> {
-        let mut course = stage.course(&derivation.graph, t, &wanted)?;
+        // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
+        let (mut course, contradiction) = stage.course(&derivation.graph, t, &wanted)?;
         let verdict = |k: usize| {
             let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
             claim.trajectories.contains(&t).then(|| {
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
-                recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()))
+                let mut verdict = recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()));
+                if let Some(contradiction) = &contradiction {
+                    verdict.contradict(contradiction.clone());
+                }
+                verdict
             })
         };
         let verdicts: Vec<Option<Verdict>> = (0..prepared.len()).map(verdict).collect();
@@ -345,12 +351,11 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried, &account.trajectories)
-        .map_err(CheckError::Defect)?;
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried);
     if options.rigor == Rigor::Enclosed {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
-        enclose::strengthen(&request, &mut account.claims).map_err(CheckError::Defect)?;
+        enclose::strengthen(&request, &mut account.claims);
     }
     let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
     let points = witness::Points { derivation, stage: &stage, prepared, start_of, tried: tried_on, wanted: &wanted };
@@ -413,7 +418,7 @@ fn known_verdict<'a>(
 /// Whether a trajectory was integrated from a system: then its equations hold on it.
 fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize) -> bool {
     let motion = &derivation.trajectories[trajectory].motion;
-    matches!(motion, crate::derivation::Motion::Integrated { system: of, .. } if *of == system)
+    matches!(motion, derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
@@ -427,68 +432,30 @@ type Tried<'a> = ((Column, Shown), (Vec<Option<Verdict>>, (Option<Weighed>, Opti
 
 /// The verdict of one claim on one motion.
 fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
-    let Trial { claim, program, course, .. } = *trial;
-    let mut verdicts = Vec::new();
-    if !program.groups.is_empty() {
-        verdicts.push(trial::try_claim(trial));
-    }
-    for form in &claim.forms {
-        match form {
-            Form::SameMotion { other, of } => verdicts.push(same_motion::try_on(derivation, trial, *other, of)),
-            Form::Independent { .. } => verdicts.push(match gradients {
-                Some(Ok(g)) => g.try_on(trial),
-                Some(Err(reason)) => undecided(reason.clone()),
-                None => undecided("no gradients were computed".to_owned()),
-            }),
-            _ => {}
-        }
-    }
-    let verdict = trial::all_of(verdicts);
-    // What was not reached was not tried.
-    match (course.motion.problem(), verdict.outcome()) {
-        (Some(problem), Outcome::Holds(_)) => {
-            let evidence = Evidence { reason: Some(format!("{problem}")), ..verdict.evidence().clone() };
-            Verdict::new(Outcome::Undecided, evidence)
-        }
-        _ => trial::unless_unresolved(trial, verdict),
-    }
+    trial::try_claim(derivation, trial, gradients)
 }
 
-fn undecided(reason: String) -> Verdict {
-    Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() })
-}
-
-/// Gives verdicts the strength of the proofs behind them, and compares the two. Motions that are given by formulas come first, see
-/// [`by_formula`].
+/// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`].
 ///
-/// A verdict is `proved` when the claim follows for all values from systems that the trajectory was integrated from, or from
-/// claims that are themselves `proved` on it; equations among its assumptions were only sampled, so that they leave it
-/// `sampled`, and so do proofs that leave out special cases.
-///
-/// # Errors
-/// A description of a claim that is proved and fails.
+/// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
+/// from claims that are themselves `proved` on it. What it presupposes is not proved by that.
 fn strengthen(
     derivation: &Derivation,
     claims: &mut [ClaimAccount],
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
-    trajectories: &[TrajectoryAccount],
-) -> Result<(), String> {
-    by_formula::settle(derivation, claims, claimed, tried)?;
-    let problem = |id: &str| trajectories.iter().any(|t| t.id == id && t.problem.is_some());
+) {
+    by_formula::settle(derivation, claims, claimed, tried);
+    let mut done: BTreeSet<(usize, usize)> = BTreeSet::new();
     // Each round may prove claims that follow from those of the round before.
     loop {
         let mut ready: Vec<(usize, usize)> = Vec::new();
-        for (k, &c) in claimed.iter().enumerate() {
-            let Some(identity) = claims[k].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
+        for account in 0..claims.len().min(claimed.len()) {
+            let Some(identity) = claims[account].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic) else {
                 continue;
             };
-            let equations = |s: &crate::latex::Statement| s.relations.iter().any(|r| r.kind == RelationKind::Equal);
-            if derivation.claims[c].assuming.iter().any(|w| equations(&w.value)) {
-                continue;
-            }
-            for (at, pair) in claims[k].results.iter().enumerate() {
+            for (at, pair) in claims[account].results.iter().enumerate() {
                 let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
                     continue;
                 };
@@ -504,31 +471,24 @@ fn strengthen(
                     }
                     Premise::Definition => true,
                 };
-                if !identity.from.iter().all(given) {
-                    continue;
-                }
-                match pair.verdict.outcome() {
-                    Outcome::Holds(Strength::Sampled | Strength::Enclosed) => ready.push((k, at)),
-                    // Samples that do not settle it say at least that it has a value; what was not reached is not known.
-                    Outcome::Undecided
-                        if pair.verdict.evidence().samples > 0
-                            && identity.exceptions.is_empty()
-                            && !problem(&pair.trajectory) =>
-                    {
-                        ready.push((k, at));
-                    }
-                    Outcome::Fails(_) => {
-                        return Err(format!("{} is proved, and fails on {}", claims[k].id, pair.trajectory));
-                    }
-                    _ => {}
+                // Where something special is left out, only what is seen to hold is given the strength of the proof.
+                let open = match pair.verdict.outcome() {
+                    Outcome::Holds(strength) => strength < Strength::Proved,
+                    Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
+                    Outcome::NotApplicable(_) => false,
+                };
+                if open && !done.contains(&(account, at)) && identity.from.iter().all(given) {
+                    ready.push((account, at));
                 }
             }
         }
         if ready.is_empty() {
-            return Ok(());
+            return;
         }
         for (k, at) in ready {
-            claims[k].results[at].verdict.proved();
+            done.insert((k, at));
+            let from = claims[k].identity.as_ref().map(|i| i.from.clone()).unwrap_or_default();
+            claims[k].results[at].verdict.prove_claim(&Proof { from, conditions: Vec::new() });
         }
     }
 }

@@ -7,40 +7,42 @@
 use std::sync::Arc;
 
 use super::describe::{Describer, short};
-use super::measured::measure;
+use super::measured::{MeasuredGroup, Measurements, measure};
 use super::trial::Trial;
-use super::verdict::{Evidence, Outcome, Verdict};
 use super::weigh::{Left, weigh};
 use crate::latex::LimitPoint;
+use crate::verdict::{Finding, Possible, Strength};
 
-/// A claim about a limit: the group of the program at `position`.
-pub(super) fn limit(trial: &Trial, position: usize, point: &LimitPoint) -> Verdict {
+/// What is known of a limit: of the group that `group` finds among what is measured.
+pub(super) fn limit(
+    trial: &Trial,
+    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
+    point: &LimitPoint,
+) -> Finding {
     let Trial { graph, program, course, .. } = *trial;
-    let undecided =
-        |reason: String| Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
     let LimitPoint::Finite(e) = point else {
-        return undecided(
-            "a motion of finite length does not tell a limit at infinity; a bound for all later times would".to_owned(),
+        return Finding::open(
+            "a motion of finite length does not tell a limit at infinity; a bound for all later times would",
         );
     };
     let Some(t0) = course.stage.constant(graph, course.trajectory, *e) else {
-        return undecided("the point of the limit has no value on this motion".to_owned());
+        return Finding::open("the point of the limit has no value on this motion");
     };
     let (from, to) = course.stage.span(course.trajectory);
     let t0 = t0.value;
     if t0 < from || t0 > to {
-        return undecided(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
+        return Finding::open(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
     let (times, points) = ([t0], Arc::new([course.values(t0)].into_iter().collect()));
     let measured = measure(program, &points, None);
     let describer = Describer::new(trial, &times, &points);
-    let verdict = weigh(describer.setting(vec![Left::In]), &measured.groups[position]);
-    if verdict.outcome() == Outcome::NotApplicable {
-        let why = verdict.evidence().reason.clone().unwrap_or_default();
-        return undecided(format!(
+    let finding = weigh(describer.setting(vec![Left::In]), group(&measured));
+    if finding.known(Strength::Sampled) == Some(Possible::VOID) {
+        let why = finding.evidence().reason.clone().unwrap_or_default();
+        return Finding::open(format!(
             "there is no value at t = {} itself ({why}), and points nearby do not decide",
             short(t0)
         ));
     }
-    verdict
+    finding
 }

@@ -1,11 +1,11 @@
 //! Quantities that are measured, not judged.
 
 use super::account::Measurement;
-use super::program::at_event;
+use super::denote::at_event;
 use super::trial::{Course, incomplete};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 
 /// Most values that are kept of one measure on one motion.
 const MOST: usize = 200;
@@ -25,7 +25,7 @@ pub(super) fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled
     if !wanted {
         return Vec::new();
     }
-    let one = |(index, m): (usize, &crate::derivation::Measure)| {
+    let one = |(index, m): (usize, &derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
         let at = m.at.as_ref().and_then(|w| at_event(graph, &w.value));
         Some(Compiled { index, formula, at, tape: None })

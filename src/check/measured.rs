@@ -12,13 +12,14 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::comparison::{Group, Standing, judge};
-use super::part::{BLOCK, Block, Evaluation, Part};
-use super::program::{Program, Use};
+use super::comparison::{Group, judge};
+use super::part::{BLOCK, Block, Evaluation, Part as Tapes};
+use super::program::{Part, Program, What};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
-use crate::tape::Slots;
+use crate::expr::tape::Slots;
+use crate::verdict::Possible;
 
 /// Samples at which it is seen what is typical of the size of the terms.
 const TYPICAL: usize = 4 * BLOCK;
@@ -92,6 +93,24 @@ impl Series {
         }
     }
 
+    /// The left side, compared with what it is at one of the times.
+    fn relative_to(&mut self, reference: usize) {
+        let of = self.difference(reference).map(|_| (self.left[reference], self.difference[reference].error));
+        for i in 0..self.len() {
+            match of {
+                Err(reason) => {
+                    self.missing.resize(self.difference.len(), None);
+                    self.missing[i] = Some(reason);
+                }
+                Ok((right, error)) => {
+                    let own = if i == reference { 0.0 } else { self.difference[i].error + error };
+                    self.right[i] = right;
+                    self.difference[i] = Bounded { value: self.left[i] - right, error: own };
+                }
+            }
+        }
+    }
+
     /// Left − right at a time.
     ///
     /// # Errors
@@ -130,7 +149,7 @@ pub(super) enum Sizes<'a> {
 
 /// Sizes that are computed when they are asked for.
 pub(super) struct Asked<'a> {
-    part: &'a Part,
+    part: &'a Tapes,
     points: Arc<Points>,
     sign: f64,
     slots: RefCell<Option<Slots<Bounded>>>,
@@ -241,6 +260,8 @@ pub(super) struct MeasuredGroup<'a> {
     pub signs: Vec<Vec<Series>>,
     /// Whether the group only says that its left sides have values.
     pub definedness: bool,
+    /// Whether equality within the error bound does not count: nothing is concluded from it for what should happen.
+    pub strict: bool,
     /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
     pub mute: Vec<Vec<bool>>,
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
@@ -284,7 +305,7 @@ impl<'a> MeasuredGroup<'a> {
         };
         let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(along).collect()).collect();
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
-        MeasuredGroup { group, signs, definedness, mute, equal, sizes, first, floors }
+        MeasuredGroup { group, signs, definedness, strict: false, mute, equal, sizes, first, floors }
     }
 
     /// The same group at other points, for which `along` says what is typical.
@@ -296,7 +317,8 @@ impl<'a> MeasuredGroup<'a> {
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        MeasuredGroup { group, signs, definedness: along.definedness, mute, equal, sizes, first, floors }
+        let (definedness, strict) = (along.definedness, along.strict);
+        MeasuredGroup { group, signs, definedness, strict, mute, equal, sizes, first, floors }
     }
 
     /// What is typical of the size of the terms of the group. The components of a vector share it: that one of them vanishes
@@ -336,28 +358,38 @@ impl<'a> MeasuredGroup<'a> {
         strict && difference.error > 0.0 && difference.contains_zero() && !self.equal[sign][comparison]
     }
 
-    /// Joins how a comparison stands at every time to how others do.
-    pub fn stand(&self, sign: usize, comparison: usize, precision: f64, whole: &mut [Standing]) {
-        let series = &self.signs[sign][comparison];
-        let equation = self.group.comparisons[comparison].kind == RelationKind::Equal;
-        let plain = equation && !self.definedness && !self.mute[sign][comparison] && series.missing.is_empty();
-        for (i, whole) in whole.iter_mut().enumerate() {
-            // Nearly all points of an equation that holds.
-            let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);
-            if plain && series.difference.get(i).is_some_and(agrees) {
-                continue;
-            }
-            *whole = whole.and(self.standing(sign, comparison, i, precision));
+    /// What is known of the group at every time, for one sign.
+    pub fn stand(&self, sign: usize, precision: f64) -> Vec<Possible> {
+        let all = &self.signs[sign];
+        let times = all.first().map_or(0, Series::len);
+        if self.group.formula.is_some() {
+            let at = |time: usize| self.group.value(|c| self.standing(sign, c, time, precision));
+            return (0..times).map(at).collect();
         }
+        let mut whole = vec![Possible::TRUE; times];
+        for (c, series) in all.iter().enumerate() {
+            let equation = self.group.comparisons[c].kind == RelationKind::Equal;
+            let plain = equation && !self.definedness && !self.strict && !self.mute[sign][c] && series.missing.is_empty();
+            for (i, whole) in whole.iter_mut().enumerate() {
+                // Nearly all points of an equation that holds.
+                let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);
+                if plain && series.difference.get(i).is_some_and(agrees) {
+                    continue;
+                }
+                *whole = whole.and(self.standing(sign, c, i, precision));
+            }
+        }
+        whole
     }
 
-    /// How a comparison stands at a time.
-    pub fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Standing {
+    /// What is known of a comparison at a time.
+    pub fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Possible {
         let kind = self.group.comparisons[comparison].kind;
         // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
         let exists = self.definedness && kind == RelationKind::Equal;
+        let asserted = self.group.asserted;
         match self.signs[sign][comparison].difference(time) {
-            Ok(_) if exists => Standing::Satisfied,
+            Ok(_) if exists => Possible::TRUE,
             // No bound is small enough for what cannot be seen.
             Ok(d) if self.mute[sign][comparison] => judge(kind, d, 0.0, precision),
             Ok(d) => {
@@ -369,24 +401,36 @@ impl<'a> MeasuredGroup<'a> {
                     true => self.scale(sign, comparison, time),
                 };
                 match judge(kind, d, scale, precision) {
-                    Standing::Violated if self.is_open(sign, comparison, d) => Standing::Inconclusive,
-                    standing => standing,
+                    Possible::FALSE if self.is_open(sign, comparison, d) => Possible::OPEN,
+                    Possible::TRUE if self.strict && d.error > 0.0 && d.contains_zero() => Possible::OPEN,
+                    known => known,
                 }
             }
-            Err(NoValue::OutOfDomain) if self.definedness => Standing::Violated,
-            Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
+            Err(NoValue::OutOfDomain) if asserted => Possible::FALSE,
+            Err(NoValue::OutOfDomain) => Possible::VOID,
             // A value may exist: this is a bound that is too large, not a formula that says nothing.
-            Err(_) => Standing::Inconclusive,
+            Err(_) if asserted => Possible::OPEN,
+            Err(_) => Possible::ANY,
+        }
+    }
+
+    /// The values of the left sides, each compared with what it is at the time `reference`, in place of what they were
+    /// compared with.
+    pub fn relative_to(&mut self, reference: usize) {
+        for series in self.signs.iter_mut().flatten() {
+            series.relative_to(reference);
         }
     }
 }
 
 /// Everything measured for one claim at a list of times.
 pub(super) struct Measurements<'a> {
-    /// The assumptions.
-    pub assumptions: Vec<MeasuredGroup<'a>>,
-    /// What the claim says.
-    pub groups: Vec<MeasuredGroup<'a>>,
+    /// The selectors.
+    pub selectors: Vec<MeasuredGroup<'a>>,
+    /// The hypotheses.
+    pub hypotheses: Vec<MeasuredGroup<'a>>,
+    /// What the claim says, part by part.
+    pub parts: Vec<MeasuredGroup<'a>>,
 }
 
 /// Measures all groups of a program at the given points. What is typical of the size of their terms is that of `along`, the
@@ -425,14 +469,18 @@ fn gathered<'a>(
             None => MeasuredGroup::new(group, signs, sizes, definedness),
         }
     };
-    let assumptions = program.assumptions.iter().enumerate();
-    let assumptions =
-        assumptions.map(|(k, a)| gather(&a.group, false, along.and_then(|m| m.assumptions.get(k)))).collect();
-    let groups = program.groups.iter().enumerate();
-    let groups = groups
-        .map(|(k, (how, g))| gather(g, matches!(how, Use::Defined), along.and_then(|m| m.groups.get(k))))
-        .collect();
-    Measurements { assumptions, groups }
+    let mut each = |of: Vec<&'a Part>, known: Option<&Vec<MeasuredGroup>>| -> Vec<MeasuredGroup<'a>> {
+        let one = |(k, part): (usize, &'a Part)| {
+            let mut group = gather(&part.group, part.is_definedness(), known.and_then(|m| m.get(k)));
+            group.strict = matches!(part.what, What::Denied);
+            group
+        };
+        of.into_iter().enumerate().map(one).collect()
+    };
+    let selectors = each(program.selectors.iter().map(|a| &a.part).collect(), along.map(|m| &m.selectors));
+    let hypotheses = each(program.hypotheses.iter().map(|a| &a.part).collect(), along.map(|m| &m.hypotheses));
+    let parts = each(program.parts.iter().collect(), along.map(|m| &m.parts));
+    Measurements { selectors, hypotheses, parts }
 }
 
 /// The sizes of the terms of all comparisons of a program, for one sign of ±.

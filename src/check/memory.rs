@@ -20,7 +20,7 @@ use sha2::{Digest, Sha256};
 use super::account::IdentityAccount;
 use super::kept::Family;
 use super::step::Step;
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
 

@@ -1,4 +1,4 @@
-//! Where the inequalities among the assumptions of a claim are met between two samples.
+//! Where the selectors of a claim, the inequalities among its assumptions, are met between two samples.
 //!
 //! **In:** the samples of a motion, and the zeros of left − right of the assumptions. **Out:** more times, so that every
 //! stretch on which the assumptions may be met has some of its own; and why there may be more such stretches.
@@ -16,6 +16,7 @@ use super::trial::{Trial, Values, incomplete};
 use super::weigh::Judged;
 use crate::flow::{Incomplete, Points};
 use crate::number::NoValue;
+use crate::verdict::Possible;
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
 const FEW: usize = 8;
@@ -107,11 +108,8 @@ pub(super) fn look(trial: &Trial) -> Search {
 
 /// Whether the inequalities among the assumptions are not violated at a time.
 fn is_met(trial: &Trial, t: f64) -> bool {
-    use super::comparison::Standing;
     let point = trial.course.points_at(trial.program, &[t]);
     let measured = measure(trial.program, &point, None);
-    let selecting = trial.program.assumptions.iter().zip(&measured.assumptions).filter(|(a, _)| !a.throughout);
-    selecting
-        .into_iter()
-        .all(|(_, group)| Judged::new(group, trial.claim.precision).best(0) != Some(Standing::Violated))
+    let precision = trial.claim.precision;
+    measured.selectors.iter().all(|group| Judged::new(group, precision).at(0) != Possible::FALSE)
 }

@@ -11,7 +11,7 @@ use std::ops::Range;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, BoundedLanes};
-use crate::tape::{Needed, Slots, Tape};
+use crate::expr::tape::{Needed, Slots, Tape};
 
 /// Points that are evaluated at once.
 pub(super) const BLOCK: usize = 8;

@@ -12,7 +12,7 @@ use super::trial::Course;
 use crate::derivation::{Derivation, Picture, PictureKind, Written};
 use crate::expr::{Expr, Leaf};
 use crate::number::{Bounded, NoValue};
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 
 /// Most points of a line.
 const MOST: usize = 120;

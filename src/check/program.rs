@@ -1,321 +1,172 @@
-//! A claim, compiled: groups of comparisons and the tape that measures them.
+//! A claim, compiled: parts with their comparisons, and the tape that measures them.
 //!
-//! **In:** the forms and assumptions of a claim. **Out:** a [`Program`] that measures every comparison at a point of any
-//! motion. **Guaranteed:** what is measured is what was written: each form becomes comparisons here and nowhere else.
+//! **In:** what a claim says, see `denote`. **Out:** a [`Program`] that measures every comparison at a point of any
+//! motion. **Guaranteed:** what is measured is what was written: each form becomes parts in `denote` and nowhere else.
 
-use super::comparison::{Comparison, Group, at_instant, traced};
+use super::comparison::{Comparison, Group};
 use super::measured::{Measured, Series};
-use super::part::{BLOCK, Evaluation, Part};
-use super::steep::exponents;
-use crate::derivation::{Derivation, Form, Written};
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Shape, Tensor};
+use super::part::{BLOCK, Evaluation, Part as Block};
+use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
-use crate::latex::{LimitPoint, Relation, RelationKind, Role, Scope, Statement};
-use crate::number::{Bounded, NoValue, Rational};
-use crate::tape::{Slots, Tape};
+use crate::latex::{LimitPoint, RelationKind};
+use crate::number::{Bounded, NoValue};
+use crate::expr::tape::{Slots, Tape};
+use crate::verdict::Proposition;
 
 /// After so many blocks in a row with points without a value, points are evaluated one by one.
 const PATIENCE: usize = 3;
 
-/// What a group is measured for.
+/// Of what a part of a claim speaks.
 #[derive(Clone, Debug)]
-pub(super) enum Use {
-    /// The group must hold at every time.
-    Always,
-    /// Its left sides must have values at every time.
+pub(super) enum What {
+    /// Of every time that counts: the group is true at it.
+    Every,
+    /// Of every time that counts: that is what `eventually` denies. The first time at which the group is false is told.
+    Denied,
+    /// Of every time that counts: the left sides have values.
     Defined,
-    /// It must hold at no time. The expression vanishes where it holds, for an equation.
-    Never(Option<Expr>),
-    /// It must hold at some time; the expression as above.
-    Eventually(Option<Expr>),
-    /// It must hold in the limit.
+    /// Of all pairs of times that count: the left sides are the same at both. The right sides are the values at the start.
+    Constant,
+    /// Of nothing: what the part before it, which is about constancy, is computed from.
+    Value,
+    /// Of what the left side tends to.
     Limit(LimitPoint),
+    /// Of every time that counts: the states are those of another motion.
+    SameMotion(usize, Vec<Symbol>),
+    /// Of every time that counts: the functions are independent.
+    Independent,
 }
 
-impl Use {
-    /// What vanishes where a group may change between two samples, and the relation that it belongs to.
-    pub fn boundaries<'g>(&self, group: &'g Group) -> impl Iterator<Item = (RelationKind, Expr)> + use<'g> {
-        let vanishing = match self {
-            Use::Never(e) | Use::Eventually(e) => *e,
-            Use::Always | Use::Defined | Use::Limit(_) => None,
+/// One part of a claim, which speaks of all times that count at once.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    /// Of what it speaks.
+    pub what: What,
+    /// What it compares; nothing for other motions and for independence.
+    pub group: Group,
+}
+
+impl Part {
+    /// What vanishes where the part may change between two samples, and the relation that it belongs to.
+    pub fn boundaries(&self) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
+        let compared = match self.what {
+            What::Limit(_) | What::Value => &[][..],
+            What::Every
+            | What::Denied
+            | What::Defined
+            | What::Constant
+            | What::SameMotion(..)
+            | What::Independent => &self.group.comparisons[..],
         };
-        let inequalities = match self {
-            Use::Limit(_) => &[][..],
-            _ => &group.comparisons[..],
-        };
-        let each = |c: &'g Comparison| c.boundaries.iter().map(|&e| (c.kind, e));
-        vanishing.map(|e| (RelationKind::Equal, e)).into_iter().chain(inequalities.iter().flat_map(each))
+        compared.iter().enumerate().flat_map(|(n, c)| c.boundaries.iter().map(move |&e| (n, c.kind, e)))
+    }
+
+    /// Whether it compares something at every time that counts.
+    pub fn is_compared(&self) -> bool {
+        match self.what {
+            What::Every | What::Denied | What::Defined | What::Constant => true,
+            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => false,
+        }
+    }
+
+    /// Whether what has no value counts against it.
+    pub fn is_definedness(&self) -> bool {
+        matches!(self.what, What::Defined)
     }
 }
 
-/// An assumption: an equation must hold throughout, anything else selects the times at which it does.
+/// An assumption, as written.
 #[derive(Clone, Debug)]
 pub(super) struct Assumption {
-    /// As written.
+    /// Its text.
     pub text: String,
-    /// Its comparisons.
-    pub group: Group,
-    /// Whether it is an equation.
-    pub throughout: bool,
+    /// What it says.
+    pub part: Part,
 }
 
 /// A claim ready to be measured.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
-    /// What it presupposes.
-    pub assumptions: Vec<Assumption>,
-    /// What it says.
-    pub groups: Vec<(Use, Group)>,
+    /// Inequalities among the assumptions: the times at which they are all true are those that count.
+    pub selectors: Vec<Assumption>,
+    /// The other assumptions: what must be so of the motion.
+    pub hypotheses: Vec<Assumption>,
+    /// What the claim says.
+    pub parts: Vec<Part>,
+    /// The claim: atoms are the parts, then the hypotheses.
+    pub claim: Proposition,
     /// A scalar that vanishes at the times at which the claim is to be tried.
     pub at: Option<Expr>,
     /// Exponents in what it says of every time: see `steep`.
     pub steep: Vec<Expr>,
     /// Left, right, and left − right of every comparison.
-    sides: Option<Part>,
+    sides: Option<Block>,
     /// The size of the terms of every comparison.
-    sizes: Option<Part>,
+    sizes: Option<Block>,
     /// The positions among the leaves of a point of everything that is needed, increasing.
     inputs: Vec<usize>,
     sign: Leaf,
 }
 
-/// Name of a component: the formula, and the values of its free indices.
-fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> String {
-    if shape.rank() == 0 {
-        return text.to_owned();
-    }
-    let values = shape.indices(component);
-    let named: Vec<String> = values
-        .iter()
-        .enumerate()
-        .map(|(axis, value)| match indices.get(axis) {
-            Some(name) => format!("{name} = {value}"),
-            None => value.to_string(),
-        })
-        .collect();
-    format!("{text}   [{}]", named.join(", "))
+/// What a claim says, before it is compiled.
+pub(super) struct Denoted {
+    pub selectors: Vec<Assumption>,
+    pub hypotheses: Vec<Assumption>,
+    pub parts: Vec<Part>,
+    pub claim: Proposition,
+    pub at: Option<Expr>,
+    pub steep: Vec<Expr>,
+    pub sign: Leaf,
 }
 
-/// The comparisons of a relation, one for each component; the same component twice (as in a symmetric equation) once.
-fn relation_group(graph: &mut Graph, scope: &Scope, text: &str, relation: &Relation) -> Group {
-    let sides = relation.left.components.iter().zip(&relation.right.components).map(|(&l, &r)| (l, r));
-    let sides: Vec<(Expr, Expr)> = sides.collect();
-    let mut comparisons = Vec::new();
-    for (component, &(left, right)) in sides.iter().enumerate() {
-        if sides[..component].contains(&(left, right)) {
-            continue;
-        }
-        let label = label(text, &relation.indices, &relation.left.shape, component);
-        comparisons.push(Comparison::new(graph, scope, label, relation.kind, left, right));
+impl From<Denoted> for Program {
+    fn from(of: Denoted) -> Program {
+        let Denoted { selectors, hypotheses, parts, claim, at, steep, sign } = of;
+        let (sides, sizes, inputs) = (None, None, Vec::new());
+        Program { selectors, hypotheses, parts, claim, at, steep, sides, sizes, inputs, sign }
     }
-    Group { comparisons, branching: relation.has_branches }
-}
-
-/// The sum of squares of left − right, which vanishes where an equation holds; left − right itself for a scalar.
-fn vanishing(graph: &mut Graph, relation: &Relation) -> Option<Expr> {
-    if relation.kind != RelationKind::Equal {
-        return None;
-    }
-    let pairs = relation.left.components.iter().zip(&relation.right.components);
-    let differences: Vec<Expr> = pairs.map(|(&l, &r)| graph.sub(l, r)).collect();
-    if let [single] = differences.as_slice() {
-        return Some(*single);
-    }
-    let mut sum = graph.integer(0);
-    for d in differences {
-        let square = graph.powi(d, 2);
-        sum = graph.add(sum, square);
-    }
-    Some(sum)
-}
-
-/// The relation that holds where another does not.
-fn opposite(kind: RelationKind) -> Option<RelationKind> {
-    Some(match kind {
-        RelationKind::Equal => RelationKind::NotEqual,
-        RelationKind::NotEqual => RelationKind::Equal,
-        RelationKind::Less => RelationKind::GreaterEqual,
-        RelationKind::LessEqual => RelationKind::Greater,
-        RelationKind::Greater => RelationKind::LessEqual,
-        RelationKind::GreaterEqual => RelationKind::Less,
-    })
-}
-
-/// Whether both sides are the same at every time: parameters, and values at fixed times.
-fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
-    let all = relation.left.components.iter().chain(&relation.right.components).copied();
-    graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
-}
-
-/// The conditions under which every operation of an expression has a value, observables traced back.
-fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
-    let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
-    let (zero, one) = (graph.integer(0), graph.integer(1));
-    let mut out = Vec::new();
-    for node in graph.reachable(traced) {
-        let conditions = match *graph.node(node) {
-            Node::Unary(Op::Sqrt, a) => vec![(a, RelationKind::GreaterEqual, zero)],
-            Node::Unary(Op::Ln, a) => vec![(a, RelationKind::Greater, zero)],
-            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
-                let size = graph.unary(Op::Abs, a);
-                vec![(size, RelationKind::LessEqual, one)]
-            }
-            Node::Binary(Op::Div, _, b) => vec![(b, RelationKind::NotEqual, zero)],
-            Node::Binary(Op::Arctan2, a, b) => {
-                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
-                let length = graph.add(aa, bb);
-                vec![(length, RelationKind::NotEqual, zero)]
-            }
-            _ => continue,
-        };
-        for (left, kind, right) in conditions {
-            // What does not depend on anything is settled by the value itself.
-            if graph.leaves([left]).is_empty() {
-                continue;
-            }
-            let label = format!("{} has a value", w.text);
-            out.push(Comparison::new(graph, scope, label, kind, left, right));
-        }
-    }
-    out
-}
-
-/// What vanishes where the first relation of a statement holds, for events.
-pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
-    statement.relations.first().and_then(|r| vanishing(graph, r))
 }
 
 impl Program {
-    /// Compiles the claim at position `claim`; `initial_time` is that of the motion at hand.
-    pub fn new(derivation: &mut Derivation, claim: usize, initial_time: &Rational) -> Program {
-        let Derivation { graph, claims, systems, .. } = derivation;
-        let claim = &claims[claim];
-        let start = graph.constant(initial_time.clone());
-        let mut assumptions = Vec::new();
-        for written in &claim.assuming {
-            for relation in &written.value.relations {
-                let group = relation_group(graph, &claim.scope, &written.text, relation);
-                let throughout = relation.kind == RelationKind::Equal;
-                assumptions.push(Assumption { text: written.text.clone(), group, throughout });
-            }
-        }
-        let mut groups = Vec::new();
-        let mut each = |graph: &mut Graph, w: &Written<Statement>, how: fn(Option<Expr>) -> Use| {
-            for relation in &w.value.relations {
-                groups.push((how(None), relation_group(graph, &claim.scope, &w.text, relation)));
-                if let (Some(limit), Some(last)) = (&relation.limit, groups.last_mut()) {
-                    last.0 = Use::Limit(limit.approaches.clone());
-                }
-            }
-        };
-        for form in &claim.forms {
-            match form {
-                Form::Always(w) => each(graph, w, |_| Use::Always),
-                Form::Never(_) | Form::Eventually(_) => {}
-                Form::Solves { system } => {
-                    for w in &systems[*system].equations {
-                        each(graph, w, |_| Use::Always);
-                    }
-                }
-                Form::FirstIntegral(_)
-                | Form::Defined(_)
-                | Form::SameMotion { .. }
-                | Form::Independent { .. }
-                | Form::Exists { .. } => {}
-            }
-        }
-        for form in &claim.forms {
-            let (w, how): (&Written<Tensor>, Use) = match form {
-                Form::FirstIntegral(w) => (w, Use::Always),
-                Form::Defined(w) => (w, Use::Defined),
-                _ => continue,
-            };
-            let mut comparisons = Vec::new();
-            for (component, &e) in w.value.components.iter().enumerate() {
-                let (right, text) = match how {
-                    Use::Defined => (e, format!("{} has a value", w.text)),
-                    _ => (at_instant(graph, &claim.scope, e, start), format!("{} is constant", w.text)),
-                };
-                let label = label(&text, &[], &w.value.shape, component);
-                comparisons.push(Comparison::new(graph, &claim.scope, label, RelationKind::Equal, e, right));
-            }
-            if let Use::Defined = how {
-                comparisons.extend(domain_conditions(graph, &claim.scope, w));
-            }
-            groups.push((how, Group { comparisons, branching: false }));
-        }
-        for form in &claim.forms {
-            let (w, how): (_, fn(Option<Expr>) -> Use) = match form {
-                Form::Never(w) => (w, Use::Never),
-                Form::Eventually(w) => (w, Use::Eventually),
-                _ => continue,
-            };
-            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
-                && let (Some(limit), Some(kind)) = (&relation.limit, opposite(relation.kind))
-            {
-                // That a limit is never so is a statement about the limit.
-                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
-                groups.push((Use::Limit(limit.approaches.clone()), group));
-                continue;
-            }
-            if let ([relation], true) = (w.value.relations.as_slice(), matches!(form, Form::Never(_)))
-                && is_constant(graph, &claim.scope, relation)
-                && let Some(kind) = opposite(relation.kind)
-                && relation.left.shape.rank() == 0
-            {
-                // What does not move is never so if it is not so at the start.
-                let group = relation_group(graph, &claim.scope, &w.text, &Relation { kind, ..relation.clone() });
-                groups.push((Use::Always, group));
-                continue;
-            }
-            // A chain happens when all of its relations hold at once.
-            let parts: Vec<Group> =
-                w.value.relations.iter().map(|r| relation_group(graph, &claim.scope, &w.text, r)).collect();
-            let zero = match w.value.relations.as_slice() {
-                [single] => vanishing(graph, single),
-                _ => None,
-            };
-            let branching = parts.iter().any(|g| g.branching);
-            let comparisons = parts.into_iter().flat_map(|g| g.comparisons).collect();
-            groups.push((how(zero), Group { comparisons, branching }));
-        }
-        let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
-        let always = groups.iter().filter(|(how, _)| matches!(how, Use::Always | Use::Defined));
-        let compared: Vec<&Comparison> = always.flat_map(|(_, group)| &group.comparisons).collect();
-        let steep = exponents(graph, &claim.scope, &compared);
-        Program {
-            assumptions,
-            groups,
-            at,
-            steep,
-            sides: None,
-            sizes: None,
-            inputs: Vec::new(),
-            sign: claim.scope.branch_sign(),
+    /// All groups: of selectors, of hypotheses, of parts; each with whether it is about having values.
+    pub fn groups(&self) -> impl Iterator<Item = &Group> {
+        let assumed = self.selectors.iter().chain(&self.hypotheses).map(|a| &a.part.group);
+        assumed.chain(self.parts.iter().map(|p| &p.group))
+    }
+
+    /// The part, or hypothesis, that an atom of the claim stands for.
+    pub fn part(&self, atom: usize) -> &Part {
+        match atom.checked_sub(self.parts.len()) {
+            None => &self.parts[atom],
+            Some(hypothesis) => &self.hypotheses[hypothesis].part,
         }
     }
 
     /// The expressions whose zeros along a motion the claim depends on.
     pub fn searched(&self) -> Vec<Expr> {
-        let groups = self.groups.iter().flat_map(|(how, group)| how.boundaries(group)).map(|(_, e)| e);
-        let groups = groups.chain(self.met().map(|(_, _, e)| e));
+        let parts = self.parts.iter().chain(self.hypotheses.iter().map(|a| &a.part));
+        let met = || self.met().map(|(_, _, e)| e);
         // What is tried at events only is not looked at between them.
-        self.at.map_or_else(|| groups.collect(), |e| vec![e])
+        match self.at {
+            None => parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e).chain(met()).collect(),
+            Some(e) => {
+                let hypotheses = self.hypotheses.iter().flat_map(|a| a.part.boundaries()).map(|(_, _, e)| e);
+                [e].into_iter().chain(hypotheses).collect()
+            }
+        }
     }
 
-    /// What vanishes where an inequality among the assumptions may change, with the assumption and the relation.
+    /// What vanishes where a selector may change, with the selector and the relation.
     pub fn met(&self) -> impl Iterator<Item = (&Assumption, RelationKind, Expr)> {
-        let selecting = self.assumptions.iter().filter(|a| !a.throughout);
-        let comparisons = selecting.flat_map(|a| a.group.comparisons.iter().map(move |c| (a, c)));
+        let comparisons = self.selectors.iter().flat_map(|a| a.part.group.comparisons.iter().map(move |c| (a, c)));
         // What differs from a number does so on all sides of it.
         let inequalities = comparisons.filter(|(_, c)| c.kind != RelationKind::NotEqual);
         inequalities.flat_map(|(a, c)| c.boundaries.iter().map(move |&e| (a, c.kind, e)))
     }
 
-    /// Every comparison, assumptions first, in the order in which [`Program::measure`] yields them.
+    /// Every comparison in the order in which [`Program::measure`] yields them: those of selectors, hypotheses, parts.
     fn comparisons(&self) -> impl Iterator<Item = &Comparison> {
-        let claimed = self.groups.iter().flat_map(|(_, g)| &g.comparisons);
-        self.assumptions.iter().flat_map(|a| &a.group.comparisons).chain(claimed)
+        self.groups().flat_map(|g| &g.comparisons)
     }
 
     /// The position of a comparison in what [`Program::measure`] yields.
@@ -325,7 +176,7 @@ impl Program {
 
     /// Whether a ± occurs anywhere.
     pub fn is_branching(&self) -> bool {
-        self.assumptions.iter().any(|a| a.group.branching) || self.groups.iter().any(|(_, g)| g.branching)
+        self.groups().any(|g| g.branching)
     }
 
     /// The leaves that must be known to measure it, the sign of ± apart.
@@ -343,8 +194,8 @@ impl Program {
         let compared: Vec<(Expr, Expr)> = self.comparisons().map(|c| (c.left, c.right)).collect();
         let sizes: Vec<Expr> = self.comparisons().map(|c| c.magnitude).collect();
         let sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
-        let sides = Part::new(graph, known, self.sign, &sides)?;
-        let sizes = Part::new(graph, known, self.sign, &sizes)?;
+        let sides = Block::new(graph, known, self.sign, &sides)?;
+        let sizes = Block::new(graph, known, self.sign, &sizes)?;
         self.inputs = sides.inputs().iter().chain(sizes.inputs()).copied().collect();
         self.inputs.sort_unstable();
         self.inputs.dedup();
@@ -379,7 +230,7 @@ impl Program {
     }
 
     /// The sizes of the terms of all comparisons, once compiled.
-    pub fn sizes(&self) -> Option<&Part> {
+    pub fn sizes(&self) -> Option<&Block> {
         self.sizes.as_ref()
     }
 

@@ -125,7 +125,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     }
 }
 
-fn sides(relation: &Relation) -> Vec<(crate::expr::Expr, crate::expr::Expr)> {
+fn sides(relation: &Relation) -> Vec<(expr::Expr, expr::Expr)> {
     relation.left.components.iter().copied().zip(relation.right.components.iter().copied()).collect()
 }
 

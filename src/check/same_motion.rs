@@ -3,14 +3,14 @@
 use super::comparison::{Comparison, Group};
 use super::describe::Describer;
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
-use super::trial::{Trial, assumptions_of};
-use super::verdict::Verdict;
+use super::trial::{Tried, Trial};
 use super::weigh::weigh;
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::flow::Sample;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
+use crate::verdict::Finding;
 
 /// The leaves that the comparisons of motions need.
 pub(super) fn leaves(derivation: &Derivation) -> Vec<Leaf> {
@@ -28,11 +28,17 @@ fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
 }
 
 /// Compares the states `of` of a motion with those of another.
-pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &[Symbol]) -> Verdict {
+pub(super) fn try_on(
+    derivation: &Derivation,
+    trial: &Trial,
+    tried: &Tried,
+    other: usize,
+    of: &[Symbol],
+) -> Finding {
     let course = trial.course;
     let (from, to) = course.stage.motion(other).map_or((f64::INFINITY, f64::NEG_INFINITY), |m| m.span());
     let theirs: Vec<Option<Vec<Result<Bounded, NoValue>>>> =
-        course.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
+        tried.times.iter().map(|&t| (from <= t && t <= to).then(|| course.stage.values(other, t))).collect();
     let mut comparisons = Vec::new();
     let (mut series, mut sizes): (Vec<Series>, Vec<Vec<f64>>) = Default::default();
     for leaf in of.iter().flat_map(|&s| components(derivation, s)) {
@@ -54,19 +60,17 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, other: usize, of: &
             let difference = left - right;
             Ok(Measured { left: left.value, right: right.value, difference })
         };
-        let mut of = Series::with_capacity(course.times.len());
-        course.points.samples().zip(&theirs).map(compare).for_each(|m| of.push(m));
+        let mut of = Series::with_capacity(tried.times.len());
+        tried.points.samples().zip(&theirs).map(compare).for_each(|m| of.push(m));
         let size = |i: usize| of.get(i).map_or(0.0, |m| m.left.abs() + m.right.abs());
         sizes.push((0..of.len()).map(size).collect());
         series.push(of);
     }
-    let group = Group { comparisons, branching: false };
-    let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);
-    match assumptions_of(trial) {
-        Ok(left) => {
-            let describer = Describer::new(trial, &course.times, &course.points);
-            weigh(describer.setting(left), &measured)
-        }
-        Err(verdict) => *verdict,
+    if comparisons.is_empty() {
+        return Finding::open("the motions have no state in common that could be compared");
     }
+    let group = Group { comparisons, ..Group::default() };
+    let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);
+    let describer = Describer::new(trial, tried.times, tried.points);
+    weigh(describer.setting(tried.left.clone()), &measured)
 }

@@ -5,7 +5,9 @@ use super::separation::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
 };
 use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
-use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use crate::verdict::{
+    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness,
+};
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
 
 /// The derivation file that the account belongs to.
@@ -84,10 +86,31 @@ unit = 'm'
 fn pair(trajectory: &str, outcome: Outcome, evidence: Evidence, expected: Option<&'static str>) -> PairAccount {
     PairAccount {
         trajectory: trajectory.into(),
-        verdict: Verdict::new(outcome, evidence),
+        verdict: verdict(outcome, evidence),
         expected,
         discrimination: None,
     }
+}
+
+/// A verdict with this outcome.
+fn verdict(outcome: Outcome, evidence: Evidence) -> Verdict {
+    let (known, strength) = match outcome {
+        Outcome::Holds(strength) => (Possible::TRUE, strength),
+        Outcome::Fails(strength) => (Possible::FALSE, strength),
+        Outcome::NotApplicable(strength) => (Possible::VOID, strength),
+        Outcome::Undecided => (Possible::ANY, Strength::Sampled),
+    };
+    let mut out = Verdict::of(Finding::sampled(known, evidence));
+    match strength {
+        Strength::Sampled => {}
+        Strength::Enclosed => out.enclose(0, known, |e| {
+            e.enclosed.get_or_insert(Enclosed { places: 1, gap: 0.0, scale: 1.0 });
+        }),
+        Strength::Proved => out.prove(0, known, |e| {
+            e.proof.get_or_insert_with(Proof::default);
+        }),
+    }
+    out
 }
 
 fn holds(max: f64) -> Evidence {
@@ -192,7 +215,7 @@ pub fn account() -> Account {
                 vec![
                     pair(
                         "pulled",
-                        Outcome::NotApplicable,
+                        Outcome::NotApplicable(Strength::Sampled),
                         reason("`k>0` is unmet at t = 0: k = -1"),
                         Some("not-applicable"),
                     ),

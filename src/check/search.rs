@@ -12,7 +12,7 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use super::verdict::{Outcome, Verdict};
+use crate::verdict::{Finding, Outcome, Verdict};
 use super::{CheckError, Options, Rigor, check_claims};
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
@@ -313,7 +313,7 @@ impl Trial<'_> {
             match own {
                 Some((_, verdict)) if matches!(verdict.outcome(), Outcome::Holds(_)) => {}
                 Some((name, verdict)) if matches!(verdict.outcome(), Outcome::Fails(_)) => {
-                    out[i] = Some((name, super::undecided("the claim itself fails".to_owned())));
+                    out[i] = Some((name, Verdict::of(Finding::open("the claim itself fails"))));
                 }
                 other => out[i] = other,
             }
@@ -448,7 +448,7 @@ impl Trial<'_> {
 /// The claim is judged as it is written; with `variant`, the motion is one on which it holds and that altered formula fails.
 ///
 /// # Errors
-/// See [`check`](super::check); and [`CheckError::Problems`] where there is no such altered formula.
+/// See [`check`](super::check()); and [`CheckError::Problems`] where there is no such altered formula.
 pub fn search(
     derivation: &Derivation,
     options: &SearchOptions,
@@ -543,7 +543,7 @@ fn search_in(
             };
             match verdict.outcome() {
                 Outcome::Holds(_) => out.tally.holds += 1,
-                Outcome::NotApplicable => out.tally.not_applicable += 1,
+                Outcome::NotApplicable(_) => out.tally.not_applicable += 1,
                 Outcome::Undecided => out.tally.undecided += 1,
                 Outcome::Fails(_) => {
                     out.tally.fails += 1;

@@ -6,41 +6,10 @@
 use std::sync::Arc;
 
 use super::weigh::{Judged, Left, Setting};
+use crate::verdict::{ResidualPoint, Residuals};
 
 /// Most samples that are kept of a pair, the worst one apart.
 const MOST: usize = 60;
-
-/// One comparison at some of its sample times, increasing.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Residuals {
-    /// The formula that is compared, with its component: the one in which the worst point lies.
-    pub formula: String,
-    /// Whether it is an equation: then a residual within its bound is a pass.
-    pub equation: bool,
-    /// Whether the relation is looked for at some time, rather than compared at all: a residual near 0 is then a find.
-    pub sought: bool,
-    /// How many samples there were.
-    pub of: usize,
-    /// The samples that were kept.
-    pub points: Vec<ResidualPoint>,
-}
-
-/// A comparison at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ResidualPoint {
-    /// The time.
-    pub t: f64,
-    /// Value of the left side.
-    pub left: f64,
-    /// Value of the right side.
-    pub right: f64,
-    /// |left − right|, computed with the error bound.
-    pub residual: f64,
-    /// Its error bound: what the residual is compared with.
-    pub bound: f64,
-    /// The largest bound that counts as evidence: the precision that is asked for, times the size of the terms.
-    pub limit: f64,
-}
 
 /// The comparison `chosen` (comparison, time) at evenly spaced samples among those that count, and at that time.
 ///
@@ -72,7 +41,7 @@ pub(super) fn residuals(
     };
     Some(Arc::new(Residuals {
         formula: described.label.clone(),
-        equation: described.kind == crate::latex::RelationKind::Equal,
+        equation: described.kind == latex::RelationKind::Equal,
         sought,
         of: counted.len(),
         points: judged.shown(comparison, &kept).into_iter().map(point).collect(),

@@ -133,6 +133,8 @@ pub(super) struct Built {
     pub places: Vec<Option<usize>>,
     /// The part of its span that is asked for, as far as the motion reaches.
     pub span: (f64, f64),
+    /// The time at which initial values are given.
+    pub initial_time: f64,
     /// Values of the parameters.
     pub given: Vec<(Symbol, Vec<Bounded>)>,
     /// Searches for the zeros of expressions that claims and measures ask for.
@@ -222,6 +224,11 @@ impl Stage {
         self.built(trajectory).map_or((f64::INFINITY, f64::NEG_INFINITY), |b| b.span)
     }
 
+    /// The time at which the initial values of a motion are given.
+    pub fn initial_time(&self, trajectory: usize) -> f64 {
+        self.built(trajectory).map_or(f64::NAN, |b| b.initial_time)
+    }
+
     /// A motion, by the position of its trajectory.
     pub fn motion(&self, trajectory: usize) -> Option<&Motion> {
         self.built(trajectory).map(|b| b.motion.as_ref())
@@ -254,16 +261,22 @@ impl Stage {
         self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
     }
 
-    /// Samples a motion, and compares the two routes to its values.
+    /// Samples a motion, and compares the two routes to its values: with a description of a value for which dual numbers and
+    /// propagated bounds disagree.
     ///
     /// # Errors
-    /// A description of a value for which dual numbers and propagated bounds disagree.
-    pub fn course<'a>(&'a self, graph: &Graph, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
+    /// That the trajectory was not built.
+    pub fn course<'a>(
+        &'a self,
+        graph: &Graph,
+        trajectory: usize,
+        leaves: &'a [Leaf],
+    ) -> Result<(Course<'a>, Option<String>), String> {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
+            return Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, None));
         }
         let mut times = motion.sample_times(DENSITY);
         // A derived motion may be tried on a part of the span of its source.
@@ -283,6 +296,7 @@ impl Stage {
         let points = motion.along(&times);
         let kept = self.keeping.then(|| (times.clone(), points.clone()));
         let points = points.arranged(&built.places);
+        let mut contradiction = None;
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
@@ -292,7 +306,7 @@ impl Stage {
                 // Both routes round on their own way: the bound of one covers its distance from the truth.
                 let room = 2.0 * bounded.error + 1e-12 * bounded.value.abs() + f64::MIN_POSITIVE;
                 if gap > room.max(1e-14) && gap > 1e3 * bounded.error {
-                    return Err(format!(
+                    contradiction.get_or_insert_with(|| format!(
                         "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
                         graph.leaf_latex(leaves[k]),
                         dual.re,
@@ -306,13 +320,13 @@ impl Stage {
             // Another thread can only have found the same.
             let _ = built.samples.set(kept);
         }
-        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() })
+        Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, contradiction))
     }
 
     /// The value of an expression in parameters on a motion.
     pub fn constant(&self, graph: &Graph, trajectory: usize, e: Expr) -> Option<Bounded> {
         let leaves = graph.leaves([e]);
-        let tape = crate::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
+        let tape = expr::tape::Tape::compile(graph, &leaves, &[e]).ok()?;
         let mut slots = tape.slots::<Bounded>(&());
         let values: Vec<_> = leaves.iter().map(|&l| self.parameter(trajectory, l)).collect();
         tape.evaluate(&(), &values, &mut slots).pop()?.ok()
@@ -517,7 +531,9 @@ fn prepare(
     let searches = searched.into_iter().zip(searches).filter_map(|(e, s)| Some((e, Arc::new(s.ok()?)))).collect();
     let of = &derivation.trajectories[trajectory].parameters;
     let given = of.iter().map(|(s, w)| (*s, closed_values(graph, &w.value))).collect();
-    Ok(Built { motion: Arc::new(motion), known, asked, places, span, given, searches, samples: Arc::default() })
+    let initial_time = derivation.trajectories[trajectory].initial_time;
+    let (motion, samples) = (Arc::new(motion), Arc::default());
+    Ok(Built { motion, known, asked, places, span, initial_time, given, searches, samples })
 }
 
 /// What is searched for on a motion, each once: claims and measures ask for the same zeros again and again.
@@ -539,7 +555,7 @@ pub(super) fn searched(derivation: &Derivation, requests: &Requests, trajectory:
 /// in the file is equal without an error.
 fn rounded(graph: &mut Graph, e: Expr) -> Expr {
     let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
-    match nearest.and_then(|x| crate::expr::Rational::try_from(x).ok()) {
+    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
         Some(r) => graph.constant(r),
         None => e,
     }
@@ -547,7 +563,7 @@ fn rounded(graph: &mut Graph, e: Expr) -> Expr {
 
 /// The values of expressions without leaves; those before the first that has none.
 fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
-    let Ok(tape) = crate::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
+    let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()
 }

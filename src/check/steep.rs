@@ -13,7 +13,7 @@ use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::Sample;
 use crate::latex::{Role, Scope};
 use crate::number::Bounded;
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Powers from this one on are taken for exponentials.
 const HIGH: i32 = 16;

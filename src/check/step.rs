@@ -33,7 +33,7 @@ use super::identity::{
     identity_test_after, order,
 };
 use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
-use super::verdict::Witness;
+use crate::verdict::Witness;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
 use crate::latex::{Relation, RelationKind, Role};

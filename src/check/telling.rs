@@ -19,7 +19,7 @@ use super::program::Program;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::{Points, Sample};
 use crate::number::{Bounded, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Points at which the terms are looked at first.
 const FEW: usize = 8;
@@ -142,7 +142,7 @@ impl Terms {
 
 /// Marks the comparisons of all groups that are mute at the points at which they were measured.
 pub(super) fn silence(graph: &Graph, program: &Program, leaves: &[Leaf], points: &Points, all: &mut Measurements) {
-    for group in all.assumptions.iter_mut().chain(&mut all.groups) {
+    for group in all.selectors.iter_mut().chain(&mut all.hypotheses).chain(&mut all.parts) {
         let found: Vec<(usize, usize)> = (0..group.signs.len())
             .flat_map(|s| (0..group.signs[s].len()).map(move |c| (s, c)))
             .filter(|&(s, c)| is_mute(graph, program, leaves, points, group, (s, c)))

@@ -1,28 +1,28 @@
 //! One claim on one motion.
 //!
-//! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict. The same few steps for every
-//! form of claim: measure, see which points the assumptions leave, weigh.
+//! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict, from a finding for each part of the
+//! claim and each hypothesis. The same few steps for every part: see which times count, measure, weigh, look between.
 
 use std::sync::Arc;
 
-use super::between::{Between, between_samples};
-use super::comparison::{Group, Standing};
+use super::between::between_samples;
 use super::describe::{Describer, short};
+use super::independence::{self, Gradients};
 use super::limit::limit;
 use super::measured::{Measurements, measure, measure_first};
 use super::met;
-use super::occurrence::occurrence;
-use super::program::{Program, Use};
+use super::program::{Assumption, Program, What};
+use super::same_motion;
 use super::stage::Stage;
 use super::steep;
 use super::telling::silence;
-use super::verdict::{Evidence, Exclusion, Outcome, Verdict};
-use super::weigh::{Judged, Left, TOLERATED_INCONCLUSIVE, weigh};
-use crate::derivation::{Claim, Form};
+use super::weigh::{Judged, Left, weigh};
+use crate::derivation::{Claim, Derivation};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Motion, Points, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
+use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth, Verdict};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -134,162 +134,368 @@ pub(super) struct Trial<'a> {
     pub shown: bool,
 }
 
-/// Tries a claim on a motion.
-pub(super) fn try_claim(trial: &Trial) -> Verdict {
+/// The times at which a claim is tried, with the values there, and which of them count.
+pub(super) struct Tried<'a> {
+    /// The times, increasing.
+    pub times: &'a [f64],
+    /// The values.
+    pub points: &'a Arc<Points>,
+    /// Which count.
+    pub left: Vec<Left>,
+}
+
+/// What samples leave possible of a part.
+fn known(finding: &Finding) -> Possible {
+    finding.known(Strength::Sampled).unwrap_or(Possible::ANY)
+}
+
+/// The same finding, of which some values are not excluded after all.
+fn reopened(finding: Finding, possible: Possible, reason: String) -> Finding {
+    let known = known(&finding).or_else(possible);
+    Finding::sampled(known, Evidence { reason: Some(reason), ..finding.evidence().clone() })
+}
+
+/// Tries a claim on a motion. `gradients` are those of a claim of independence.
+pub(super) fn try_claim(
+    derivation: &Derivation,
+    trial: &Trial,
+    gradients: Option<&Result<Gradients, String>>,
+) -> Verdict {
     let Trial { program, course, .. } = *trial;
-    let zeros = program.at.and_then(|e| course.zeros(e));
-    let at_events: Option<(Vec<f64>, Arc<Points>)> = match (&program.at, zeros) {
-        (None, _) => None,
-        (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
-            let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
-            Some((zeros.times.clone(), course.points_at_events(program, &events)))
-        }
-        (Some(_), zeros) => return no_event(trial, zeros),
+    let decide = |parts: Vec<Finding>, hypotheses: Vec<Finding>| {
+        Verdict::decide(program.claim.clone(), parts.into_iter().chain(hypotheses).collect())
     };
-    let samples = || (course.times.as_slice(), &course.points);
-    let (mut times, mut points) = match &at_events {
-        Some((t, p)) => (t.as_slice(), p),
-        None => samples(),
+    if let Some(unmet) = unmet_at_once(trial) {
+        let parts = program.parts.iter().map(|_| Finding::open("it was not tried, since an assumption is not met"));
+        return decide(parts.collect(), unmet);
+    }
+    let mut met = met::look(trial);
+    // Other motions and gradients need more values than the comparisons of the claim.
+    let special = |p: &super::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent);
+    if program.parts.iter().any(special) && met.more.take().is_some() {
+        met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
+    }
+    let (times, points) = match &met.more {
+        Some(more) => (&more.times, &more.points),
+        None => (&course.times, &course.points),
     };
-    // An equation among the assumptions that fails at the first point settles it.
-    if program.assumptions.iter().any(|a| a.throughout) {
-        let applied = apply(trial, &measure_first(program, points, 1), &Describer::new(trial, &times[..1], points));
-        if let Some(reason) = applied.unmet {
-            return not_applicable(reason);
-        }
-    }
-    let met = if at_events.is_none() { met::look(trial) } else { met::Search::default() };
-    if let Some(more) = &met.more {
-        (times, points) = (&more.times, &more.points);
-    }
     let describer = Describer::new(trial, times, points);
     let mut measured = measure(program, points, None);
     silence(trial.graph, program, course.leaves, points, &mut measured);
-    let left = match apply(trial, &measured, &describer).conclude() {
-        Ok(left) => left,
-        Err(verdict) => return unless_met_elsewhere(&met, *verdict),
-    };
-    let setting = || describer.setting(left.clone());
-
-    let mut verdicts = Vec::new();
-    let mut held = Vec::new();
-    for (position, ((how, _), group)) in program.groups.iter().zip(&measured.groups).enumerate() {
-        match how {
-            // Formula by formula: where one has no value, the others still count.
-            Use::Always | Use::Defined => held.push(weigh(setting(), group)),
-            Use::Never(_) | Use::Eventually(_) => {
-                let between = || at_events.is_none().then(|| Between::look(trial, &measured, position));
-                verdicts.push(occurrence(trial, &setting(), group, how, &between));
-            }
-            Use::Limit(point) => verdicts.push(limit(trial, position, point)),
+    let left = selected(trial, &measured, &describer);
+    let along = Tried { times, points, left };
+    let hypotheses: Vec<Finding> =
+        (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &measured, (h, &along), &met)).collect();
+    // Parts at events, or at all of these times.
+    let zeros = program.at.and_then(|e| course.zeros(e));
+    let parts = match (&program.at, zeros) {
+        (None, _) => {
+            let each = |position| {
+                let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
+                unless_met_elsewhere(&met, finding)
+            };
+            (0..program.parts.len()).map(each).collect()
         }
-    }
-    if !held.is_empty() {
-        let verdict = all_of(held);
-        verdicts.push(match zeros {
-            Some(zeros) => only_at_events(trial, zeros, verdict),
-            None => {
-                let verdict = at_peaks(trial, &measured, look_closer(trial, &measured, verdict));
-                between_samples(trial, &measured, verdict)
-            }
-        });
-    }
-    unless_met_elsewhere(&met, all_of(verdicts))
+        (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
+            let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
+            let points = match program.parts.iter().any(special) {
+                true => {
+                    let at = |&(t, slack): &(f64, Option<f64>)| course.values_at_event(t, slack.unwrap_or(0.0));
+                    Arc::new(events.iter().map(at).collect())
+                }
+                false => course.points_at_events(program, &events),
+            };
+            let describer = Describer::new(trial, &zeros.times, &points);
+            let mut measured = measure(program, &points, None);
+            silence(trial.graph, program, course.leaves, &points, &mut measured);
+            let left = selected(trial, &measured, &describer);
+            let tried = Tried { times: &zeros.times, points: &points, left };
+            let each = |position| {
+                let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
+                only_at_events(trial, zeros, finding)
+            };
+            (0..program.parts.len()).map(each).collect()
+        }
+        (Some(_), zeros) => program.parts.iter().map(|_| no_event(trial, zeros)).collect(),
+    };
+    decide(parts, hypotheses)
 }
 
-/// The verdict of a claim whose assumptions may be met at other times than those at which it was tried.
-fn unless_met_elsewhere(met: &met::Search, verdict: Verdict) -> Verdict {
-    let reason = match verdict.outcome() {
-        Outcome::Holds(_) => met.open.clone(),
-        Outcome::NotApplicable => met.open.clone().or(met.touches.clone()),
-        Outcome::Fails(_) | Outcome::Undecided => None,
+/// What is known of the hypotheses of a claim, if one of them is false at the first time, which counts.
+fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
+    let Trial { program, course, .. } = *trial;
+    if program.hypotheses.is_empty() {
+        return None;
+    }
+    let times = &course.times[..1.min(course.times.len())];
+    let describer = Describer::new(trial, times, &course.points);
+    let measured = measure_first(program, &course.points, times.len());
+    let left = selected(trial, &measured, &describer);
+    let along = Tried { times, points: &course.points, left };
+    let false_here = |h: usize| {
+        let compared = matches!(program.hypotheses[h].part.what, What::Every);
+        let judged = Judged::new(&measured.hypotheses[h], trial.claim.precision);
+        compared && along.left.first() == Some(&Left::In) && judged.at(0) == Possible::FALSE
+    };
+    let count = program.hypotheses.len();
+    (0..count).any(false_here).then(|| {
+        let none = met::Search::default();
+        let each = |h: usize| match false_here(h) {
+            true => met_on(trial, &describer, &measured, (h, &along), &none),
+            false => Finding::open("it was not looked at"),
+        };
+        (0..count).map(each).collect()
+    })
+}
+
+/// What is known of a hypothesis.
+fn met_on(
+    trial: &Trial,
+    describer: &Describer,
+    measured: &Measurements,
+    (position, along): (usize, &Tried),
+    met: &met::Search,
+) -> Finding {
+    let Assumption { text, part } = &trial.program.hypotheses[position];
+    let finding = match &part.what {
+        What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
+        _ => weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]),
+    };
+    let sides = |what: &str| match &finding.evidence().witness {
+        Some(w) => format!(
+            "the assumption `{text}` {what}: at t = {} its sides are {} and {} (error bound {:.1e})",
+            short(w.t),
+            short(w.left),
+            short(w.right),
+            w.bound
+        ),
+        None => format!("the assumption `{text}` {what}"),
+    };
+    let reason = match known(&finding).decided() {
+        Some(Truth::True) => None,
+        Some(Truth::False) => Some(sides("is not met")),
+        Some(Truth::Void) => finding.evidence().reason.clone(),
+        None => {
+            let why = finding.evidence().reason.clone().unwrap_or_default();
+            Some(format!("the assumption `{text}` cannot be decided: {why}"))
+        }
+    };
+    // What is left out where a hypothesis has no value is no matter of the claim.
+    let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
+    unless_met_elsewhere(met, unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence)))
+}
+
+/// What is known of one part of a claim, at the times that count.
+fn part(
+    derivation: &Derivation,
+    trial: &Trial,
+    (measured, describer): (&Measurements, &Describer),
+    tried: &Tried,
+    position: usize,
+    gradients: Option<&Result<Gradients, String>>,
+) -> Finding {
+    let program = trial.program;
+    let part = &program.parts[position];
+    let setting = || describer.setting(tried.left.clone());
+    let weighed = || weigh(setting(), &measured.parts[position]);
+    // What is tried at events only is not looked at between them.
+    let closer = |finding: Finding| match program.at {
+        Some(_) => finding,
+        None => at_peaks(trial, measured, position, look_closer(trial, measured, position, finding)),
+    };
+    let between = |finding: Finding| match program.at {
+        Some(_) => finding,
+        None => between_samples(trial, measured, position, finding),
+    };
+    let finding = match &part.what {
+        What::Every | What::Defined => between(closer(weighed())),
+        What::Denied => {
+            let mut setting = setting();
+            setting.first = true;
+            denied(trial, between(weigh(setting, &measured.parts[position])))
+        }
+        What::Constant => constant(trial, (measured, describer), tried, position, closer),
+        What::Value => Finding::open("nothing is said of it by itself"),
+        What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
+        What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
+        What::Independent => match gradients {
+            Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
+            Some(Err(reason)) => Finding::open(reason.clone()),
+            None => Finding::open("no gradients were computed"),
+        },
+    };
+    unless_unresolved(trial, part, finding)
+}
+
+/// A limit, where some time counts: without one, nothing is said of it.
+fn limit_where(
+    trial: &Trial,
+    tried: &Tried,
+    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m super::measured::MeasuredGroup<'p>,
+    point: &latex::LimitPoint,
+) -> Finding {
+    let out = |l: &Left| match l {
+        Left::Out(reason) => Some(reason.to_string()),
+        Left::In | Left::Open(_) => None,
+    };
+    let reason = || tried.left.iter().find_map(out).unwrap_or_else(|| "no time counts".to_owned());
+    if tried.left.contains(&Left::In) {
+        // Selectors may cut off the point itself: enclosures look on each side of it.
+        return match trial.program.selectors.is_empty() {
+            true => limit(trial, group, point),
+            false => Finding::open("a limit through the times that assumptions leave is not seen from samples"),
+        };
+    }
+    match tried.left.iter().all(|l| matches!(l, Left::Out(_))) {
+        true => Finding::sampled(Possible::VOID, Evidence::because(reason())),
+        false => Finding::open("whether any time counts cannot be told"),
+    }
+}
+
+/// A part that says that something never happens, for a claim that it happens: with words of the happening.
+fn denied(trial: &Trial, finding: Finding) -> Finding {
+    let mut evidence = finding.evidence().clone();
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    match (known(&finding).decided(), &evidence.witness) {
+        (Some(Truth::False), Some(w)) => {
+            let found = evidence.residual.as_ref().is_some_and(|r| r.at == w.t);
+            let reason = match trial.course.times.binary_search_by(|t| t.total_cmp(&w.t)) {
+                Ok(_) => format!("first seen at the sample t = {}", short(w.t)),
+                Err(_) => format!("happens first at t = {:.12}", w.t),
+            };
+            evidence.reason = Some(reason);
+            if !found {
+                evidence.residual = None;
+            }
+            evidence.samples = evidence.samples.max(1);
+        }
+        (Some(Truth::True), _) => {
+            evidence.reason = Some(format!("not seen between t = {from} and t = {to}, the span of the motion"));
+        }
+        (Some(Truth::Void), _) => {}
+        (None, _) | (Some(Truth::False), None) => {
+            let why = evidence.reason.as_ref().map_or(String::new(), |r| format!(": {r}"));
+            evidence.reason = Some(format!(
+                "not seen at {} samples between t = {from} and t = {to}, the span of the motion{why}",
+                evidence.samples
+            ));
+        }
+    }
+    Finding::sampled(known(&finding), evidence)
+}
+
+/// That a quantity is the same at all times that count: as at the start, if that counts; else as at the first that does.
+fn constant(
+    trial: &Trial,
+    (measured, describer): (&Measurements, &Describer),
+    tried: &Tried,
+    position: usize,
+    closer: impl Fn(Finding) -> Finding,
+) -> Finding {
+    let Trial { program, course, .. } = *trial;
+    let group = &measured.parts[position];
+    let start = course.stage.initial_time(course.trajectory);
+    let valued = |group: &super::measured::MeasuredGroup, i: usize| {
+        group.signs.iter().all(|s| s.iter().all(|series| series.difference(i).is_ok()))
+    };
+    let counts = |i: usize| tried.left[i] == Left::In;
+    let at_start = tried.times.binary_search_by(|t| t.total_cmp(&start)).ok();
+    let compared = at_start.is_some_and(|i| counts(i) && valued(group, i)) && program.at.is_none();
+    let values = program.parts.get(position + 1).filter(|p| matches!(p.what, What::Value));
+    if compared || values.is_none() {
+        return closer(weigh(describer.setting(tried.left.clone()), group));
+    }
+    let all = measure(program, tried.points, None);
+    let Some(mut values) = all.parts.into_iter().nth(position + 1) else {
+        return Finding::open("its values were not measured");
+    };
+    match (0..tried.times.len()).find(|&i| counts(i) && valued(&values, i)) {
+        Some(first) => {
+            values.relative_to(first);
+            weigh(describer.setting(tried.left.clone()), &values)
+        }
+        None => weigh(describer.setting(tried.left.clone()), &values),
+    }
+}
+
+/// What is known of a part whose selectors may be met at other times than those at which it was tried.
+fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Finding {
+    let reason = match known(&finding).decided() {
+        Some(Truth::True) => met.open.clone(),
+        Some(Truth::Void) => met.open.clone().or(met.touches.clone()),
+        Some(Truth::False) | None => None,
     };
     match reason {
-        Some(_) => Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() }),
-        None => verdict,
+        Some(reason) => reopened(finding, Possible::ANY, reason),
+        None => finding,
     }
 }
 
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
 const CLOSER: usize = 4;
 
-/// Tries a claim that holds at further times around its worst sample: the worst of all times lies between samples.
-fn look_closer(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
+/// Tries a part that is true at further times around its worst sample: the worst of all times lies between samples.
+fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let Trial { course, .. } = *trial;
-    let (Outcome::Holds(_), Some(worst)) = (verdict.outcome(), &verdict.evidence().residual) else { return verdict };
-    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return verdict };
+    let (Possible::TRUE, Some(worst)) = (known(&finding), &finding.evidence().residual) else { return finding };
+    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return finding };
     let near = course.near(at);
     let points = course.points_at(trial.program, &near);
-    let Some(closer) = at_further_times(trial, along, &near, &points) else { return verdict };
-    match (closer.outcome(), &closer.evidence().residual) {
-        (Outcome::Fails(_), _) => closer,
-        (Outcome::Holds(_), Some(r)) if r.max * worst.bound > worst.max * r.bound => {
-            let samples = verdict.evidence().samples + closer.evidence().samples;
+    let Some(closer) = at_further_times(trial, along, position, &near, &points) else { return finding };
+    match (known(&closer), &closer.evidence().residual) {
+        (Possible::FALSE, _) => closer,
+        (Possible::TRUE, Some(r)) if r.max * worst.bound > worst.max * r.bound => {
+            let samples = finding.evidence().samples + closer.evidence().samples;
             let residual = Some(r.clone());
-            Verdict::new(verdict.outcome(), Evidence { samples, residual, ..verdict.evidence().clone() })
+            Finding::sampled(Possible::TRUE, Evidence { samples, residual, ..finding.evidence().clone() })
         }
-        _ => verdict,
+        _ => finding,
     }
 }
 
-/// The verdict of what a claim says of all times, at further times; `None` where its assumptions leave none of them.
-fn at_further_times(trial: &Trial, along: &Measurements, times: &[f64], points: &Arc<Points>) -> Option<Verdict> {
-    let program = trial.program;
+/// What is known of a part at further times; `None` where none of them counts.
+fn at_further_times(
+    trial: &Trial,
+    along: &Measurements,
+    position: usize,
+    times: &[f64],
+    points: &Arc<Points>,
+) -> Option<Finding> {
     let describer = Describer::new(trial, times, points);
-    let measured = measure(program, points, Some(along));
-    let left = apply(trial, &measured, &describer).conclude().ok()?;
-    let held = program.groups.iter().zip(&measured.groups);
-    let held = held.filter(|((how, _), _)| matches!(how, Use::Always | Use::Defined));
-    Some(all_of(held.map(|(_, group)| weigh(describer.setting(left.clone()), group)).collect()))
+    let measured = measure(trial.program, points, Some(along));
+    let left = selected(trial, &measured, &describer);
+    left.contains(&Left::In).then(|| weigh(describer.setting(left), &measured.parts[position]))
 }
 
-/// Tries a claim that holds at further times, where exponentials in it may have peaks between the samples.
-fn at_peaks(trial: &Trial, along: &Measurements, verdict: Verdict) -> Verdict {
+/// Tries a part at further times, where exponentials in it may have peaks between the samples.
+fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let Trial { program, course, .. } = *trial;
-    let holds = match verdict.outcome() {
-        Outcome::Holds(_) => true,
-        Outcome::Undecided => false,
-        Outcome::Fails(_) | Outcome::NotApplicable => return verdict,
+    let holds = match known(&finding).decided() {
+        Some(Truth::True) => true,
+        None => false,
+        Some(Truth::False | Truth::Void) => return finding,
     };
     let Some(times) = steep::times(trial) else {
         if !holds {
-            return verdict;
+            return finding;
         }
-        let reason = Some("an exponential in it has too many peaks that samples may miss".to_owned());
-        return Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() });
+        let reason = "an exponential in it has too many peaks that samples may miss".to_owned();
+        return reopened(finding, Possible::OPEN, reason);
     };
     if times.is_empty() {
-        return verdict;
+        return finding;
     }
     let points = course.points_at(program, &times);
-    let Some(closer) = at_further_times(trial, along, &times, &points) else { return verdict };
-    match closer.outcome() {
-        Outcome::Fails(_) => closer,
-        Outcome::Undecided if holds => closer,
-        Outcome::Holds(_) if holds => {
-            let samples = verdict.evidence().samples + closer.evidence().samples;
-            Verdict::new(verdict.outcome(), Evidence { samples, ..verdict.evidence().clone() })
+    let Some(closer) = at_further_times(trial, along, position, &times, &points) else { return finding };
+    match known(&closer).decided() {
+        Some(Truth::False) => closer,
+        None if holds => closer,
+        Some(Truth::True) if holds => {
+            let samples = finding.evidence().samples + closer.evidence().samples;
+            Finding::sampled(Possible::TRUE, Evidence { samples, ..finding.evidence().clone() })
         }
-        _ => verdict,
+        _ => finding,
     }
-}
-
-/// The verdict of a claim all of whose parts must hold: failing, undecided, not applicable, holding, in this order.
-pub(super) fn all_of(verdicts: Vec<Verdict>) -> Verdict {
-    let rank = |v: &Verdict| match v.outcome() {
-        Outcome::Fails(_) => 3,
-        Outcome::Undecided => 2,
-        Outcome::NotApplicable => 1,
-        Outcome::Holds(_) => 0,
-    };
-    // Among equals the part with the largest residual in units of its bound.
-    let ratio =
-        |v: &Verdict| v.evidence().residual.as_ref().map_or(0.0, |r| if r.max > 0.0 { r.max / r.bound } else { 0.0 });
-    let worst = verdicts.into_iter().reduce(|a, b| if (rank(&b), ratio(&b)) > (rank(&a), ratio(&a)) { b } else { a });
-    worst.unwrap_or_else(|| {
-        let reason = Some("the claim says nothing that could be tried".to_owned());
-        Verdict::new(Outcome::Undecided, Evidence { reason, ..Evidence::default() })
-    })
 }
 
 /// Why a search for events is incomplete, in words.
@@ -305,25 +511,21 @@ pub(super) fn incomplete(problem: &Incomplete) -> String {
     }
 }
 
-/// The points that the assumptions of a claim leave of a course; a verdict when they leave none.
-pub(super) fn assumptions_of(trial: &Trial) -> Result<Vec<Left>, Box<Verdict>> {
-    let Trial { program, course, .. } = *trial;
-    if program.assumptions.is_empty() {
-        return Ok(vec![Left::In; course.times.len()]);
-    }
-    let describer = Describer::new(trial, &course.times, &course.points);
-    apply(trial, &measure(program, &course.points, None), &describer).conclude()
-}
-
-/// The verdict where the event of a claim is not found.
-fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Verdict {
+/// What is known of a part where the event of a claim is not found.
+fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Finding {
     let course = trial.course;
     if let Some(reason) = zeros.and_then(|z| open_events(trial, z, |_| true)) {
-        return Verdict::new(Outcome::Undecided, Evidence { reason: Some(reason), ..Evidence::default() });
+        return Finding::open(reason);
+    }
+    if let Some(problem) = course.motion.problem() {
+        return Finding::open(problem.to_string());
     }
     let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
     let (from, to) = course.stage.span(course.trajectory);
-    not_applicable(format!("`{text}` does not happen between t = {from} and t = {to}"))
+    Finding::sampled(
+        Possible::VOID,
+        Evidence::because(format!("`{text}` does not happen between t = {from} and t = {to}")),
+    )
 }
 
 /// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
@@ -339,60 +541,59 @@ fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> boo
     open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
 }
 
-/// The verdict of a claim that was tried at events: where some may be missing, it cannot hold.
-fn only_at_events(trial: &Trial, zeros: &Zeros, verdict: Verdict) -> Verdict {
+/// What is known of a part that was tried at events: where some may be missing, it is not known to be true, or void.
+fn only_at_events(trial: &Trial, zeros: &Zeros, finding: Finding) -> Finding {
     // Where the sides have no value, they do not meet.
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
-    match (verdict.outcome(), open_events(trial, zeros, counts)) {
-        (Outcome::Holds(_) | Outcome::NotApplicable, Some(reason)) => {
-            let reason = Some(format!("it was tried at {} events, but {reason}", zeros.times.len()));
-            Verdict::new(Outcome::Undecided, Evidence { reason, ..verdict.evidence().clone() })
+    match (known(&finding).decided(), open_events(trial, zeros, counts)) {
+        (Some(Truth::True | Truth::Void), Some(reason)) => {
+            let reason = format!("it was tried at {} events, but {reason}", zeros.times.len());
+            reopened(finding, Possible::ANY, reason)
         }
-        _ => verdict,
+        _ => finding,
     }
 }
 
-/// The verdict of a claim that holds, where the formulas of the motion are not known from samples: it stays open, and times
-/// without a value are named.
-pub(super) fn unless_unresolved(trial: &Trial, verdict: Verdict) -> Verdict {
-    let Trial { graph, claim, program, course, .. } = *trial;
+/// What is known of a part that is true, where the motion is not known from samples, or not as far as its span: it stays
+/// open, and times without a value are named.
+fn unless_unresolved(trial: &Trial, part: &super::program::Part, finding: Finding) -> Finding {
+    let Trial { graph, claim, course, .. } = *trial;
+    if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) || matches!(part.what, What::Limit(_)) {
+        return finding;
+    }
+    // What was not reached was not tried.
+    if let Some(problem) = course.motion.problem() {
+        return reopened(finding, Possible::ANY, problem.to_string());
+    }
     let gaps = course.motion.unresolved();
     let (from, to) = course.stage.span(course.trajectory);
     let inside = |gap: &&Incomplete| gap.stretch().0 <= to && gap.stretch().1 >= from;
-    let Outcome::Holds(_) = verdict.outcome() else { return verdict };
-    if !gaps.iter().any(|gap| inside(&gap)) {
-        return verdict;
-    }
-    // What was found at one time remains found.
-    let found = |how: &Use| matches!(how, Use::Eventually(_) | Use::Limit(_));
-    let other = claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Independent { .. }));
-    if !other && program.groups.iter().all(|(how, _)| found(how)) {
-        return verdict;
+    if known(&finding) != Possible::TRUE || !gaps.iter().any(|gap| inside(&gap)) {
+        return finding;
     }
     let moves =
         |l: &Leaf| l.instant.is_none() && matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
-    let defined = |(how, group): &(Use, Group)| {
-        matches!(how, Use::Defined) && graph.leaves(group.comparisons.iter().map(|c| c.left)).iter().any(moves)
-    };
+    let asserted =
+        part.group.asserted && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
     let open = |gap: &&Incomplete| match gap {
-        Incomplete::NoValue { .. } => program.groups.iter().any(defined),
-        _ => true,
+        Incomplete::NoValue { .. } => asserted,
+        Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
-    let mut evidence = verdict.evidence().clone();
     if let Some(gap) = gaps.iter().filter(inside).find(open) {
         let (start, end) = gap.stretch();
         let near = match short(start) == short(end) {
             true => format!("near t = {}", short(start)),
             false => format!("between t = {} and t = {}", short(start), short(end)),
         };
-        evidence.reason = Some(match gap {
+        let reason = match gap {
             Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
             _ => format!(
                 "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
             ),
-        });
-        return Verdict::new(Outcome::Undecided, evidence);
+        };
+        return reopened(finding, Possible::OPEN, reason);
     }
+    let mut evidence = finding.evidence().clone();
     for gap in gaps.iter().filter(inside) {
         let (start, end) = (gap.stretch().0.max(from), gap.stretch().1.min(to));
         if !evidence.excluded.iter().any(|e| e.from <= end && start <= e.to) {
@@ -401,102 +602,31 @@ pub(super) fn unless_unresolved(trial: &Trial, verdict: Verdict) -> Verdict {
         }
     }
     evidence.excluded.sort_by(|a, b| a.from.total_cmp(&b.from));
-    Verdict::new(verdict.outcome(), evidence)
+    Finding::sampled(Possible::TRUE, evidence)
 }
 
-pub(super) fn not_applicable(reason: String) -> Verdict {
-    Verdict::new(Outcome::NotApplicable, Evidence { reason: Some(reason), ..Evidence::default() })
-}
-
-/// What the assumptions of a claim say about a list of times.
-pub(super) struct Applied {
-    /// Which times are left.
-    pub left: Vec<Left>,
-    /// An equation among them that is not met.
-    pub unmet: Option<String>,
-    /// An equation among them that cannot be decided at too many times.
-    unclear: Option<String>,
-}
-
-impl Applied {
-    /// The times that are left; a verdict when none is, or when an equation among the assumptions is not met.
-    fn conclude(self) -> Result<Vec<Left>, Box<Verdict>> {
-        if let Some(reason) = self.unmet {
-            return Err(Box::new(not_applicable(reason)));
-        }
-        if let Some(reason) = self.unclear {
-            let evidence = Evidence { reason: Some(reason), ..Evidence::default() };
-            return Err(Box::new(Verdict::new(Outcome::Undecided, evidence)));
-        }
-        if self.left.iter().all(|l| *l != Left::In) {
-            let reason = self.left.into_iter().find_map(|l| match l {
-                Left::Out(reason) => Some(reason.to_string()),
-                Left::In => None,
-            });
-            let reason = reason.unwrap_or_else(|| "there is no time to try it at".to_owned());
-            return Err(Box::new(not_applicable(reason)));
-        }
-        Ok(self.left)
-    }
-}
-
-/// Which times the assumptions leave.
-pub(super) fn apply(trial: &Trial, measured: &Measurements, describer: &Describer) -> Applied {
-    let count = describer.times.len();
-    let mut applied = Applied { left: vec![Left::In; count], unmet: None, unclear: None };
-    for (assumption, group) in trial.program.assumptions.iter().zip(&measured.assumptions) {
+/// Which of the times the selectors leave.
+pub(super) fn selected(trial: &Trial, measured: &Measurements, describer: &Describer) -> Vec<Left> {
+    let mut left = vec![Left::In; describer.times.len()];
+    for (Assumption { text, part }, group) in trial.program.selectors.iter().zip(&measured.selectors) {
         let judged = Judged::new(group, trial.claim.precision);
-        let mut unclear = None;
-        let mut unclear_count = 0;
-        let not_met: Arc<str> = format!("the assumption `{}` is not met", assumption.text).into();
-        let undecided: Arc<str> = format!("the assumption `{}` cannot be decided", assumption.text).into();
-        for (i, left) in applied.left.iter_mut().enumerate() {
-            let Some(standing) = judged.best(i) else { continue };
-            if standing == Standing::Satisfied {
-                continue;
-            }
-            let c = judged.deciding(0, i);
-            let comparison = &assumption.group.comparisons[c];
-            let sides = |what: &str| match group.signs[0][c].get(i) {
-                Ok(m) => format!(
-                    "the assumption `{}` {what}: at t = {} its sides are {} and {} (error bound {:.1e})",
-                    assumption.text,
-                    short(describer.times[i]),
-                    short(m.left),
-                    short(m.right),
-                    m.difference.error
-                ),
-                Err(_) => format!("the assumption `{}` {what}", assumption.text),
+        let not_met: Arc<str> = format!("the assumption `{text}` is not met").into();
+        let open: Arc<str> = format!("the assumption `{text}` cannot be decided").into();
+        for (i, left) in left.iter_mut().enumerate() {
+            let now = match judged.at(i).decided() {
+                Some(Truth::True) => continue,
+                Some(Truth::False) => Left::Out(Arc::clone(&not_met)),
+                Some(Truth::Void) => {
+                    let (c, reason) = judged.missing(0, i);
+                    Left::Out(describer.fault(&part.group.comparisons[c], i, reason))
+                }
+                None => Left::Open(Arc::clone(&open)),
             };
-            match standing {
-                Standing::Satisfied => {}
-                Standing::NoValue(reason) => {
-                    if *left == Left::In {
-                        *left = Left::Out(describer.fault(comparison, i, reason));
-                    }
-                }
-                Standing::Violated if assumption.throughout => {
-                    applied.unmet = Some(sides("is not met"));
-                    return applied;
-                }
-                Standing::Inconclusive if assumption.throughout => {
-                    unclear.get_or_insert_with(|| sides("cannot be decided"));
-                    unclear_count += 1;
-                    if *left == Left::In {
-                        *left = Left::Out(Arc::clone(&undecided));
-                    }
-                }
-                Standing::Violated | Standing::Inconclusive => {
-                    if *left == Left::In {
-                        *left = Left::Out(Arc::clone(&not_met));
-                    }
-                }
+            // What is out for certain is out.
+            if *left == Left::In || (matches!(left, Left::Open(_)) && matches!(now, Left::Out(_))) {
+                *left = now;
             }
-        }
-        if unclear_count as f64 > TOLERATED_INCONCLUSIVE * count as f64 {
-            applied.unclear = unclear;
-            return applied;
         }
     }
-    applied
+    left
 }

@@ -1,19 +1,19 @@
-//! Weighing: from measured comparisons to a verdict.
+//! Weighing: from measured comparisons to what is known of a part of a claim.
 //!
-//! **In:** for every comparison and every time, both sides with their error bounds ([`MeasuredGroup`]). **Out:** a [`Verdict`].
+//! **In:** for every comparison and every time, both sides with their error bounds ([`MeasuredGroup`]). **Out:** a [`Finding`].
 //!
-//! The rules, in their order: a point where an assumption is not met, or where a side has no value, is left out and named;
-//! when nothing is left the claim is not applicable. One violated point refutes. Points whose bound is too large to tell
-//! are named too; more than two in a hundred of them, and the verdict is `undecided`.
+//! The rules, in their order: a point that is not selected, or where nothing is said, is left out and named; when nothing is
+//! left the part is void. One false point refutes. Points whose bound is too large to tell, and points at which it is false
+//! and not known whether they are selected, are named too; more than two in a hundred of them, and nothing is known.
 
 use std::sync::Arc;
 
-use super::comparison::{Comparison, Standing};
+use super::comparison::Comparison;
 use super::describe::Describer;
-use super::measured::{Measured, MeasuredGroup, Series};
-use super::verdict::{Evidence, Exclusion, Outcome, Residual, Strength, Verdict, Witness};
+use super::measured::{Measured, MeasuredGroup};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
+use crate::verdict::{Evidence, Exclusion, Finding, Possible, Quantifier, Residual, Truth, Witness};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
 pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
@@ -28,6 +28,8 @@ pub(super) enum Left {
     In,
     /// It is left out, for this reason.
     Out(Arc<str>),
+    /// Whether it counts is not known, for this reason.
+    Open(Arc<str>),
 }
 
 /// What is known of each time before the claim itself is looked at, and how to describe a point.
@@ -38,8 +40,8 @@ pub(super) struct Setting<'a> {
     pub left: Vec<Left>,
     /// The precision that the claim asks for.
     pub precision: f64,
-    /// Whether one sign of ± must serve the whole motion.
-    pub one_sign_throughout: bool,
+    /// Whether the first failure is told, and not the clearest.
+    pub first: bool,
     /// Whether a reader is shown both sides along the motion.
     pub shown: bool,
     /// What describes the points.
@@ -53,27 +55,23 @@ pub(super) struct Judged<'a, 'g> {
     precision: f64,
     /// Whether it consists of equations only, that say more than that they have values.
     equations: bool,
-    /// `[s][i]`: standing of the whole group at time i for the sign s.
-    pub whole: Vec<Vec<Standing>>,
+    /// `[s][i]`: what is known of the whole group at time i for the sign s.
+    pub whole: Vec<Vec<Possible>>,
 }
 
 impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
-        let whole = |(s, series): (usize, &Vec<Series>)| -> Vec<Standing> {
-            let mut whole = vec![Standing::Satisfied; series.first().map_or(0, Series::len)];
-            (0..series.len()).for_each(|c| measured.stand(s, c, precision, &mut whole));
-            whole
-        };
         let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
-        let equations = equations && !measured.definedness;
-        Judged { measured, precision, equations, whole: measured.signs.iter().enumerate().map(whole).collect() }
+        let equations = equations && !measured.definedness && measured.group.formula.is_none();
+        let whole = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
+        Judged { measured, precision, equations, whole }
     }
 
     /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
     /// terms, among the worst; where all is well, the one with the largest residual.
     pub fn deciding(&self, sign: usize, time: usize) -> usize {
-        if self.whole[sign][time] == Standing::Satisfied {
+        if self.whole[sign][time] == Possible::TRUE {
             return self.largest(sign, time);
         }
         let series = &self.measured.signs[sign];
@@ -101,29 +99,49 @@ impl<'a, 'g> Judged<'a, 'g> {
         let sized = |c| (c, size(c));
         // What is violated of an equation is further off than what is not.
         let found = match (self.whole[sign][time], self.equations) {
-            (Standing::Satisfied, _) | (Standing::Violated, true) => (0..series.len()).map(sized).reduce(larger),
+            (Possible::TRUE, _) | (Possible::FALSE, true) => (0..series.len()).map(sized).reduce(larger),
             _ => self.worst(sign, time).map(sized).reduce(larger),
         };
         found.map_or(0, |(c, _)| c)
     }
 
-    /// The comparisons that stand as the whole group does at a time, for one sign.
+    /// The comparisons on which it hangs what the whole group is at a time, for one sign; those that are as the group is
+    /// where none decides alone.
     fn worst(&self, sign: usize, time: usize) -> impl Iterator<Item = usize> + '_ {
         let whole = self.whole[sign][time];
-        let stands = move |c: &usize| self.measured.standing(sign, *c, time, self.precision) == whole;
+        let standing = move |c: usize| self.measured.standing(sign, c, time, self.precision);
         let count = self.measured.signs[sign].len();
-        (0..count).filter(move |c| count == 1 || stands(c))
+        let group = self.measured.group;
+        let alone = move |c: usize| {
+            group.formula.is_some() && group.value(|n| if n == c { Possible::ANY } else { standing(n) }) != whole
+        };
+        let decides = group.formula.is_some() && (0..count).any(alone);
+        (0..count).filter(move |&c| count == 1 || if decides { alone(c) } else { standing(c) == whole })
+    }
+
+    /// Why a comparison has no value at a time.
+    pub fn missing(&self, sign: usize, time: usize) -> (usize, NoValue) {
+        let found = |c: usize| self.measured.signs[sign][c].difference(time).err().map(|reason| (c, reason));
+        self.worst(sign, time).find_map(found).unwrap_or((0, NoValue::OutOfDomain))
+    }
+
+    /// The sign that decides at a time: the one that does best where one is asked for, the one that does worst where both are.
+    pub fn sign(&self, time: usize) -> usize {
+        let signs = self.whole.iter().map(|s| s[time]).enumerate();
+        let rank = |known: Possible| match (known.decided(), self.measured.group.signs) {
+            (Some(Truth::True), Quantifier::Some) | (Some(Truth::False), Quantifier::Every) => 0,
+            (None, _) => 1,
+            (Some(Truth::False), Quantifier::Some) | (Some(Truth::True), Quantifier::Every) => 2,
+            (Some(Truth::Void), _) => 3,
+        };
+        signs.min_by_key(|(_, known)| rank(*known)).map_or(0, |(s, _)| s)
     }
 
     /// A comparison at some times, with the sign that does best there, and the size of its terms: what a reader is shown. Times
     /// without a value are left out.
     pub fn shown(&self, comparison: usize, times: &[usize]) -> Vec<(usize, Measured, f64)> {
-        let rank = |&(s, time): &(usize, usize)| match self.whole[s].get(time) {
-            Some(Standing::Satisfied) => 0,
-            Some(Standing::Inconclusive) => 1,
-            _ => 2,
-        };
-        let best = |time: usize| (0..self.whole.len()).map(|s| (s, time)).min_by_key(rank).map(|(s, _)| s);
+        let known = |time: usize| self.whole.iter().all(|s| time < s.len());
+        let best = |time: usize| known(time).then(|| self.sign(time));
         let mut out = Vec::with_capacity(times.len());
         for sign in 0..self.whole.len() {
             let here: Vec<usize> = times.iter().copied().filter(|&time| best(time) == Some(sign)).collect();
@@ -136,9 +154,9 @@ impl<'a, 'g> Judged<'a, 'g> {
         out
     }
 
-    /// The standing at a time with the sign that does best.
-    pub fn best(&self, time: usize) -> Option<Standing> {
-        self.whole.iter().map(|s| s[time]).reduce(Standing::or)
+    /// What is known at a time, of all signs together.
+    pub fn at(&self, time: usize) -> Possible {
+        self.measured.group.over_signs(self.whole.iter().map(|s| s[time]))
     }
 }
 
@@ -161,7 +179,7 @@ fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
     for (&t, l) in times.iter().zip(left) {
         match l {
             Left::In => open = None,
-            Left::Out(reason) => {
+            Left::Out(reason) | Left::Open(reason) => {
                 match (open, out.last_mut()) {
                     (Some(r), Some(last)) if r == &**reason => last.to = t,
                     _ => out.push(Exclusion { from: t, to: t, reason: reason.to_string() }),
@@ -187,7 +205,7 @@ struct Signs {
 }
 
 /// Which sign of ± serves where. `standing[s][i]` with s = 0 for + and 1 for −.
-fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
+fn signs(times: &[f64], left: &[Left], standing: &[Vec<Possible>]) -> Signs {
     if standing.len() < 2 {
         return Signs { words: None, change: None };
     }
@@ -198,8 +216,8 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Standing>]) -> Signs {
             continue;
         }
         let only = match (standing[0][i], standing[1][i]) {
-            (Standing::Satisfied, Standing::Violated) => 0,
-            (Standing::Violated, Standing::Satisfied) => 1,
+            (Possible::TRUE, Possible::FALSE) => 0,
+            (Possible::FALSE, Possible::TRUE) => 1,
             _ => continue,
         };
         first[only].get_or_insert(i);
@@ -257,8 +275,8 @@ fn clearest(group: &MeasuredGroup, failures: &[Failure]) -> Option<Failure> {
     clearest
 }
 
-/// Weighs a group, all comparisons of which must hold.
-pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
+/// Weighs a part of a claim that speaks of every time that counts.
+pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let count = setting.times.len();
     let mut evidence = Evidence::default();
     let mut inconclusive: Option<String> = None;
@@ -269,43 +287,47 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
     let judged = Judged::new(group, setting.precision);
     let standing = &judged.whole;
     let fault = |c: usize, i: usize, reason| setting.describer.fault(&group.group.comparisons[c], i, reason);
+    // What must differ is worth seeing where it comes closest.
+    let apart = group.group.comparisons.iter().all(|c| c.kind == RelationKind::NotEqual);
 
-    // First what has no value: such points are left out.
+    // First where nothing is said: such points are left out.
     for (i, left) in setting.left.iter_mut().enumerate() {
-        if let (Some(Standing::NoValue(reason)), Left::In) = (judged.best(i), &*left) {
-            *left = Left::Out(fault(judged.deciding(0, i), i, reason));
+        if let (Possible::VOID, Left::In | Left::Open(_)) = (judged.at(i), &*left) {
+            let (c, reason) = judged.missing(0, i);
+            *left = Left::Out(fault(c, i, reason));
         }
     }
+    let open = |i: &usize| matches!(setting.left[*i], Left::Open(_)) && judged.at(*i).may_be(Truth::False);
+    let doubtful: Vec<usize> = (0..count).filter(open).collect();
     let counted: Vec<usize> = (0..count).filter(|&i| setting.left[i] == Left::In).collect();
     evidence.excluded = exclusions(setting.times, &setting.left);
     evidence.samples = counted.len();
+    if let (true, Some(&i)) = (counted.is_empty(), doubtful.first()) {
+        let Left::Open(reason) = &setting.left[i] else { return Finding::open("no time is known to count") };
+        evidence.reason = Some(reason.to_string());
+        return Finding::sampled(Possible::ANY, evidence);
+    }
     if counted.is_empty() {
         let reason = setting.left.iter().find_map(|l| match l {
-            Left::Out(reason) => Some(reason.to_string()),
+            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
             Left::In => None,
         });
         evidence.reason = Some(reason.unwrap_or_else(|| "no time at which it could be tried".to_owned()));
-        return Verdict::new(Outcome::NotApplicable, evidence);
+        return Finding::sampled(Possible::VOID, evidence);
     }
 
     let sign = signs(setting.times, &setting.left, standing);
     evidence.branch = sign.words;
     for &i in &counted {
-        // For ±: the sign that does best at this time.
-        let best = (0..standing.len()).min_by_key(|&s| match standing[s][i] {
-            Standing::Satisfied => 0,
-            Standing::Inconclusive => 1,
-            Standing::Violated => 2,
-            Standing::NoValue(_) => 3,
-        });
-        let Some(best) = best else { continue };
+        let best = judged.sign(i);
         let c = judged.largest(best, i);
+        let known = judged.at(i);
         let Ok(difference) = group.signs[best][c].difference(i) else {
-            if standing[best][i] == Standing::Violated {
+            if known == Possible::FALSE {
                 // A claim of definedness: there is no value to show, the reason is.
                 evidence.reason.get_or_insert_with(|| fault(c, i, NoValue::OutOfDomain).to_string());
                 failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
-            } else if standing[best][i] == Standing::Inconclusive {
+            } else if known.decided().is_none() {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
                     let why = fault(c, i, group.signs[best][c].difference(i).err().unwrap_or(NoValue::Indeterminate));
@@ -315,15 +337,19 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             continue;
         };
         let (size, bound) = (difference.value.abs(), difference.error);
-        let worse = evidence.residual.is_none() || ratio(size, bound) > largest;
+        let worse = match &evidence.residual {
+            None => true,
+            Some(r) if apart => size < r.max,
+            Some(_) => ratio(size, bound) > largest,
+        };
         if worse && !group.definedness {
             largest = ratio(size, bound);
             evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
             worst = Some((c, i));
         }
-        match standing[best][i] {
-            Standing::Satisfied | Standing::NoValue(_) => {}
-            Standing::Inconclusive => {
+        match known.decided() {
+            Some(Truth::True | Truth::Void) => {}
+            None => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
                     let unseen = if group.mute[best][c] { ", below which a term of the formula is lost" } else { "" };
@@ -333,14 +359,19 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
                     )
                 });
             }
-            Standing::Violated => {
+            Some(Truth::False) => {
                 let off = |c: usize| group.signs[best][c].difference(i).map_or(0.0, |d| d.value.abs());
                 let failed = |c: usize| Failure { size: off(c), sign: best, comparison: c, time: i };
                 failures.extend(judged.worst(best, i).map(failed));
             }
         }
     }
-    if let (true, Some((plus, minus))) = (setting.one_sign_throughout, sign.change) {
+    for &i in &doubtful {
+        inconclusive_count += 1;
+        let Left::Open(reason) = &setting.left[i] else { continue };
+        inconclusive.get_or_insert_with(|| format!("at t = {:.6} it does not hold, and {reason}", setting.times[i]));
+    }
+    if let (true, Some((plus, minus))) = (group.group.throughout, sign.change) {
         // + alone serves at one time, − alone at another: refute with the later of the two, where the other fails.
         let (i, wrong) = if plus > minus { (plus, 1) } else { (minus, 0) };
         let c = judged.deciding(wrong, i);
@@ -350,18 +381,28 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
         }
     }
 
-    let clearest = clearest(group, &failures);
+    let clearest = match setting.first {
+        true => failures.first().copied(),
+        false => clearest(group, &failures),
+    };
     let telling = clearest.as_ref().map(|f| (f.comparison, f.time)).or(worst);
-    evidence.series = super::series::residuals(&setting, &judged, telling, false);
-    if let Some(f) = clearest {
+    evidence.series = super::series::residuals(&setting, &judged, telling, apart || setting.first);
+    let shown = |f: &Failure| {
         let absent = Measured { left: 0.0, right: 0.0, difference: Bounded::exact(0.0) };
         let m = group.signs[f.sign][f.comparison].get(f.time).unwrap_or(absent);
-        evidence.witness = Some(witness(&setting, &group.group.comparisons[f.comparison], f.time, m));
-        return Verdict::new(Outcome::Fails(Strength::Sampled), evidence);
+        witness(&setting, &group.group.comparisons[f.comparison], f.time, m)
+    };
+    if let Some(f) = clearest {
+        evidence.witness = Some(shown(&f));
+        return Finding::sampled(Possible::FALSE, evidence);
+    }
+    if let (true, Some((comparison, time))) = (setting.first, worst) {
+        // What never happens, though it should: where it comes closest.
+        evidence.witness = Some(shown(&Failure { size: 0.0, sign: judged.sign(time), comparison, time }));
     }
     // That something has a value is claimed of every point: one that cannot tell leaves it open.
-    let definedness = group.definedness && inconclusive_count > 0;
-    if definedness || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
+    let asserted = group.group.asserted && inconclusive_count > 0;
+    if asserted || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
         let would = match group.mute.iter().flatten().any(|&mute| mute) {
             true => "a formula whose large terms do not cancel",
@@ -371,20 +412,20 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Verdict {
             "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; {would} would decide",
             counted.len()
         ));
-        return Verdict::new(Outcome::Undecided, evidence);
+        return Finding::sampled(Possible::OPEN, evidence);
     }
-    evidence.samples = counted.len() - inconclusive_count;
+    evidence.samples = counted.len() - inconclusive_count.min(counted.len() - 1);
     if inconclusive_count > 0 {
         evidence.reason = Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
     }
-    Verdict::new(Outcome::Holds(Strength::Sampled), evidence)
+    Finding::sampled(Possible::TRUE, evidence)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::check::comparison::Group;
-    use crate::check::measured::Sizes;
+    use crate::check::measured::{Series, Sizes};
     use crate::expr::Graph;
     use crate::number::Draws;
 
@@ -403,7 +444,7 @@ mod tests {
             boundaries: Vec::new(),
             told: Default::default(),
         };
-        let group = Group { comparisons: vec![comparison; 3], branching: false };
+        let group = Group { comparisons: vec![comparison; 3], ..Group::default() };
         let mut draws = Draws::new(11);
         let mut sized_apart = 0;
         for _ in 0..200 {
@@ -422,7 +463,7 @@ mod tests {
             let measured = MeasuredGroup::new(&group, vec![columns], known, false);
             let judged = Judged::new(&measured, 1e-9);
             let mut failures = Vec::new();
-            for time in (0..40).filter(|&i| judged.whole[0][i] == Standing::Violated) {
+            for time in (0..40).filter(|&i| judged.whole[0][i] == Possible::FALSE) {
                 let size = |c: usize| measured.signs[0][c].difference(time).unwrap().value.abs();
                 failures.extend(judged.worst(0, time).map(|c| Failure { size: size(c), sign: 0, comparison: c, time }));
             }

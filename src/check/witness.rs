@@ -11,13 +11,12 @@ use std::sync::Arc;
 
 use super::account::ClaimAccount;
 use super::program::{Program, Use};
-use super::series::{ResidualPoint, Residuals};
 use super::stage::Stage;
-use super::verdict::Witness;
 use super::{Prepared, same_motion};
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::RelationKind;
+use crate::verdict::{ResidualPoint, Residuals, Witness};
 
 /// What the witness of a limit at infinity is called beside its formula.
 const IN_THE_LIMIT: &str = ", in the limit";

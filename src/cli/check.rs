@@ -94,6 +94,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
                 exit = exit.and(Exit::Different);
             }
         }
+        if let Some((claim, on, why)) = account.defects().next() {
+            let more = account.defects().count() - 1;
+            let more = if more > 0 { format!(" (and {more} more)") } else { String::new() };
+            exit = exit.and(super::defect(&format!("{claim} on {on}{more} has no verdict: {why}")));
+        }
         if account.units.unexpected() > 0 {
             exit = exit.and(Exit::Different);
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 use super::keys;
-use super::load::Loader;
+use super::load::{Loader, written};
 use super::model::{Claim, Form, FormKind, Formula, Measure, Written};
 use super::role::ClaimRole;
 use super::number::finite;
@@ -316,7 +316,13 @@ impl Loader<'_> {
                 FormKind::Eventually => Form::Eventually,
                 _ => Form::Always,
             };
-            let statements = self.statements(&formula, &claim.scope);
+            let mut statements = self.statements(&formula, &claim.scope);
+            // What never happens, or happens at some time, is all that the text says, at once.
+            if kind != FormKind::Always && statements.len() > 1 {
+                let relations = statements.drain(..).flat_map(|w| w.value.relations).collect();
+                let value = Statement { relations, span: 0..formula.text.len() };
+                statements.push(written(&formula, 0..formula.text.len(), value));
+            }
             claim.forms.extend(statements.into_iter().map(make));
         }
     }

@@ -258,7 +258,7 @@ pub(super) fn is_equation(relation: &Relation) -> bool {
 }
 
 /// A part of a formula with its meaning.
-fn written<T>(formula: &Literal<'_>, part: Range<usize>, value: T) -> Written<T> {
+pub(super) fn written<T>(formula: &Literal<'_>, part: Range<usize>, value: T) -> Written<T> {
     let (part, text) = match formula.text.get(part.clone()) {
         Some(text) => (part, text),
         None => (0..formula.text.len(), formula.text),

@@ -7,7 +7,7 @@
 //! **Guaranteed:** two formulas are called the same only if LaTeX prints them alike, spacing and the size of brackets apart.
 //! Macros of the paper are expanded; every place is one of the file as it was written. No text makes this panic.
 //!
-//! **Why this way:** nothing is *read* here in the sense of [`latex`](latex): what a formula means is a question to
+//! **Why this way:** nothing is *read* here in the sense of [`latex`]: what a formula means is a question to
 //! the derivation file. That the file has copied the paper rightly is a question of signs on paper, and is answered with
 //! signs.
 

@@ -158,7 +158,7 @@ fn would_change(outcome: Outcome) -> &'static str {
         Outcome::Fails(Strength::Enclosed | Strength::Proved) => {
             "What would change it: nothing; with an assumption that excludes this point it would not apply there."
         }
-        Outcome::NotApplicable => "What would change it: a motion that meets what it assumes.",
+        Outcome::NotApplicable(_) => "What would change it: a motion that meets what it assumes.",
         Outcome::Undecided => "What would change it: the reason above names it.",
     }
 }

@@ -1,6 +1,6 @@
 //! Verdicts as people and programs read them.
 //!
-//! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](crate::derivation::Derivation) that it is of.
+//! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
 //! from [`findings`];
@@ -68,7 +68,7 @@ pub use write::{WriteError, write_files, write_report};
 #[cfg(all(test, debug_assertions))]
 mod tests {
     use crate::check::sample;
-    use crate::derivation::{Derivation, parse};
+    use derivation::{Derivation, parse};
     use crate::diag::{Source, render};
 
     /// The derivation that the handmade account is of.

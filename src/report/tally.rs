@@ -71,7 +71,7 @@ pub(super) fn glyph(outcome: Outcome) -> char {
     match outcome {
         Outcome::Holds(_) => 'H',
         Outcome::Fails(_) => 'F',
-        Outcome::NotApplicable => '-',
+        Outcome::NotApplicable(_) => '-',
         Outcome::Undecided => '?',
     }
 }

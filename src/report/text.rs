@@ -24,7 +24,7 @@ impl Paint {
         match outcome {
             Outcome::Holds(_) => self.with("32", text),
             Outcome::Fails(_) => self.with("31", text),
-            Outcome::NotApplicable => self.with("2", text),
+            Outcome::NotApplicable(_) => self.with("2", text),
             Outcome::Undecided => self.with("33", text),
         }
     }

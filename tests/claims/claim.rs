@@ -136,7 +136,7 @@ pub enum Form {
     Exists {
         range: (Q, Q),
         equation: (Term, Term),
-        also: Option<(Term, Kind, Term)>,
+        also: Option<Box<(Term, Kind, Term)>>,
         unique: bool,
     },
 }
@@ -196,7 +196,7 @@ impl Claim {
                 Form::Always(t) | Form::Never(t) | Form::Eventually(t) => {
                     t.iter_mut().flatten().for_each(|s| statement(s, f));
                 }
-                Form::FirstIntegral(e) | Form::Defined(e) => e.iter_mut().flat_map(|(_, c)| c).for_each(|t| f(t)),
+                Form::FirstIntegral(e) | Form::Defined(e) => e.iter_mut().flat_map(|(_, c)| c).for_each(&mut *f),
                 Form::Solves(p, q) => {
                     f(p);
                     f(q);
@@ -281,7 +281,9 @@ impl Claim {
                 Form::Independent(None) => "independent = { functions = ['y', '2y'], subject-to = [] }".to_owned(),
                 Form::Exists { range: (a, b), equation: (l, r), also, unique } => {
                     let mut such = vec![format!("'{}={}'", l.latex(), r.latex())];
-                    such.extend(also.iter().map(|(l, k, r)| format!("'{}{}{}'", l.latex(), k.latex(), r.latex())));
+                    if let Some((l, k, r)) = also.as_deref() {
+                        such.push(format!("'{}{}{}'", l.latex(), k.latex(), r.latex()));
+                    }
                     format!(
                         "exists = {{ unknowns = {{ 'u' = [{}, {}] }}, such-that = [{}], unique = {unique} }}",
                         toml_number(a),

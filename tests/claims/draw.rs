@@ -384,7 +384,8 @@ impl Draw<'_> {
                 }
                 let low = -3 + self.chance.below(5) as i64;
                 let high = low + 1 + self.chance.below(6) as i64;
-                let also = self.chance.once_in(4).then(|| (Term::U, self.chance.one(&KINDS[1..]), self.constant()));
+                let also = self.chance.once_in(4);
+                let also = also.then(|| Box::new((Term::U, self.chance.one(&KINDS[1..]), self.constant())));
                 let unique = self.chance.once_in(2);
                 Form::Exists { range: (whole(low), whole(high)), equation: (e, number(0)), also, unique }
             }

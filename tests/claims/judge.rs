@@ -113,7 +113,7 @@ fn caught<T>(f: impl FnOnce() -> Result<T, CheckError>) -> Result<T, CheckError>
 /// A claim about all real numbers.
 fn proposition(claim: &Claim) -> Said {
     let [Form::Always(texts)] = &claim.forms[..] else { return Said::Refused("no proposition".to_owned()) };
-    let formula = texts[0][0].latex();
+    let formula = texts.iter().flatten().map(Statement::latex).collect::<Vec<_>>().join(r",\quad ");
     let mut given = vec!["y=2".to_owned(), r"a=\frac{3}{2}".to_owned()];
     given.extend(claim.assuming.iter().flatten().map(Statement::latex));
     let mut derivation = Derivation::blank();
@@ -232,8 +232,8 @@ fn reductions(claim: &Claim) -> Vec<Claim> {
                             }
                         }
                         if kinds.len() == 1 && sides[0].len() > 1 {
-                            for m in 0..sides[0].len() {
-                                let s = vec![vec![sides[0][m].clone()], vec![sides[1][m].clone()]];
+                            for (l, r) in sides[0].iter().zip(&sides[1]) {
+                                let s = vec![vec![l.clone()], vec![r.clone()]];
                                 simpler.push(Statement::Relation { shape: scalar, sides: s, kinds: kinds.clone() });
                             }
                         }

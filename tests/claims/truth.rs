@@ -522,7 +522,7 @@ impl<'a> Scope<'a> {
             let u = self.line(root, 1)?;
             let inside = |a: &Q, k: Kind| self.atom(&u, k, &Line::constant(Value::number(a.clone())));
             let mut t = inside(low, Kind::AtLeast)?.zip(&inside(high, Kind::AtMost)?, |p, q| and(*p, *q));
-            if let Some((_, kind, bound)) = also {
+            if let Some((_, kind, bound)) = also.as_deref() {
                 let other = self.atom(&u, *kind, &self.line(bound, 1)?)?;
                 t = t.zip(&other, |p, q| and(*p, *q));
             }

@@ -1,46 +1,54 @@
 //! One claim along one enclosed motion.
+//!
+//! **In:** the verdict that samples gave, and the enclosed motion. **Out:** the same verdict, with what the enclosure leaves
+//! possible of each part and each hypothesis ([`Verdict::enclose`]). Nothing is combined here.
 
 use super::cover::Along;
 use super::rank::Rank;
 use super::ready::{Ready, Shown};
-use super::refute::certify;
 use super::same::Same;
 use super::{event, limit, span};
-use crate::check::comparison::{Comparison, Group};
+use crate::check::comparison::Comparison;
 use crate::check::independence::Gradients;
-use crate::check::program::{Program, Use};
-use crate::check::verdict::{Evidence, Outcome, Strength, Verdict, Witness};
-use crate::derivation::{Claim, Form};
+use crate::check::program::{Part, Program, What};
+use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::Enclosure;
 use crate::number::Bounded;
+use crate::verdict::{Enclosed, Outcome, Possible, Strength, Verdict, Witness};
 
 /// How far two routes to the same residual may be apart, in units of the error bound of the sampled one.
 const DISAGREEMENT: f64 = 100.0;
 
-/// The residuals of all comparisons of a claim at a time, as samples see them: `None` for a comparison without a value.
+/// The residuals of a comparison at a time, as samples see them: `None` without a value.
 pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;
 
-/// Adds to a sampled verdict why it is not stronger.
+/// Adds to a verdict that is not rigorous why it is not.
 pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
-    let outcome = verdict.outcome();
-    let sampled = matches!(outcome, Outcome::Holds(Strength::Sampled) | Outcome::Fails(Strength::Sampled));
-    if sampled || outcome == Outcome::Undecided {
+    if !is_rigorous(verdict.outcome()) {
         let before = verdict.evidence().reason.as_ref().map_or(String::new(), |r| format!("{r}; "));
-        let reason = Some(format!("{before}not enclosed: {reason}"));
-        *verdict = Verdict::new(outcome, Evidence { reason, ..verdict.evidence().clone() });
+        verdict.remark(format!("{before}not enclosed: {reason}"));
+    }
+}
+
+/// Whether a verdict holds for every time, or for all values.
+pub(super) fn is_rigorous(outcome: Outcome) -> bool {
+    match outcome {
+        Outcome::Holds(strength) | Outcome::Fails(strength) | Outcome::NotApplicable(strength) => {
+            strength > Strength::Sampled
+        }
+        Outcome::Undecided => false,
     }
 }
 
 /// A part of a claim, ready to be looked at along a motion; or why it is not.
-pub(super) enum Part<'a> {
-    Comparisons(&'a Use, &'a Group, Result<Ready<'a>, String>),
+pub(super) enum Prepared<'a> {
+    Compared(Result<Ready<'a>, String>),
     Rank(Result<Rank<'a>, String>),
-    Same(Result<Box<Same<'a>>, String>),
+    Same(Result<Box<Same>, String>),
+    /// Nothing is said of it by itself.
+    Silent,
 }
-
-/// The parts of a claim, or why there is nothing to look at.
-pub(super) type Parts<'a> = Result<Vec<Part<'a>>, String>;
 
 /// What a claim is prepared from.
 pub(super) struct Asked<'a, 'r> {
@@ -53,132 +61,213 @@ pub(super) struct Asked<'a, 'r> {
     pub other: &'r dyn Fn(usize, &mut Graph) -> Result<Enclosure, String>,
 }
 
-/// Tells a motion what a claim will ask for.
-pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along, outcome: Outcome) -> Parts<'a> {
+/// Tells a motion what a claim will ask for: its parts, then its hypotheses.
+pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along) -> Vec<Prepared<'a>> {
     let Asked { claim, program, gradients, .. } = *asked;
-    let fails = matches!(outcome, Outcome::Fails(_));
-    if let (false, Some(reason)) = (fails, along.incomplete()) {
-        return Err(reason);
-    }
-    let ready = |(how, group): &'a (Use, Group), along: &mut Along| {
-        Part::Comparisons(how, group, Ready::new(program, (how, group), along, claim))
-    };
-    let mut parts: Vec<Part> = program.groups.iter().map(|part| ready(part, along)).collect();
-    for form in &claim.forms {
-        match (form, gradients) {
-            (Form::SameMotion { other, of }, _) => {
-                parts.push(Part::Same(Same::new(asked, *other, of, along).map(Box::new)))
-            }
-            (Form::Independent { .. }, Some(Ok(gradients))) => {
-                parts.push(Part::Rank(Rank::new(asked, gradients, along)))
-            }
-            (Form::Independent { .. }, Some(Err(reason))) => parts.push(Part::Rank(Err(reason.clone()))),
-            _ => {}
+    let ready = |part: &'a Part, along: &mut Along| match &part.what {
+        What::SameMotion(other, of) => Prepared::Same(Same::new(asked, part, *other, of, along).map(Box::new)),
+        What::Independent => Prepared::Rank(match gradients {
+            Some(Ok(gradients)) => Rank::new(asked, part, gradients, along),
+            Some(Err(reason)) => Err(reason.clone()),
+            None => Err("no gradients were computed".to_owned()),
+        }),
+        What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => {
+            Prepared::Compared(Ready::new(program, part, along, claim))
         }
+    };
+    let mut all: Vec<Prepared> = Vec::new();
+    for (position, part) in program.parts.iter().enumerate() {
+        let one = ready(part, along);
+        let before = position.checked_sub(1).map(|p| &program.parts[p].what);
+        let (What::Value, Some(What::Constant)) = (&part.what, before) else {
+            all.push(one);
+            continue;
+        };
+        // What is the same at all times is looked at by its values, where the start may not count.
+        if let (Prepared::Compared(Ok(values)), Some(constant)) = (one, all.last_mut())
+            && values.is_restricted()
+        {
+            *constant = Prepared::Compared(Ok(values));
+        }
+        all.push(Prepared::Silent);
     }
-    Ok(parts)
+    // Hypotheses are about all times that the selectors leave, and not about events.
+    all.extend(program.hypotheses.iter().map(|a| match ready(&a.part, along) {
+        Prepared::Compared(Ok(mut ready)) => {
+            ready.event = None;
+            Prepared::Compared(Ok(ready))
+        }
+        other => other,
+    }));
+    all
 }
 
 /// Strengthens one verdict.
 ///
 /// # Errors
-/// A contradiction between an enclosure and samples.
+/// At one and the same time, the enclosure and the samples find different residuals: where, and how far they are apart.
 pub(super) fn strengthen(
-    claim: &Claim,
-    parts: Parts,
+    program: &Program,
+    prepared: Vec<Prepared>,
     along: &mut Along,
     sampled: Sampled,
     verdict: &mut Verdict,
 ) -> Result<(), String> {
-    let outcome = verdict.outcome();
-    if matches!(outcome, Outcome::NotApplicable | Outcome::Holds(Strength::Enclosed | Strength::Proved)) {
-        return Ok(());
-    }
-    let parts = match parts {
-        Ok(parts) => parts,
-        Err(reason) => {
-            remark(verdict, &reason);
-            return Ok(());
-        }
-    };
-    if let Outcome::Fails(_) = outcome {
-        certify(parts, along, verdict);
-        return Ok(());
-    }
     along.refill();
+    let beyond = program.parts.len();
     let mut reasons = Vec::new();
-    for part in parts {
-        let compared = match part {
-            Part::Comparisons(_, group, _) => Some(group),
-            Part::Rank(_) | Part::Same(_) => None,
-        };
-        let shown = match part {
-            Part::Comparisons(how, _, Ok(mut ready)) => {
-                ready.weigh(along);
-                shown(claim, how, &ready, along)?
-            }
-            Part::Rank(Ok(rank)) => rank.always(along),
-            Part::Same(Ok(same)) => same.always(along),
-            Part::Comparisons(.., Err(reason)) | Part::Rank(Err(reason)) | Part::Same(Err(reason)) => {
-                Shown::Nothing(reason)
-            }
-        };
-        match shown {
-            Shown::Holds(reason) => reasons.push(reason),
-            Shown::Fails(witness, reason) => {
-                let Witness { t, left, right, bound, .. } = witness;
-                let same = compared.filter(|group| !group.branching);
-                let same = same.and_then(|group| group.comparisons.iter().find(|c| c.label == witness.formula));
-                if let Some(seen) = same.and_then(|c| sampled(c, t)) {
-                    // Between samples anything may happen; at one time both routes must find the same.
-                    let (gap, size) = ((seen.value - (left - right)).abs(), left.abs() + right.abs());
-                    if gap > DISAGREEMENT * (seen.error + bound + f64::EPSILON * size) {
-                        return Err(format!(
-                            "at t = {t} the sides differ by {} ± {:.1e} on the sampled motion, and by {} ± {bound:.1e} on \
-                             the enclosed one",
-                            seen.value,
-                            seen.error,
-                            left - right
-                        ));
+    // A hypothesis that is false decides by itself.
+    let order = (beyond..prepared.len()).chain(0..beyond);
+    let mut prepared: Vec<Option<Prepared>> = prepared.into_iter().map(Some).collect();
+    for position in order {
+        let Some(one) = prepared[position].take() else { continue };
+        if is_rigorous(verdict.outcome()) {
+            break;
+        }
+        let part = program.part(position);
+        let group = &part.group;
+        let before = verdict.findings().get(position).and_then(|f| f.known(Strength::Sampled));
+        let seen = verdict.findings().get(position).and_then(|f| f.evidence().witness.clone());
+        // What was false on samples is looked at where they saw it.
+        let near = seen.as_ref().filter(|_| before == Some(Possible::FALSE));
+        let shown = match one {
+            Prepared::Compared(Ok(mut ready)) => match position >= beyond {
+                false => shown(&mut ready, near, along),
+                true => {
+                    let text = format!("{:?}", program.hypotheses[position - beyond].text);
+                    let key = (ready.roots.roots().to_vec(), text, ready.precision.to_bits());
+                    match near {
+                        Some(_) => shown(&mut ready, near, along),
+                        None => along.presuppose(key, |along| shown(&mut ready, None, along)),
                     }
                 }
-                let evidence = Evidence { witness: Some(witness), reason: Some(reason), ..verdict.evidence().clone() };
-                *verdict = Verdict::new(Outcome::Fails(Strength::Enclosed), evidence);
-                return Ok(());
+            },
+            Prepared::Rank(Ok(rank)) => match near {
+                Some(witness) => rank.refuted(along, witness).map_or_else(Shown::Nothing, |(w, r)| Shown::Fails(w, r)),
+                None => rank.always(along),
+            },
+            Prepared::Same(Ok(same)) => match near {
+                Some(witness) => same.refuted(along, witness).map_or_else(Shown::Nothing, |(w, r)| Shown::Fails(w, r)),
+                None => same.always(along),
+            },
+            Prepared::Compared(Err(reason)) | Prepared::Rank(Err(reason)) | Prepared::Same(Err(reason)) => {
+                Shown::Nothing(reason)
             }
-            Shown::Nothing(reason) => {
-                remark(verdict, &reason);
-                return Ok(());
+            Prepared::Silent => continue,
+        };
+        if let (Shown::Fails(witness, _), false) = (&shown, group.branching)
+            && let Some(comparison) = group.comparisons.iter().find(|c| c.label == witness.formula)
+            && let Some(seen) = sampled(comparison, witness.t)
+        {
+            // Between samples anything may happen; at one time both routes must find the same.
+            let Witness { t, left, right, bound, .. } = witness.clone();
+            let (gap, size) = ((seen.value - (left - right)).abs(), left.abs() + right.abs());
+            if gap > DISAGREEMENT * (seen.error + bound + f64::EPSILON * size) {
+                learn(verdict, position, shown, (part, beyond));
+                return Err(format!(
+                    "at t = {t} the sides differ by {} ± {:.1e} on the sampled motion, and by {} ± {bound:.1e} on \
+                     the enclosed one",
+                    seen.value,
+                    seen.error,
+                    left - right
+                ));
             }
         }
+        if let Shown::Nothing(reason) = &shown {
+            reasons.push(reason.clone());
+        }
+        learn(verdict, position, shown, (part, beyond));
     }
-    if reasons.is_empty() {
-        return Ok(());
+    if let (false, Some(reason)) = (is_rigorous(verdict.outcome()), reasons.first()) {
+        remark(verdict, reason);
     }
-    reasons.dedup();
-    let samples = verdict.evidence().samples.max(1);
-    let reason = match reasons.len() {
-        1 => reasons.swap_remove(0),
-        n => format!("{}; and {} more likewise", reasons[0], n - 1),
-    };
-    let evidence = Evidence { samples, reason: Some(reason), ..verdict.evidence().clone() };
-    *verdict = Verdict::new(Outcome::Holds(Strength::Enclosed), evidence);
     Ok(())
 }
 
-/// What is shown of comparisons, over the whole span.
-fn shown(claim: &Claim, how: &Use, ready: &Ready, along: &mut Along) -> Result<Shown, String> {
-    if let Err(reason) = ready.presupposed(along) {
-        return Ok(Shown::Nothing(reason));
+/// What was shown, as what is left possible of a part.
+fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (&Part, usize)) {
+    let hypothesis = position >= beyond;
+    let denied = matches!(part.what, What::Denied);
+    match shown {
+        Shown::Holds(enclosed, reason) => verdict.enclose(position, Possible::TRUE, |e| {
+            e.enclosed = Some(enclosed);
+            e.samples = e.samples.max(1);
+            e.reason = Some(reason);
+        }),
+        Shown::Excluded(enclosed, reason, witness) => verdict.enclose(position, Possible::TRUE, |e| {
+            e.enclosed = Some(enclosed);
+            e.samples = e.samples.max(1);
+            e.witness = Some(witness);
+            e.reason = Some(format!("excluded {reason}"));
+        }),
+        Shown::Unless(enclosed, reason) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
+            e.enclosed = Some(enclosed);
+            e.reason = Some(reason);
+        }),
+        Shown::Void(reason) => verdict.enclose(position, Possible::VOID, |e| e.reason = Some(reason)),
+        Shown::Fails(mut witness, reason) => verdict.enclose(position, Possible::FALSE, |e| {
+            if witness.values.is_empty()
+                && let Some(before) = e.witness.as_ref().filter(|w| w.t == witness.t && w.formula == witness.formula)
+            {
+                witness.values = before.values.clone();
+            }
+            e.reason = match (hypothesis, e.reason.take()) {
+                // What is not met is said in the words of the assumption.
+                (true, Some(before)) if e.witness.is_some() => Some(format!("{before}; certified")),
+                (true, _) => Some(format!("an assumption is not met: {reason}")),
+                (false, _) if denied => Some(reason.replacen("certified", "certain", 1)),
+                (false, _) => Some(reason),
+            };
+            e.witness = Some(witness);
+        }),
+        Shown::Nothing(_) => {}
     }
-    if let Some(event) = ready.event {
-        return Ok(event::always(claim, how, ready, event, along));
+}
+
+/// What is shown of comparisons. `near` is where samples say that they are false.
+fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown {
+    if let (Some(witness), false) = (near, matches!(ready.part.what, What::Limit(_) | What::Value)) {
+        let found = match ready.event {
+            Some(event) => event::refuted(ready, event, along, witness.t),
+            None => span::refuted(ready, along, witness.t),
+        };
+        if let Ok(found) = found {
+            let reason = match ready.part.is_definedness() {
+                true => format!("certified at t = {}: no value exists there", found.t),
+                false => format!("certified, the enclosures of the two sides lie apart: at t = {}", found.t),
+            };
+            return Shown::Fails(found, reason);
+        }
     }
-    match how {
-        Use::Always => span::always(claim, ready, along),
-        Use::Defined => Ok(span::defined(ready, along)),
-        Use::Never(_) => Ok(span::never(ready, along)),
-        Use::Eventually(_) => Ok(span::eventually(ready, along)),
-        Use::Limit(point) => Ok(limit::limit(ready, point, along)),
+    if let (Some(reason), false) = (along.incomplete(), matches!(ready.part.what, What::Limit(_))) {
+        return Shown::Nothing(reason);
+    }
+    ready.weigh(along);
+    let shown = match (&ready.part.what, ready.event) {
+        // Where no time counts, nothing is said of a limit, either.
+        (What::Limit(point), event) => match span::counts(ready, event, along) {
+            Some(true) => limit::limit(ready, point, along),
+            Some(false) => Shown::Void("no time of the span counts".to_owned()),
+            None => Shown::Nothing("whether any time counts is not certain".to_owned()),
+        },
+        (_, Some(event)) => event::always(ready, event, along),
+        (What::Value, None) => span::constant(ready, along),
+        (
+            What::Every
+            | What::Denied
+            | What::Defined
+            | What::Constant
+            | What::SameMotion(..)
+            | What::Independent,
+            None,
+        ) => span::always(ready, along),
+    };
+    match (&ready.part.what, shown) {
+        // Never, though it should: a reader sees a time at which it is not so.
+        (What::Denied, Shown::Holds(enclosed, reason)) => match span::some_time(ready, along) {
+            Some(witness) => Shown::Excluded(Enclosed { gap: 0.0, ..enclosed }, reason, witness),
+            None => Shown::Nothing("it does not happen, but there is no time to show that counts".to_owned()),
+        },
+        (_, shown) => shown,
     }
 }

@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use crate::expr::{Expr, Graph};
 use crate::flow::{Compiled, Enclosure, Reach, Reaches, Sharp, Stretch};
+use super::ready::Shown;
 use crate::number::{Interval, NoValue};
 
 /// Stretches are halved down to this part of the span.
@@ -84,12 +85,12 @@ pub(super) struct Along {
     /// Operations that may still be spent: on this claim, and on all.
     left: usize,
     left_of_all: usize,
-    /// Whether sets of equations hold to a precision, which is the same for every claim that presupposes them.
-    presupposed: HashMap<Presupposed, Result<(), String>>,
+    /// What was shown of hypotheses, which is the same for every claim that presupposes them.
+    presupposed: HashMap<Presupposed, Shown>,
 }
 
-/// Differences of equations with the sizes of their terms, and the bits of the precision.
-pub(super) type Presupposed = (Vec<(usize, usize)>, u64);
+/// What a hypothesis and its selectors look at, as it is written, and the bits of the precision.
+pub(super) type Presupposed = (Vec<usize>, String, u64);
 
 /// What is known of one stretch.
 pub(super) enum Judgement {
@@ -147,11 +148,6 @@ impl Along {
         self.differences.roots[place]
     }
 
-    /// What stands at a place of what is looked at at times, in basic leaves.
-    pub fn side_at(&self, place: usize) -> Expr {
-        self.sides.roots[place]
-    }
-
     /// Compiles what was asked for so far.
     ///
     /// # Errors
@@ -169,12 +165,8 @@ impl Along {
         self.left = MOST;
     }
 
-    /// What is known of a presupposition, found once with work of its own.
-    pub fn presuppose(
-        &mut self,
-        key: Presupposed,
-        find: impl FnOnce(&mut Along) -> Result<(), String>,
-    ) -> Result<(), String> {
+    /// What is shown of a hypothesis, found once with work of its own.
+    pub fn presuppose(&mut self, key: Presupposed, find: impl FnOnce(&mut Along) -> Shown) -> Shown {
         if let Some(known) = self.presupposed.get(&key) {
             return known.clone();
         }

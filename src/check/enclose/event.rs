@@ -1,4 +1,4 @@
-//! Claims at events: at every time at which an expression vanishes.
+//! Parts of claims at events: at every time at which an expression vanishes.
 //!
 //! **All events are found.** The span is covered by stretches on which the expression e excludes 0, and stretches on which its
 //! rate excludes 0 and the signs of e at the ends differ: there is exactly one zero in each of these (Bolzano, Rolle). It is
@@ -7,13 +7,11 @@
 //! any stretch, and leaves the claim as it was.
 
 use super::cover::{Along, Judgement, Ranges};
-use super::ready::{Ready, Shown, certain};
-use super::span::changes_sign;
-use crate::check::program::Use;
-use crate::check::verdict::Witness;
-use crate::derivation::Claim;
+use super::ready::{Ready, Shown, certain, changes_sign};
+use crate::check::program::What;
 use crate::latex::RelationKind;
 use crate::number::{Interval, Scalar};
+use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 
 /// Most steps of Newton's method for one event.
 const STEPS: usize = 40;
@@ -66,16 +64,19 @@ fn confined(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, str
     time
 }
 
-/// That a claim holds at all events.
-pub(super) fn always(claim: &Claim, how: &Use, ready: &Ready, event: (usize, usize), along: &mut Along) -> Shown {
-    if !matches!(how, Use::Always) {
-        return Shown::Nothing("a claim of this form at events is not enclosed".to_owned());
+/// That a part is true at all events.
+pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) -> Shown {
+    match ready.part.what {
+        What::Every | What::Denied | What::Defined => {}
+        What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
+            return Shown::Nothing("a claim of this form at events is not enclosed".to_owned());
+        }
     }
     let events = match events(ready, event, along) {
         Ok(events) => events,
         Err(reason) => return Shown::Nothing(reason),
     };
-    let (mut counted, mut serves) = (0, vec![true; ready.signs]);
+    let (mut counted, mut void, mut serves, mut gap) = (0, 0, vec![true; ready.signs], 0.0_f64);
     for time in events {
         let ranges = along.over(&ready.roots, time);
         match ready.selected(&ranges) {
@@ -83,43 +84,60 @@ pub(super) fn always(claim: &Claim, how: &Use, ready: &Ready, event: (usize, usi
             Some(true) => {}
             None => return Shown::Nothing(format!("whether the event at t = {:.6} counts is not certain", time.mid())),
         }
-        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.holds(&ranges, s)).collect();
-        if let (false, Some(Err(reason))) = (each.iter().any(Result::is_ok), each.first()) {
-            return Shown::Nothing(format!("{reason}, at the event at t = {:.6}", time.mid()));
+        let known = ready.value(&ranges);
+        if known == Possible::VOID {
+            void += 1;
+            continue;
         }
+        if known == Possible::FALSE
+            && let Some(witness) = ready.shown(along, &ranges, time.mid())
+        {
+            let reason = format!("certified, at the event at t = {}", witness.t);
+            return Shown::Fails(witness, reason);
+        }
+        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.within(&ranges, s)).collect();
+        let enough = match ready.group.signs {
+            Quantifier::Some => each.iter().any(Result::is_ok),
+            Quantifier::Every => each.iter().all(Result::is_ok),
+        };
+        if !enough || known.may_be(Truth::Void) {
+            let why = each.iter().find_map(|e| e.as_ref().err().cloned()).unwrap_or_default();
+            return Shown::Nothing(format!("{why}, at the event at t = {:.6}", time.mid()));
+        }
+        gap = each.iter().flatten().copied().fold(f64::INFINITY, f64::min).max(gap);
         serves.iter_mut().zip(each).for_each(|(s, e)| *s &= e.is_ok());
         counted += 1;
     }
     if counted == 0 {
-        return Shown::Nothing("there is no event in the span".to_owned());
+        return Shown::Void(match void {
+            0 => "there is no event in the span that counts".to_owned(),
+            n => format!("at none of the {n} events in the span does it have a value"),
+        });
     }
-    if claim.branches_throughout && !serves.contains(&true) {
+    if ready.group.throughout && !serves.contains(&true) {
         return Shown::Nothing("no single sign of ± is shown to serve".to_owned());
     }
-    Shown::Holds(match counted {
+    let reason = match counted {
         1 => "at the only event in the span".to_owned(),
         n => format!("at all {n} events in the span"),
-    })
+    };
+    Shown::Holds(Enclosed { places: counted, gap, scale: ready.scale }, reason)
 }
 
-/// An event at which a claim fails for certain: where samples see one, or elsewhere.
+/// An event at which a part is false for certain: where samples see one, or elsewhere.
 ///
 /// # Errors
 /// Why there is none.
 pub(super) fn refuted(
-    how: &Use,
     ready: &Ready,
     (place, rate): (usize, usize),
     along: &mut Along,
-    sampled: &Witness,
+    near: f64,
 ) -> Result<Witness, String> {
-    if !matches!(how, Use::Always) {
-        return Err("a claim of this form at events is not enclosed".to_owned());
-    }
     // Around the event of the witness there need be no other: a change of sign is enough.
     let (from, to) = along.span;
     for part in [1e-9, 1e-7, 1e-5, 1e-3] {
-        let (a, b) = ((sampled.t - part * (to - from)).max(from), (sampled.t + part * (to - from)).min(to));
+        let (a, b) = ((near - part * (to - from)).max(from), (near + part * (to - from)).min(to));
         let Ok(mut time) = Interval::new(a, b) else { continue };
         let ranges = along.over(&ready.roots, time);
         let monotone = ranges[rate].as_ref().is_ok_and(|r| !r.range().contains(0.0));
@@ -131,14 +149,20 @@ pub(super) fn refuted(
         }
         let ranges = along.over(&ready.roots, time);
         if ready.selected(&ranges) == Some(true)
-            && let Some(c) = (0..ready.signs).map(|s| ready.violated(&ranges, s)).collect::<Option<Vec<_>>>()
-            && let (Some(&c), Ok(difference)) = (c.first(), &ranges[ready.place(0, *c.first().unwrap_or(&0))])
+            && ready.value(&ranges) == Possible::FALSE
+            && let Some(mut witness) = middle(ready, along, time.mid())
         {
-            let Some((left, right)) = ready.sides_at(along, sampled.t, ready.place(0, c)) else { break };
-            let (t, values, bound) = (sampled.t, sampled.values.clone(), difference.range().width());
-            let formula = ready.group.comparisons[c].label.clone();
-            return Ok(Witness { t, formula, left: left.mid(), right: right.mid(), bound, values });
+            // How far the difference moves while the event is known only so well.
+            let width = |c: usize| ranges[ready.place(0, c)].as_ref().map_or(0.0, |r| r.range().width());
+            witness.bound = (0..ready.group.comparisons.len()).map(width).fold(witness.bound, f64::max);
+            return Ok(witness);
         }
     }
-    Err(format!("at the event at t = {} the enclosure does not exclude it", sampled.t))
+    Err(format!("at the event at t = {near} the enclosure does not exclude it"))
+}
+
+/// What is shown of the middle of an event.
+fn middle(ready: &Ready, along: &mut Along, t: f64) -> Option<Witness> {
+    let ranges = along.over(&ready.roots, Interval::point(t));
+    ready.shown(along, &ranges, t)
 }

@@ -13,7 +13,7 @@ use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::VectorField;
 use crate::latex::{RelationKind, Role};
 use crate::number::{Draws, Finite, FiniteField};
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 
 /// Start of the generator of primes and points.
 const SEED: u64 = 0x1_17E6_0A15;

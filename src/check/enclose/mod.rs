@@ -7,20 +7,19 @@
 //! **Guaranteed.** The motion is enclosed by validated integration, with the numbers of the file as they are written (not
 //! rounded). What is then shown is:
 //!
-//! | claim | *enclosed* means: at every time of the span at which the assumptions hold and the formula has a value |
+//! | comparison | *enclosed* means: at every time of the span that counts |
 //! |---|---|
 //! | left = right | \|left − right\| ≤ precision · scale, and no stretch of time is found on which left ≠ right for certain |
 //! | <, >, ≠ | the relation holds |
 //! | ≤, ≥ | the relation holds, or is missed by at most precision · scale |
-//! | `never` | the relation does not hold |
-//! | `eventually` | there is a time at which it holds (by the intermediate value theorem for an equation) |
-//! | `defined` | every operation has a value |
+//! | has a value | every operation has a value |
 //!
-//! `scale` is the median size of the terms along the motion. Equations among the assumptions must themselves be enclosed.
+//! The allowances count only where equations are claimed of every time: not under `eventually`, in selectors, at what must not be.
+//! `scale` is the median size of the terms along the motion. Hypotheses are enclosed as claims are.
 //! *Certified* means that there is a time, in the span, at which the assumptions hold and the relation does not.
 //!
-//! An enclosure may find what lies between samples, and refute what held on all of them. But **at one and the same time the
-//! two never contradict each other**: if they did, one of them would be wrong, and the run stops as defective.
+//! An enclosure may find what lies between samples, and refute what held on all of them. Where the two contradict each other
+//! at one and the same time, the enclosure stands: the sampled motion is withdrawn for all claims, and that is said.
 
 mod claim;
 mod cover;
@@ -29,7 +28,6 @@ mod integral;
 mod limit;
 mod rank;
 mod ready;
-mod refute;
 mod same;
 mod span;
 #[cfg(test)]
@@ -39,11 +37,11 @@ use super::Prepared;
 use super::account::ClaimAccount;
 use super::comparison::Comparison;
 use super::stage::{Fields, Stage, setup};
-use super::verdict::{Outcome, Strength, Verdict};
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Enclosure, Motion, Source};
 use cover::Along;
+use crate::verdict::Verdict;
 use rayon::prelude::*;
 
 /// How much is asked of a verdict.
@@ -70,24 +68,18 @@ pub(super) struct Request<'a> {
 type Change = (usize, usize, Verdict);
 
 /// Strengthens the verdicts that are not proved.
-///
-/// # Errors
-/// A description of an enclosure that contradicts a sampled verdict.
-pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) -> Result<(), String> {
+pub(super) fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let mut graph = request.derivation.graph.clone();
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
     // Long motions first: what is left at the end is short.
     let mut order = request.tried.to_vec();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
-    let changes: Vec<Result<Vec<Change>, String>> =
+    let changes: Vec<Vec<Change>> =
         order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
-    for change in changes {
-        for (k, at, verdict) in change? {
-            claims[k].results[at].verdict = verdict;
-        }
+    for (k, at, verdict) in changes.into_iter().flatten() {
+        claims[k].results[at].verdict = verdict;
     }
-    Ok(())
 }
 
 /// The enclosure of a motion, and of those that it comes from; beside it the parameters and initial states as they are given.
@@ -119,41 +111,37 @@ fn enclosure(
 /// What the systems conserve, in a graph that knows it.
 type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
-fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Result<Vec<Change>, String> {
+fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Vec<Change> {
     let trajectory = &request.derivation.trajectories[t];
-    let open = |v: &Verdict| match v.outcome() {
-        Outcome::Holds(strength) | Outcome::Fails(strength) => strength == Strength::Sampled,
-        Outcome::Undecided => true,
-        Outcome::NotApplicable => false,
-    };
     let mut changes: Vec<Change> = Vec::new();
     for (k, claim) in claims.iter().enumerate() {
         let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
-        changes.extend(here.filter(|(_, r)| open(&r.verdict)).map(|(at, r)| (k, at, r.verdict.clone())));
+        changes.extend(here.filter(|(_, r)| !claim::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())));
     }
     if changes.is_empty() {
-        return Ok(changes);
+        return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
             changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
-            return Ok(changes);
+            return changes;
         }
     };
     let program = |k: usize| &request.prepared[k][request.start_of[t]];
     let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
-    for (k, _, verdict) in &changes {
+    for (k, ..) in &changes {
         let Prepared { claim, program, gradients } = program(*k);
         let asked = claim::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
-        parts.push(claim::prepare(&asked, &mut along, verdict.outcome()));
+        parts.push(claim::prepare(&asked, &mut along));
     }
     if let Err(reason) = along.compile() {
         changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
-        return Ok(changes);
+        return changes;
     }
+    let mut withdrawn = None;
     for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
         let prepared = program(*k);
         let program = &prepared.program;
@@ -162,8 +150,14 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
             let values = request.stage.values(t, time);
             program.measure((&[values].into_iter().collect(), 1), 1.0).get(at)?.difference(0).ok()
         };
-        claim::strengthen(prepared.claim, parts, &mut along, &sampled, verdict)
-            .map_err(|e| format!("{} on {}: {e}", prepared.claim.name(), trajectory.id))?;
+        if let Err(contradiction) = claim::strengthen(program, parts, &mut along, &sampled, verdict) {
+            withdrawn.get_or_insert(contradiction);
+        }
     }
-    Ok(changes)
+    // What is rigorous stands; the sampled motion is not what its error bounds say.
+    if let Some(contradiction) = withdrawn {
+        let reason = format!("the sampled motion is withdrawn: {contradiction}");
+        changes.iter_mut().for_each(|(_, _, verdict)| verdict.withdraw_samples(&reason));
+    }
+    changes
 }

@@ -13,15 +13,12 @@
 use super::claim::Asked;
 use super::cover::{Along, Judgement, Ranges};
 use super::ready::{Ready, Shown};
-use crate::check::comparison::Group;
 use crate::check::independence::Gradients;
-use crate::check::program::Use;
-use crate::check::verdict::Witness;
+use crate::check::program::Part;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Interval, NODES, NoValue, Number, Rational, TaylorModel};
+use crate::verdict::{Enclosed, Witness};
 use nalgebra::DMatrix;
-
-static NOTHING: Group = Group { comparisons: Vec::new(), branching: false };
 
 /// The gradients along a motion.
 pub(super) struct Rank<'a> {
@@ -36,8 +33,13 @@ pub(super) struct Rank<'a> {
 impl<'a> Rank<'a> {
     /// # Errors
     /// What the motion does not know.
-    pub fn new(asked: &Asked<'a, '_>, gradients: &'a Gradients, along: &mut Along) -> Result<Rank<'a>, String> {
-        let mut ready = Ready::new(asked.program, (&Use::Always, &NOTHING), along, asked.claim)?;
+    pub fn new(
+        asked: &Asked<'a, '_>,
+        part: &'a Part,
+        gradients: &'a Gradients,
+        along: &mut Along,
+    ) -> Result<Rank<'a>, String> {
+        let mut ready = Ready::new(asked.program, part, along, asked.claim)?;
         let (constraints, all) = gradients.rows();
         let mut distinct: Vec<&[Expr]> = Vec::new();
         for (at, row) in all.iter().enumerate() {
@@ -63,26 +65,29 @@ impl<'a> Rank<'a> {
 
     /// At every time.
     pub fn always(&self, along: &mut Along) -> Shown {
-        if let Err(reason) = self.ready.presupposed(along) {
-            return Shown::Nothing(reason);
-        }
         if self.ready.event.is_some() {
             return Shown::Nothing("independence at events is not enclosed".to_owned());
         }
-        let mut counted = 0;
+        let (mut may_say, mut says) = (false, false);
         let judge = |_: Interval, ranges: &Ranges| {
-            if self.ready.selected(ranges) == Some(false) {
+            let selected = self.ready.selected(ranges);
+            if selected == Some(false) {
                 return Judgement::Settled;
             }
-            counted += 1;
+            may_say = true;
+            says |= selected == Some(true);
             match self.independent(ranges) {
                 true => Judgement::Settled,
                 false => Judgement::Open("the gradients may be dependent".to_owned()),
             }
         };
         match along.cover(&self.ready.roots, judge, |_| false) {
-            Ok(_) if counted == 0 => Shown::Nothing("no stretch of time is left by the assumptions".to_owned()),
-            Ok(looked) => Shown::Holds(format!("for every t of the span: in {looked} stretches")),
+            Ok(_) if !may_say => Shown::Void("no time of the span counts".to_owned()),
+            Ok(looked) => {
+                let enclosed = Enclosed { places: looked, gap: 0.0, scale: 1.0 };
+                let reason = format!("for every t of the span: in {looked} stretches");
+                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
+            }
             Err(reason) => Shown::Nothing(reason),
         }
     }
@@ -103,7 +108,6 @@ impl<'a> Rank<'a> {
     /// Why that is not certain.
     pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
         let (found, of) = self.dependent.clone()?;
-        self.ready.presupposed(along)?;
         let t = along.enclosure.initial_time();
         let ranges = along.over(&self.ready.roots, Interval::point(t));
         if self.ready.selected(&ranges) != Some(true) {

@@ -6,22 +6,19 @@
 use super::claim::Asked;
 use super::cover::Along;
 use super::ready::{POINTS, Ready, Shown, median};
-use crate::check::comparison::Group;
-use crate::check::program::Use;
-use crate::check::verdict::Witness;
+use crate::check::program::Part;
+use crate::verdict::{Enclosed, Witness};
 use crate::expr::{Leaf, Symbol};
 use crate::flow::{Compiled, Enclosure};
 use crate::number::{Interval, NoValue};
 
-static NOTHING: Group = Group { comparisons: Vec::new(), branching: false };
 /// Stretches are halved down to this part of the common span.
 const SHORTEST: f64 = 1e-6;
 /// Most stretches that are looked at.
 const MOST: usize = 4_000;
 
 /// The states of two motions.
-pub(super) struct Same<'a> {
-    ready: Ready<'a>,
+pub(super) struct Same {
     names: Vec<String>,
     theirs: (Enclosure, Compiled),
     ours: Compiled,
@@ -30,12 +27,18 @@ pub(super) struct Same<'a> {
     precision: f64,
 }
 
-impl<'a> Same<'a> {
+impl Same {
     /// # Errors
     /// What one of the motions does not know, or why one is not enclosed.
-    pub fn new(asked: &Asked<'a, '_>, other: usize, of: &[Symbol], along: &mut Along) -> Result<Same<'a>, String> {
-        let ready = Ready::new(asked.program, (&Use::Always, &NOTHING), along, asked.claim)?;
-        if !ready.roots.roots().is_empty() {
+    pub fn new(
+        asked: &Asked,
+        part: &Part,
+        other: usize,
+        of: &[Symbol],
+        along: &mut Along,
+    ) -> Result<Same, String> {
+        let ready = Ready::new(asked.program, part, along, asked.claim)?;
+        if ready.is_restricted() {
             return Err("under assumptions or events that select times, two motions are not compared".to_owned());
         }
         let mut enclosure = (asked.other)(other, &mut along.graph)?;
@@ -57,7 +60,7 @@ impl<'a> Same<'a> {
         if span.0 >= span.1 {
             return Err("the motions have no time in common".to_owned());
         }
-        Ok(Same { ready, names, theirs: (enclosure, theirs), ours, span, precision: asked.claim.precision })
+        Ok(Same { names, theirs: (enclosure, theirs), ours, span, precision: asked.claim.precision })
     }
 
     /// The difference of every state, and its size.
@@ -97,9 +100,6 @@ impl<'a> Same<'a> {
 
     /// That they are closer than the precision at all times.
     pub fn always(&self, along: &mut Along) -> Shown {
-        if let Err(reason) = self.ready.presupposed(along) {
-            return Shown::Nothing(reason);
-        }
         let mut todo = self.pieces(along);
         let every = todo.len().div_ceil(POINTS).max(1);
         let sizes = todo.iter().step_by(every).map(|time| {
@@ -134,7 +134,9 @@ impl<'a> Same<'a> {
             };
             todo.extend([second, first]);
         }
-        Shown::Holds(format!("for every t of both spans: in {looked} stretches, within {largest:.1e}"))
+        let scale = if self.precision > 0.0 { room / self.precision } else { room };
+        let reason = format!("for every t of both spans: in {looked} stretches, within {largest:.1e}");
+        Shown::Holds(Enclosed { places: looked, gap: largest, scale }, reason)
     }
 
     /// A time at which they differ for certain.
@@ -142,7 +144,6 @@ impl<'a> Same<'a> {
     /// # Errors
     /// That none was found.
     pub fn refuted(&self, along: &mut Along, sampled: &Witness) -> Result<(Witness, String), String> {
-        self.ready.presupposed(along)?;
         let near = self.apart(along, sampled.t).map(|w| Witness { values: sampled.values.clone(), ..w });
         let pieces = self.pieces(along);
         let every = pieces.len().div_ceil(POINTS).max(1);

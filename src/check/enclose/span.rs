@@ -1,201 +1,329 @@
-//! What is shown over a whole span: that a claim holds at every time, at none, at some.
+//! What is shown over a whole span: that a part of a claim is true at every time that counts, or false at one.
+//!
+//! **In:** a part, ready to be looked at on stretches. **Out:** [`Shown`]. The span is taken apart until every stretch is
+//! settled: its times do not count; or false is excluded on it; or it is false for certain at a time of it. A place at which it is
+//! false for certain stands against every allowance, however small the difference is.
 
 use super::cover::{Along, Judgement, Ranges};
-use super::ready::{Ready, Shown, certain};
-use crate::check::comparison::Comparison;
-use crate::check::verdict::Witness;
-use crate::derivation::Claim;
-use crate::flow::Reach;
+use super::ready::{POINTS, Ready, Shown, median};
 use crate::latex::RelationKind;
-use crate::number::Interval;
+use crate::number::{Interval, NoValue};
+use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 
-/// Sides that differ for certain refute a claim that holds on samples only if they differ by this many times what the
-/// precision allows.
-const CLEARLY: f64 = 10.0;
-/// Whether a quantity, continuous on a stretch, has opposite signs at its ends: then it vanishes between them.
-pub(super) fn changes_sign(reach: &Reach, time: Interval) -> bool {
-    let (a, b) = (reach.at(time.lo()), reach.at(time.hi()));
-    (a.hi() < 0.0 && b.lo() > 0.0) || (a.lo() > 0.0 && b.hi() < 0.0)
+/// What a cover of the span found.
+#[derive(Default)]
+struct Covered {
+    /// The largest |left − right| that is not excluded.
+    gap: f64,
+    /// Whether it says something on a stretch: it is true there, and all times count.
+    says: bool,
+    /// Whether anything but void is possible on a stretch that may count.
+    may_say: bool,
+    /// A stretch on which it is false at some time that counts.
+    apart: Option<Interval>,
+    /// Which signs of ± serve so far.
+    serves: Vec<bool>,
 }
 
-pub(super) fn always(claim: &Claim, ready: &Ready, along: &mut Along) -> Result<Shown, String> {
-    let (mut largest, mut counted) = (0.0_f64, 0);
-    let mut serves = vec![true; ready.signs];
-    let mut apart: Option<f64> = None;
-    let mut doubt: Option<String> = None;
+/// That a part is true at every time that counts.
+pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
+    let mut found = Covered { serves: vec![true; ready.signs], ..Covered::default() };
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
-        if selected == Some(false) || (0..ready.signs).all(|s| ready.nowhere_defined(ranges, s)) {
+        if selected == Some(false) {
             return Judgement::Settled;
         }
-        // A sign that serves nowhere on the stretch, while the assumptions hold on all of it.
-        let excluded = |s: usize| selected == Some(true) && ready.violated(ranges, s).is_some();
-        if (0..ready.signs).all(excluded) {
-            let size = |s: usize| {
-                let reach = ready.violated(ranges, s).and_then(|c| ranges[ready.place(s, c)].as_ref().ok());
-                reach.map_or(0.0, |r| r.range().mignitude())
-            };
-            let least = (0..ready.signs).map(size).fold(f64::INFINITY, f64::min);
-            let why = format!(
-                "at t = {:.6} the sides differ for certain, by at least {least:.1e}, which samples do not see",
-                time.mid()
-            );
-            if least > CLEARLY * ready.precision * ready.scale {
-                apart = Some(time.mid());
-                return Judgement::Stop(why);
-            }
-            // Too little to refute what samples say; elsewhere it may be more.
-            doubt.get_or_insert(why);
+        let known = ready.value(ranges);
+        if known == Possible::VOID {
             return Judgement::Settled;
         }
-        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.holds(ranges, s)).collect();
+        found.may_say = true;
+        if selected == Some(true) && (known == Possible::FALSE || ready.crosses(ranges, time)) {
+            found.apart = Some(time);
+            return Judgement::Stop("it is false for certain".to_owned());
+        }
+        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.within(ranges, s)).collect();
         let now: Vec<bool> = each.iter().map(Result::is_ok).collect();
-        let best = each.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        if !now.contains(&true) {
+        let enough = match ready.group.signs {
+            Quantifier::Some => now.contains(&true),
+            Quantifier::Every => now.iter().all(|n| *n),
+        };
+        if !enough {
             return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
         }
-        serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
-        largest = largest.max(best);
-        counted += 1;
+        found.says |= selected == Some(true) && !known.may_be(Truth::Void);
+        found.gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min).max(found.gap);
+        found.serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
         Judgement::Settled
     };
     let hopeless =
         |ranges: &Ranges| ready.selected(ranges) == Some(true) && (0..ready.signs).all(|s| ready.hopeless(ranges, s));
-    let found = along.cover(&ready.roots, judge, hopeless);
-    match (found, apart) {
-        (Err(_), Some(t)) => Ok(match ready.witness(along, t, Vec::new()) {
-            Some(witness) => Shown::Fails(witness, format!("certified at t = {t}")),
-            None => Shown::Nothing(format!("near t = {t:.6} the sides differ")),
-        }),
-        (Err(reason), None) => Ok(Shown::Nothing(doubt.unwrap_or(reason))),
-        (Ok(_), _) if doubt.is_some() => Ok(Shown::Nothing(doubt.unwrap_or_default())),
-        (Ok(_), _) if counted == 0 => Ok(Shown::Nothing("no stretch of time is left by the assumptions".to_owned())),
-        (Ok(_), _) if claim.branches_throughout && !serves.contains(&true) => {
-            Ok(Shown::Nothing("no single sign of ± is shown to serve".to_owned()))
-        }
-        (Ok(looked), _) => {
-            let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
-            let apart = if equation {
-                format!(", within {largest:.1e} where terms are {:.1e}", ready.scale)
-            } else {
-                String::new()
-            };
-            Ok(Shown::Holds(format!("for every t of the span: in {looked} stretches{apart}")))
-        }
-    }
-}
-
-pub(super) fn defined(ready: &Ready, along: &mut Along) -> Shown {
-    // The conditions among the comparisons say the same in other words.
-    let judge = |_: Interval, ranges: &Ranges| {
-        if ready.selected(ranges) == Some(false) {
-            return Judgement::Settled;
-        }
-        for (c, comparison) in ready.group.comparisons.iter().enumerate() {
-            if comparison.kind == RelationKind::Equal
-                && let Err(reason) = &ranges[ready.place(0, c)]
-            {
-                return Judgement::Open(format!("`{}`: {reason}", comparison.label));
+    let covered = along.cover(&ready.roots, judge, hopeless);
+    if let Some(time) = found.apart {
+        return match false_on(ready, along, time) {
+            Some(witness) => {
+                let reason = format!("certified at t = {}", witness.t);
+                Shown::Fails(witness, reason)
             }
-        }
-        Judgement::Settled
-    };
-    match along.cover(&ready.roots, judge, |_| false) {
-        Ok(looked) => Shown::Holds(format!("for every t of the span: in {looked} stretches")),
-        Err(reason) => Shown::Nothing(reason),
-    }
-}
-
-pub(super) fn never(ready: &Ready, along: &mut Along) -> Shown {
-    let judge = |_: Interval, ranges: &Ranges| {
-        let gone = |s: usize| ready.violated(ranges, s).is_some() || ready.nowhere_defined(ranges, s);
-        if ready.selected(ranges) == Some(false) || (0..ready.signs).all(gone) {
-            return Judgement::Settled;
-        }
-        Judgement::Open("it cannot be excluded".to_owned())
-    };
-    match along.cover(&ready.roots, judge, |_| false) {
-        Ok(looked) => Shown::Holds(format!("excluded for every t of the span: in {looked} stretches")),
-        Err(reason) => Shown::Nothing(reason),
-    }
-}
-
-/// That something never happens, though it should at some time.
-fn excluded(ready: &Ready, along: &mut Along) -> Shown {
-    let mut times: Vec<f64> = along.pieces().iter().map(Interval::lo).collect();
-    times.push(along.span.1);
-    for t in times {
-        let ranges = along.over(&ready.roots, Interval::point(t));
-        let Some(c) = ready.violated(&ranges, 0).filter(|_| ready.selected(&ranges) == Some(true)) else { continue };
-        let place = ready.place(0, c);
-        if let (Ok(reach), Some((left, right))) = (&ranges[place], ready.sides_at(along, t, place)) {
-            let formula = ready.group.comparisons[c].label.clone();
-            let (left, right, bound) = (left.mid(), right.mid(), reach.range().width());
-            let witness = Witness { t, formula, left, right, bound, values: Vec::new() };
-            return Shown::Fails(witness, "excluded at every time of the span".to_owned());
-        }
-    }
-    Shown::Nothing("it does not happen, but there is no time to show at which the assumptions hold".to_owned())
-}
-
-pub(super) fn eventually(ready: &Ready, along: &mut Along) -> Shown {
-    let single = match ready.group.comparisons.as_slice() {
-        [Comparison { kind, .. }] if ready.signs == 1 => Some(*kind),
-        _ => None,
-    };
-    let place = ready.place(0, 0);
-    if single != Some(RelationKind::Equal) {
-        for time in along.pieces().to_vec() {
-            for t in [time.lo(), time.mid(), time.hi()] {
-                if ready.certainly(&along.over(&ready.roots, Interval::point(t))) {
-                    return Shown::Holds(format!("certain at t = {t}"));
-                }
-            }
-        }
-        return match never(ready, along) {
-            Shown::Holds(_) => excluded(ready, along),
-            _ => Shown::Nothing("at no time that was looked at is it certain, or excluded at all times".to_owned()),
+            None => Shown::Nothing(format!("near t = {:.6} the sides differ", time.mid())),
         };
     }
-    // Where it is exact, as at a start.
-    let (from, to) = along.span;
-    for t in [along.enclosure.initial_time(), from, to] {
-        if from <= t && t <= to && ready.certainly(&along.over(&ready.roots, Interval::point(t))) {
-            return Shown::Holds(format!("certain at t = {t}"));
-        }
-    }
-    // Stretches without a zero, and stretches on which the difference is monotone and changes its sign: one zero each.
-    let mut zeros: Vec<Interval> = Vec::new();
-    let mut unselected = false;
-    let judge = |time: Interval, ranges: &Ranges| {
-        let Ok(reach) = &ranges[place] else { return Judgement::Open("it has no value".to_owned()) };
-        let selected = ready.selected(ranges);
-        if selected == Some(false) || certain(RelationKind::Equal, reach.range()) == Some(false) {
-            return Judgement::Settled;
-        }
-        let slope = ready.slope.and_then(|at| ranges[at].as_ref().ok()).map(Reach::range);
-        if slope.is_some_and(|s| !s.contains(0.0)) {
-            let (a, b) = (reach.at(time.lo()), reach.at(time.hi()));
-            if !a.contains(0.0) && !b.contains(0.0) {
-                if changes_sign(reach, time) {
-                    unselected |= selected != Some(true);
-                    zeros.push(time);
+    let looked = match covered {
+        Ok(looked) => looked,
+        // It may be false for certain at single times that are known exactly.
+        Err(reason) => {
+            return match exact_times(along).into_iter().find_map(|t| ready.witness(along, t)) {
+                Some(witness) => {
+                    let reason = format!("certified at t = {}", witness.t);
+                    Shown::Fails(witness, reason)
                 }
-                return Judgement::Settled;
+                None => Shown::Nothing(reason),
+            };
+        }
+    };
+    if ready.group.throughout && ready.signs > 1 && !found.serves.contains(&true) {
+        return match against_each_sign(ready, along, &[]) {
+            Some(witness) => Shown::Fails(witness, "no single sign of ± serves the whole motion".to_owned()),
+            None => Shown::Nothing("no single sign of ± is shown to serve".to_owned()),
+        };
+    }
+    if !found.may_say {
+        return Shown::Void("at no time of the span that counts does it have a value".to_owned());
+    }
+    let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
+    let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
+    let apart = match equation && !ready.part.is_definedness() && ready.group.allows() {
+        true => format!(", within {:.1e} where terms are {:.1e}", found.gap, ready.scale),
+        false => String::new(),
+    };
+    let reason = format!("for every t of the span: in {looked} stretches{apart}");
+    match found.says || says_at_a_time(ready, along) {
+        true => Shown::Holds(enclosed, reason),
+        false => Shown::Unless(enclosed, reason),
+    }
+}
+
+/// Times that are known exactly: where the motion starts, and the ends of the span.
+fn exact_times(along: &Along) -> Vec<f64> {
+    let (from, to) = along.span;
+    [along.enclosure.initial_time(), from, to].into_iter().filter(|t| (from..=to).contains(t)).collect()
+}
+
+/// Whether some time of the span counts: for certain, for certain not, or unknown.
+pub(super) fn counts(ready: &Ready, event: Option<(usize, usize)>, along: &mut Along) -> Option<bool> {
+    if !ready.is_restricted() {
+        return Some(true);
+    }
+    if let Some(event) = event {
+        let mut all = Some(false);
+        for time in super::event::events(ready, event, along).ok()? {
+            match ready.selected(&along.over(&ready.roots, time)) {
+                Some(true) => return Some(true),
+                Some(false) => {}
+                None => all = None,
             }
         }
-        Judgement::Open("whether it happens cannot be told".to_owned())
-    };
-    let found = along.cover(&ready.roots, judge, |_| false);
-    let listed = || {
-        let shown: Vec<String> = zeros.iter().take(4).map(|z| format!("[{:.6}, {:.6}]", z.lo(), z.hi())).collect();
-        shown.join(", ")
-    };
-    match (&found, zeros.is_empty()) {
-        (_, false) if unselected => Shown::Nothing("whether the assumptions hold there is not certain".to_owned()),
-        (Ok(_), false) => Shown::Holds(format!("happens {} times, once in each of {}", zeros.len(), listed())),
-        (Err(_), false) => Shown::Holds(format!("happens, in {}", listed())),
-        (Ok(_), true) => excluded(ready, along),
-        (Err(reason), true) => Shown::Nothing(reason.clone()),
+        return all;
     }
+    let mut may = false;
+    for time in along.pieces().to_vec() {
+        match ready.selected(&along.over(&ready.roots, time)) {
+            Some(true) => return Some(true),
+            Some(false) => {}
+            None => may = true,
+        }
+        if ready.selected(&along.over(&ready.roots, Interval::point(time.mid()))) == Some(true) {
+            return Some(true);
+        }
+    }
+    if may { None } else { Some(false) }
+}
+
+/// Whether the part has a value at some time that counts.
+fn says_at_a_time(ready: &Ready, along: &mut Along) -> bool {
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    let mut times: Vec<f64> = along.pieces().iter().step_by(every).map(Interval::mid).collect();
+    times.extend(exact_times(along));
+    times.into_iter().any(|t| {
+        let ranges = along.over(&ready.roots, Interval::point(t));
+        ready.selected(&ranges) == Some(true) && !ready.value(&ranges).may_be(Truth::Void)
+    })
+}
+
+/// A time of a stretch on which the part is false at some time that counts, with what can be shown of it.
+fn false_on(ready: &Ready, along: &mut Along, time: Interval) -> Option<Witness> {
+    if let Some(witness) = [time.mid(), time.lo(), time.hi()].into_iter().find_map(|t| ready.witness(along, t)) {
+        return Some(witness);
+    }
+    // The sides meet on the stretch: it is halved as long as that is seen.
+    let mut time = time;
+    for _ in 0..60 {
+        let middle = time.mid();
+        let halves = [Interval::new(time.lo(), middle), Interval::new(middle, time.hi())];
+        let next = halves.into_iter().flatten().filter(|half| half.width() > 0.0).find(|half| {
+            let ranges = along.over(&ready.roots, *half);
+            ready.selected(&ranges) == Some(true)
+                && (ready.value(&ranges) == Possible::FALSE || ready.crosses(&ranges, *half))
+        });
+        match next {
+            Some(half) if half.width() < time.width() => time = half,
+            _ => break,
+        }
+    }
+    let t = time.mid();
+    let ranges = along.over(&ready.roots, Interval::point(t));
+    let mut witness = ready.shown(along, &ranges, t)?;
+    // How far the sides can be apart, at a time that is known only so well.
+    witness.bound = witness.bound.max((witness.left - witness.right).abs());
+    Some(witness)
+}
+
+/// Times at which each sign of ± fails: the last of them.
+fn against_each_sign(ready: &Ready, along: &mut Along, near: &[f64]) -> Option<Witness> {
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    let mut times: Vec<f64> = near.to_vec();
+    times.extend(along.pieces().iter().step_by(every).map(Interval::mid));
+    let against: Option<Vec<Witness>> =
+        (0..ready.signs).map(|s| times.iter().find_map(|&t| ready.witness_against(s, along, t))).collect();
+    against?.into_iter().max_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+/// A time at which the part is false for certain: near those that samples point to, or elsewhere.
+pub(super) fn refuted(ready: &Ready, along: &mut Along, near: f64) -> Result<Witness, String> {
+    if let Some(found) = ready.witness(along, near) {
+        return Ok(found);
+    }
+    // A change of sign around the time that samples found.
+    let (from, to) = along.span;
+    for part in [1e-9, 1e-7, 1e-5, 1e-3] {
+        let (a, b) = ((near - part * (to - from)).max(from), (near + part * (to - from)).min(to));
+        let Ok(time) = Interval::new(a, b) else { continue };
+        let ranges = along.over(&ready.roots, time);
+        if ready.selected(&ranges) == Some(true)
+            && ready.crosses(&ranges, time)
+            && let Some(found) = false_on(ready, along, time)
+        {
+            return Ok(found);
+        }
+    }
+    let every = along.pieces().len().div_ceil(POINTS).max(1);
+    let mut times = exact_times(along);
+    times.extend(along.pieces().iter().step_by(every).map(Interval::mid));
+    if let Some(found) = times.iter().find_map(|&t| ready.witness(along, t)) {
+        return Ok(found);
+    }
+    if ready.group.throughout
+        && ready.signs > 1
+        && let Some(found) = against_each_sign(ready, along, &[near])
+    {
+        return Ok(found);
+    }
+    Err(match along.incomplete() {
+        Some(reason) => format!("at t = {near} the enclosure does not exclude it: {reason}"),
+        None => format!("at t = {near} the enclosure does not exclude it"),
+    })
+}
+
+/// A time that counts, with both sides: for what never happens though it should.
+pub(super) fn some_time(ready: &Ready, along: &mut Along) -> Option<Witness> {
+    let mut times = exact_times(along);
+    times.extend(along.pieces().iter().map(Interval::mid));
+    times.into_iter().find_map(|t| {
+        let ranges = along.over(&ready.roots, Interval::point(t));
+        if ready.selected(&ranges) != Some(true) {
+            return None;
+        }
+        let (left, right) = ready.sides_at(along, t, ready.place(0, 0))?;
+        let (formula, bound) = (ready.group.comparisons.first()?.label.clone(), left.width() + right.width());
+        Some(Witness { t, formula, left: left.mid(), right: right.mid(), bound, values: Vec::new() })
+    })
+}
+
+/// That quantities are the same at all times that count, whichever these are: their ranges over all of them.
+pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
+    let count = ready.group.comparisons.len();
+    let points = super::ready::at_middles(along);
+    let size = |c: usize| {
+        let place = ready.sides[3 * ready.place(0, c)];
+        let sizes = points.iter().filter_map(|p| p.get(place)?.as_ref().ok().map(Interval::magnitude));
+        median(sizes.collect())
+    };
+    let scale = (0..count).map(size).fold(0.0, f64::max);
+    let room = ready.precision * if scale > 0.0 { scale } else { 1.0 };
+    if ready.signs > 1 {
+        return Shown::Nothing("what is the same for one sign of ± is not enclosed where the start does not count".to_owned());
+    }
+    // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
+    let mut hulls: Vec<Option<Interval>> = vec![None; count];
+    let mut certain: Vec<(Option<(f64, f64)>, Option<(f64, f64)>)> = vec![(None, None); count];
+    let mut says = false;
+    let judge = |time: Interval, ranges: &Ranges| {
+        let selected = ready.selected(ranges);
+        if selected == Some(false) {
+            return Judgement::Settled;
+        }
+        let mut void = true;
+        for c in 0..count {
+            match &ranges[ready.place(0, c)] {
+                Err(NoValue::OutOfDomain) => {}
+                Err(reason) => return Judgement::Open(format!("whether there is a value cannot be told: {reason}")),
+                Ok(reach) => {
+                    void = false;
+                    let range = reach.range();
+                    if selected == Some(true) {
+                        let (low, high) = &mut certain[c];
+                        if high.is_none_or(|(h, _)| range.lo() > h) {
+                            *high = Some((range.lo(), time.mid()));
+                        }
+                        if low.is_none_or(|(l, _)| range.hi() < l) {
+                            *low = Some((range.hi(), time.mid()));
+                        }
+                        if let (Some((l, _)), Some((h, _))) = (*low, *high)
+                            && h > l
+                        {
+                            return Judgement::Stop("it takes two values for certain".to_owned());
+                        }
+                    }
+                    if range.width() > room {
+                        let wide = range.width();
+                        return Judgement::Open(format!("its values are known only to within {wide:.1e}"));
+                    }
+                    hulls[c] = Some(hulls[c].map_or(range, |h| h.hull(range)));
+                }
+            }
+        }
+        says |= selected == Some(true) && !void;
+        Judgement::Settled
+    };
+    let covered = along.cover(&ready.roots, judge, |_| false);
+    for (c, (low, high)) in certain.iter().enumerate() {
+        if let (Some((l, at_low)), Some((h, at_high))) = (low, high)
+            && h > l
+        {
+            let (first, last) = (at_low.min(*at_high), at_low.max(*at_high));
+            let value = |t: f64| {
+                let sides = ready.sides_at(along, t, ready.place(0, c));
+                sides.map(|(left, _)| left.mid())
+            };
+            if let (Some(right), Some(left)) = (value(first), value(last)) {
+                let formula = format!("{}, compared with t = {first}", ready.group.comparisons[c].label);
+                let witness = Witness { t: last, formula, left, right, bound: 0.0, values: Vec::new() };
+                return Shown::Fails(witness, format!("certified: it takes different values at t = {first} and t = {last}"));
+            }
+        }
+    }
+    let looked = match covered {
+        Ok(looked) => looked,
+        Err(reason) => return Shown::Nothing(reason),
+    };
+    let gap = hulls.iter().flatten().map(Interval::width).fold(0.0, f64::max);
+    if hulls.iter().all(Option::is_none) {
+        return Shown::Void("at no time of the span that counts does it have a value".to_owned());
+    }
+    if gap > room {
+        return Shown::Nothing(format!("its values are known only to within {gap:.1e}"));
+    }
+    let reason = format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
+    let enclosed = Enclosed { places: looked, gap, scale };
+    if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
 }

@@ -1,6 +1,7 @@
 //! Searches along an enclosed motion end when they should, and are not repeated.
 
 use super::cover::{Along, Judgement, Ranges, Selection};
+use super::ready::Shown;
 use crate::expr::{Graph, Leaf, Shape};
 use crate::flow::{Enclosure, Setup, Source, VectorField};
 use crate::number::Interval;
@@ -95,15 +96,18 @@ fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
 fn presuppositions_are_shared_by_precision_only() {
     let (mut along, ..) = oscillator();
     let calls = Cell::new(0);
-    let mut ask = |precision: f64, answer: Result<(), String>| {
-        along.presuppose((vec![(0, 0)], precision.to_bits()), |_| {
+    let mut ask = |precision: f64, answer: Shown| {
+        let key = (vec![0], "q=0".to_owned(), precision.to_bits());
+        along.presuppose(key, |_| {
             calls.set(calls.get() + 1);
             answer
         })
     };
-    assert!(ask(1e-3, Ok(())).is_ok());
-    assert!(ask(1e-3, Err("not asked again".to_owned())).is_ok());
-    assert!(ask(1e-12, Err("too fine".to_owned())).is_err());
-    assert!(ask(1e-12, Ok(())).is_err() && ask(1e-3, Err(String::new())).is_ok());
+    let yes = || Shown::at_one_place(String::new());
+    let no = || Shown::Nothing("too fine".to_owned());
+    assert!(matches!(ask(1e-3, yes()), Shown::Holds(..)));
+    assert!(matches!(ask(1e-3, no()), Shown::Holds(..)));
+    assert!(matches!(ask(1e-12, no()), Shown::Nothing(_)));
+    assert!(matches!(ask(1e-12, yes()), Shown::Nothing(_)) && matches!(ask(1e-3, no()), Shown::Holds(..)));
     assert_eq!(calls.get(), 2);
 }

@@ -1,7 +1,7 @@
 //! What was found for a claim over ranges.
 
 use super::super::account::ClaimAccount;
-use super::super::verdict::{Outcome, Strength, Verdict};
+use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
 use super::map::{RegionMap, draw};
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
@@ -117,7 +117,7 @@ impl RegionAccount {
         }
         ranges.sort_by_key(|(single, _)| *single);
         RegionAccount {
-            verdict: Verdict::of_region(Outcome::Undecided, "it was not looked at".to_owned(), 0),
+            verdict: Verdict::of(Finding::open("it was not looked at")),
             expected: region.expect,
             varying: variables.len(),
             unknowns: Vec::new(),
@@ -185,35 +185,38 @@ impl RegionAccount {
     pub(super) fn conclude(&mut self, division: &Division, strength: Strength) {
         let has = |part: Part| division.pieces.iter().any(|p| p.part == part);
         let all_decided = !has(Part::Undecided);
-        let outcome = if self.witness.is_some() {
-            Outcome::Fails(Strength::Enclosed)
+        let known = if self.witness.is_some() {
+            Possible::FALSE
         } else if division.pieces.iter().all(|p| p.part == Part::NotApplicable) && !division.met {
-            Outcome::NotApplicable
+            Possible::VOID
         } else if all_decided && !has(Part::Refuted) && division.met {
-            Outcome::Holds(strength)
+            Possible::TRUE
         } else {
-            Outcome::Undecided
+            Possible::ANY
         };
-        self.verdict = Verdict::of_region(outcome, self.sentence(outcome, division), division.judged);
+        let strength = if known == Possible::TRUE { strength } else { Strength::Enclosed };
+        let reason = self.sentence(known, division);
+        let point = self.witness.as_ref().map(|w| w.values.as_slice());
+        self.verdict = Verdict::over_ranges(known, strength, division.judged, point, reason);
     }
 
-    fn sentence(&self, outcome: Outcome, division: &Division) -> String {
-        let mut out = match outcome {
-            Outcome::Holds(_) if self.varying == 0 => "at the one point that is asked for".to_owned(),
-            Outcome::Holds(_) if self.shares.not_applicable > 0.0 => "at every point at which it applies".to_owned(),
-            Outcome::Holds(_) => "at every point of the ranges".to_owned(),
-            Outcome::NotApplicable => {
+    fn sentence(&self, known: Possible, division: &Division) -> String {
+        let mut out = match known.decided() {
+            Some(Truth::True) if self.varying == 0 => "at the one point that is asked for".to_owned(),
+            Some(Truth::True) if self.shares.not_applicable > 0.0 => "at every point at which it applies".to_owned(),
+            Some(Truth::True) => "at every point of the ranges".to_owned(),
+            Some(Truth::Void) => {
                 "at no point of the ranges do its assumptions hold and its formulas have values".to_owned()
             }
-            Outcome::Fails(_) => match &self.witness {
+            Some(Truth::False) => match &self.witness {
                 Some(w) => w.sentence(),
                 None => "a part of the ranges is refuted".to_owned(),
             },
-            Outcome::Undecided if self.shares.undecided == 0.0 && !division.met => {
+            None if self.shares.undecided == 0.0 && !division.met => {
                 "no point was found at which its assumptions certainly hold".to_owned()
             }
-            Outcome::Undecided if self.varying == 0 => "at the one point that is asked for".to_owned(),
-            Outcome::Undecided => "it is not decided everywhere".to_owned(),
+            None if self.varying == 0 => "at the one point that is asked for".to_owned(),
+            None => "it is not decided everywhere".to_owned(),
         };
         if self.varying > 0 {
             let Shares { proved, refuted, not_applicable, undecided } = self.shares;

@@ -30,12 +30,12 @@ pub use map::{Patch, RegionMap};
 pub use question::Part;
 
 use super::account::ClaimAccount;
-use super::verdict::Strength;
+use crate::verdict::Strength;
 use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::Interval;
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 use question::{Insertion, Question};
 use rayon::prelude::*;
 use signs::{Cell, Scratch, Variable};

@@ -2,14 +2,18 @@
 //!
 //! **In:** what a claim assumes and says. **Out:** [`Question`], which judges cells: see [`Part`].
 //!
-//! At a point, a relation holds, fails or has no value; one with ± holds if it does for one of the signs, and fails if it does
-//! for one and holds for none. The claim *does not apply* at a point at which an assumption does not hold, or a formula of
-//! `always` has no value; elsewhere it holds if all relations hold. `defined` holds at a point at which the formula has a value.
+//! What a claim denotes is the same as along a motion, see [`denote`](super::super::denote): points take the place of times,
+//! and equations among the assumptions select points, too. Nothing is combined here.
 
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
-use crate::derivation::{Claim, Form, Ranged, Values, Written};
-use crate::expr::{Expr, FastMap, Graph, Leaf, Tensor};
-use crate::latex::{RelationKind, Scope, Statement};
+use crate::derivation::{Claim, Ranged, Values};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Rational};
+use crate::latex::{RelationKind, Scope};
+use crate::verdict::{self, Possible, Proposition};
+
+use super::super::comparison::Group;
+use super::super::denote::denote;
+use super::super::program::Part as Compared;
 
 use super::super::identity::{Condition, Identity, Premises};
 use super::super::second_route::answer;
@@ -29,32 +33,14 @@ pub enum Part {
     Undecided,
 }
 
-/// One scalar relation of a formula, for one sign of ±.
-#[derive(Clone, Debug)]
-struct Compared {
-    relation: usize,
-    left: Expr,
-    right: Expr,
-}
-
-/// A formula: for each sign of ±, the relations that must hold at once.
-#[derive(Clone, Debug)]
-struct Formula {
-    text: String,
-    signs: Vec<Vec<Compared>>,
-}
-
-/// A formula that must have a value: for each component, the relation by which it is known.
-#[derive(Clone, Debug)]
-struct Defined {
-    text: String,
-    components: Vec<usize>,
-}
-
-/// What is known of a formula on a cell.
-struct Standing {
-    truth: Truth,
-    domain: Domain,
+/// Comparisons with the relations by which they are known on cells, for each sign of ±.
+#[derive(Debug)]
+struct Placed {
+    group: Group,
+    /// Whether it is about having values: then only the left sides of its equations are looked at.
+    definedness: bool,
+    /// `[sign][comparison]`: the relation, and both sides.
+    relations: Vec<Vec<(usize, Expr, Expr)>>,
 }
 
 /// The two sides of the formula that fails at a point.
@@ -70,9 +56,11 @@ pub(super) struct Failing {
 #[derive(Debug)]
 pub(super) struct Question {
     pub signs: Signs,
-    assumed: Vec<Formula>,
-    said: Vec<Formula>,
-    defined: Vec<Defined>,
+    selectors: Vec<Placed>,
+    /// What the atoms of the claim stand for: its parts, then its hypotheses, which select points as well.
+    atoms: Vec<Placed>,
+    hypotheses: usize,
+    claim: Proposition,
     /// Whether every relation that is said is an identity.
     pub identical: bool,
     /// Equations that are identities: text, log₂ of the error probability.
@@ -130,182 +118,153 @@ impl Question {
     /// # Errors
     /// A leaf without a value.
     pub fn new(graph: &mut Graph, claim: &Claim, put: &Insertion, variables: Vec<Variable>) -> Result<Question, Leaf> {
+        let denoted = denote(graph, &[], claim, &Rational::ZERO);
         let mut question = Question {
             signs: Signs::new(variables),
-            assumed: Vec::new(),
-            said: Vec::new(),
-            defined: Vec::new(),
+            selectors: Vec::new(),
+            atoms: Vec::new(),
+            hypotheses: denoted.parts.len(),
+            claim: denoted.claim,
             identical: false,
             identities: Vec::new(),
             equations: Vec::new(),
         };
-        for written in &claim.assuming {
-            let formulas = question.formulas(graph, &claim.scope, put, written)?;
-            question.assumed.extend(formulas);
+        for selector in &denoted.selectors {
+            let placed = question.placed(graph, &claim.scope, put, &selector.part)?;
+            question.selectors.push(placed);
         }
-        let mut all_identical = true;
-        for form in &claim.forms {
-            match form {
-                Form::Always(written) => {
-                    let formulas = question.formulas(graph, &claim.scope, put, written)?;
-                    for formula in &formulas {
-                        all_identical &= question.prove(graph, formula);
-                    }
-                    question.said.extend(formulas);
-                }
-                Form::Defined(written) => {
-                    let formula = question.defined(graph, put, written)?;
-                    question.defined.push(formula);
-                }
-                _ => {}
-            }
+        let mut identical = !denoted.parts.is_empty();
+        for part in &denoted.parts {
+            let placed = question.placed(graph, &claim.scope, put, part)?;
+            identical &= question.prove(graph, &placed);
+            question.atoms.push(placed);
         }
-        question.identical = all_identical && !question.said.is_empty() && question.defined.is_empty();
+        for hypothesis in &denoted.hypotheses {
+            let placed = question.placed(graph, &claim.scope, put, &hypothesis.part)?;
+            question.atoms.push(placed);
+        }
+        question.identical = identical;
         Ok(question)
     }
 
-    fn formulas(
-        &mut self,
-        graph: &mut Graph,
-        scope: &Scope,
-        put: &Insertion,
-        written: &Written<Statement>,
-    ) -> Result<Vec<Formula>, Leaf> {
+    fn placed(&mut self, graph: &mut Graph, scope: &Scope, put: &Insertion, part: &Compared) -> Result<Placed, Leaf> {
         let variables: Vec<Leaf> = self.signs.variables.iter().map(|v| v.leaf).collect();
         let sign = scope.branch_sign();
-        let mut out = Vec::new();
-        for relation in &written.value.relations {
-            let mut signs = Vec::new();
-            for value in [1, -1].into_iter().take(if relation.has_branches { 2 } else { 1 }) {
-                let mut all = Vec::new();
-                for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
-                    let mut one = |e: Expr| {
-                        let e = put.put(graph, e, &variables);
-                        graph.substitute(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
-                    };
-                    let (left, right) = (one(l), one(r));
-                    let d = graph.sub(left, right);
-                    all.push(Compared { relation: self.signs.add(graph, d, relation.kind)?, left, right });
-                }
-                signs.push(all);
+        let definedness = part.is_definedness();
+        let mut group = part.group.clone();
+        if definedness {
+            // Whether there is a value is known of the formula itself.
+            group.comparisons.retain(|c| c.kind == RelationKind::Equal);
+            group.formula = None;
+        }
+        let mut relations = Vec::new();
+        for value in [1, -1].into_iter().take(if group.branching { 2 } else { 1 }) {
+            let mut all = Vec::new();
+            for c in &group.comparisons {
+                let mut one = |e: Expr| {
+                    let e = put.put(graph, e, &variables);
+                    graph.substitute(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
+                };
+                let (left, right) = (one(c.left), one(c.right));
+                let relation = match definedness {
+                    true => self.signs.add(graph, left, RelationKind::NotEqual)?,
+                    false => {
+                        let d = graph.sub(left, right);
+                        self.signs.add(graph, d, c.kind)?
+                    }
+                };
+                all.push((relation, left, right));
             }
-            out.push(Formula { text: written.text.clone(), signs });
+            relations.push(all);
         }
-        Ok(out)
+        Ok(Placed { group, definedness, relations })
     }
 
-    fn defined(&mut self, graph: &mut Graph, put: &Insertion, written: &Written<Tensor>) -> Result<Defined, Leaf> {
-        let variables: Vec<Leaf> = self.signs.variables.iter().map(|v| v.leaf).collect();
-        let mut components = Vec::new();
-        for &e in &written.value.components {
-            let e = put.put(graph, e, &variables);
-            components.push(self.signs.add(graph, e, RelationKind::NotEqual)?);
-        }
-        Ok(Defined { text: written.text.clone(), components })
-    }
-
-    /// Whether the equations of a formula are identities, wherever they have values: then no interval has to see it.
-    fn prove(&mut self, graph: &mut Graph, formula: &Formula) -> bool {
-        let mut all = true;
-        for compared in formula.signs.iter().flatten() {
-            if self.signs.kind(compared.relation) != RelationKind::Equal {
+    /// Whether all that is said is equations that are identities, wherever they have values: then no interval has to see it.
+    fn prove(&mut self, graph: &mut Graph, placed: &Placed) -> bool {
+        let mut all = !placed.definedness && placed.group.formula.is_none();
+        for (relation, left, right, label) in placed.relations.iter().flat_map(|of| {
+            of.iter().zip(&placed.group.comparisons).map(|((relation, l, r), c)| (*relation, *l, *r, &c.label))
+        }) {
+            if placed.definedness {
+                continue;
+            }
+            if self.signs.kind(relation) != RelationKind::Equal {
                 all = false;
                 continue;
             }
-            let pair = [(compared.left, compared.right)];
-            match answer(graph, &pair, &Premises::default(), None) {
+            let text = label.split("   [").next().unwrap_or_default().to_owned();
+            match answer(graph, &[(left, right)], &Premises::default(), None) {
                 Ok((Identity::Proved(proof), _))
                     if !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) =>
                 {
-                    self.signs.vanishes(compared.relation);
-                    self.identities.push((formula.text.clone(), proof.log2_error));
+                    self.signs.vanishes(relation);
+                    self.identities.push((text, proof.log2_error));
                 }
                 _ => {
                     all = false;
-                    self.equations.push(formula.text.clone());
+                    self.equations.push(text);
                 }
             }
         }
         all
     }
 
-    /// How a formula stands on a cell: with ±, it holds if it does for one of the signs.
-    fn standing(&self, formula: &Formula, cell: &Cell, scratch: &mut Scratch) -> Standing {
-        let mut each = formula.signs.iter().map(|all| self.all_of(all, cell, scratch)).collect::<Vec<_>>();
-        if each.len() == 1
-            && let Some(only) = each.pop()
-        {
-            return only;
+    /// What is left possible of comparisons on a cell.
+    fn value(&self, placed: &Placed, cell: &Cell, scratch: &mut Scratch) -> Possible {
+        let mut signs = Vec::new();
+        for of in &placed.relations {
+            let known: Vec<Possible> = of.iter().map(|(r, ..)| self.known(placed, *r, cell, scratch)).collect();
+            signs.push(placed.group.value(|c| known[c]));
         }
-        let nowhere = |s: &Standing| s.domain == Domain::Nowhere;
-        let domain = if each.iter().all(nowhere) {
-            Domain::Nowhere
-        } else if each.iter().any(|s| s.domain == Domain::Everywhere) {
-            Domain::Everywhere
-        } else {
-            Domain::Open
-        };
-        // True with one sign at every point, or with every sign that has a value.
-        let surely = |s: &Standing| s.truth == Truth::True && s.domain == Domain::Everywhere;
-        let is = |truth: Truth| each.iter().all(|s| nowhere(s) || s.truth == truth);
-        let truth = if each.iter().any(surely) || is(Truth::True) {
-            Truth::True
-        } else if is(Truth::False) {
-            Truth::False
-        } else {
-            Truth::Open
-        };
-        Standing { truth, domain }
+        placed.group.over_signs(signs.into_iter())
     }
 
-    /// How relations stand that must hold at once.
-    fn all_of(&self, all: &[Compared], cell: &Cell, scratch: &mut Scratch) -> Standing {
-        let mut out = Standing { truth: Truth::True, domain: Domain::Everywhere };
-        for compared in all {
-            out.domain = out.domain.and(self.signs.domain(compared.relation, cell, scratch));
-            out.truth = out.truth.and(self.signs.truth(compared.relation, cell, scratch));
+    /// What is left possible of one comparison on a cell.
+    fn known(&self, placed: &Placed, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
+        let domain = self.signs.domain(relation, cell, scratch);
+        let truth = if placed.definedness { Truth::True } else { self.signs.truth(relation, cell, scratch) };
+        match (domain, truth) {
+            (Domain::Nowhere, _) => Possible::VOID,
+            (Domain::Everywhere, Truth::True) => Possible::TRUE,
+            (Domain::Everywhere, Truth::False) => Possible::FALSE,
+            (Domain::Everywhere, Truth::Open) => Possible::OPEN,
+            (Domain::Open, Truth::True) => Possible::TRUE_OR_VOID,
+            (Domain::Open, Truth::False) => Possible::FALSE_OR_VOID,
+            (Domain::Open, Truth::Open) => Possible::ANY,
         }
-        out
+    }
+
+    /// Whether the selectors hold on a cell.
+    fn selected(&self, cell: &Cell, scratch: &mut Scratch) -> Possible {
+        self.selectors.iter().fold(Possible::TRUE, |all, s| all.and(self.value(s, cell, scratch)))
     }
 
     /// Whether the assumptions hold on a cell; `False` where one holds at no point of it.
     pub fn applies(&self, cell: &Cell, scratch: &mut Scratch) -> Truth {
-        let mut out = Truth::True;
-        for formula in &self.assumed {
-            let Standing { truth, domain } = self.standing(formula, cell, scratch);
-            out = out.and(match (truth, domain) {
-                (_, Domain::Nowhere) | (Truth::False, _) => Truth::False,
-                (Truth::True, Domain::Everywhere) => Truth::True,
-                _ => Truth::Open,
-            });
+        let of = &self.atoms[self.hypotheses..];
+        let all = of.iter().fold(self.selected(cell, scratch), |all, h| all.and(self.value(h, cell, scratch)));
+        match (all == Possible::TRUE, all.may_be(verdict::Truth::True)) {
+            (true, _) => Truth::True,
+            (_, false) => Truth::False,
+            _ => Truth::Open,
         }
-        out
     }
 
     /// Judges a cell.
     pub fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.signs.begin(scratch);
-        let applies = self.applies(cell, scratch);
-        if applies == Truth::False {
+        let selected = self.selected(cell, scratch);
+        if !selected.may_be(verdict::Truth::True) {
             return Part::NotApplicable;
         }
-        let mut defined = Domain::Everywhere;
-        for relation in self.defined.iter().flat_map(|d| &d.components) {
-            defined = defined.and(self.signs.domain(*relation, cell, scratch));
-        }
-        if defined == Domain::Nowhere && applies == Truth::True {
-            return Part::Refuted;
-        }
-        let mut said = Standing { truth: Truth::True, domain: Domain::Everywhere };
-        for formula in &self.said {
-            let one = self.standing(formula, cell, scratch);
-            said = Standing { truth: said.truth.and(one.truth), domain: said.domain.and(one.domain) };
-        }
-        match (defined, said.domain, said.truth, applies) {
-            (Domain::Everywhere, Domain::Nowhere, ..) => Part::NotApplicable,
-            (_, Domain::Everywhere, Truth::False, Truth::True) => Part::Refuted,
-            (Domain::Everywhere, Domain::Everywhere, Truth::True, Truth::True) => Part::Proved,
-            (Domain::Everywhere, _, Truth::True, _) => Part::Border,
+        let atoms: Vec<Possible> = self.atoms.iter().map(|a| self.value(a, cell, scratch)).collect();
+        let whole = self.claim.value(&mut |n| atoms.get(n).copied().unwrap_or(Possible::ANY)).given(selected);
+        match whole {
+            Possible::TRUE => Part::Proved,
+            Possible::FALSE => Part::Refuted,
+            Possible::VOID => Part::NotApplicable,
+            Possible::TRUE_OR_VOID => Part::Border,
             _ => Part::Undecided,
         }
     }
@@ -313,41 +272,22 @@ impl Question {
     /// Which formula fails at a point at which the claim does.
     pub fn failing(&self, cell: &Cell, scratch: &mut Scratch) -> Option<Failing> {
         self.signs.begin(scratch);
-        for of in &self.defined {
-            if of.components.iter().any(|&r| self.signs.domain(r, cell, scratch) == Domain::Nowhere) {
-                return Some(Failing { formula: of.text.clone(), sides: None });
+        for placed in &self.atoms[..self.hypotheses] {
+            if self.value(placed, cell, scratch) != Possible::FALSE {
+                continue;
             }
-        }
-        for formula in &self.said {
-            if self.standing(formula, cell, scratch).truth == Truth::False {
-                let fails = |c: &&Compared| self.signs.truth(c.relation, cell, scratch) == Truth::False;
-                let compared = formula.signs.iter().flatten().find(fails)?;
-                let sides = Some((compared.left, compared.right));
-                return Some(Failing { formula: formula.text.clone(), sides });
-            }
+            let each = placed.relations.iter().flat_map(|of| of.iter().zip(&placed.group.comparisons));
+            let each: Vec<_> = each.collect();
+            let found = each.iter().find(|((r, ..), _)| {
+                let known = self.known(placed, *r, cell, scratch);
+                known == Possible::FALSE || placed.group.asserted && known == Possible::VOID
+            });
+            let ((relation, left, right), comparison) = found.or(each.first())?;
+            let void = self.known(placed, *relation, cell, scratch) == Possible::VOID;
+            let label = comparison.label.split("   [").next().unwrap_or_default();
+            let formula = label.strip_suffix(" has a value").unwrap_or(label).to_owned();
+            return Some(Failing { formula, sides: (!void).then_some((*left, *right)) });
         }
         None
-    }
-}
-
-impl Truth {
-    /// That of two relations that must hold at once.
-    fn and(self, other: Truth) -> Truth {
-        match (self, other) {
-            (Truth::False, _) | (_, Truth::False) => Truth::False,
-            (Truth::True, Truth::True) => Truth::True,
-            _ => Truth::Open,
-        }
-    }
-}
-
-impl Domain {
-    /// Where two formulas have values both.
-    fn and(self, other: Domain) -> Domain {
-        match (self, other) {
-            (Domain::Nowhere, _) | (_, Domain::Nowhere) => Domain::Nowhere,
-            (Domain::Everywhere, Domain::Everywhere) => Domain::Everywhere,
-            _ => Domain::Open,
-        }
     }
 }

@@ -23,7 +23,7 @@ use super::faults;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op};
 use crate::latex::RelationKind;
 use crate::number::{Decorated, Interval, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Most variables for which formulas at the ends of ranges are made: there are 3ⁿ of them.
 const MOST_EXACT: usize = 3;

@@ -36,7 +36,7 @@ use crate::derivation::Written;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Statement};
 use crate::number::{Decorated, Interval, Scalar};
-use crate::tape::{Instruction, Slots, Tape};
+use crate::expr::tape::{Instruction, Slots, Tape};
 
 /// Most parts of the box that are looked at for one value of the parameters, where these do not vary.
 const MOST_PARTS: usize = 20_000;

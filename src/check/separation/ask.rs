@@ -13,12 +13,13 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::candidates::Candidate;
-use crate::check::comparison::{Standing, judge};
+use crate::check::comparison::judge;
 use crate::check::memory::Recall;
 use crate::check::one_pair;
-use crate::check::program::{Program, Use};
+use crate::check::program::{Program, What};
+use crate::verdict::Possible;
 use crate::check::trial::{Course, Trial};
-use crate::check::verdict::Outcome;
+use crate::verdict::Outcome;
 use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
 
@@ -102,7 +103,7 @@ impl Ask<'_> {
             // Times without a value are not times at which it is met.
             Outcome::Holds(_) => verdict.evidence().excluded.is_empty().then_some(true),
             Outcome::Fails(_) => Some(false),
-            Outcome::NotApplicable | Outcome::Undecided => None,
+            Outcome::NotApplicable(_) | Outcome::Undecided => None,
         }
     }
 }
@@ -116,15 +117,16 @@ fn few(course: &Course) -> Points {
 
 /// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.
 fn is_refuted(program: &Program, points: &Points) -> bool {
-    if !program.assumptions.is_empty() || program.at.is_some() || program.is_branching() {
+    if !program.selectors.is_empty() || !program.hypotheses.is_empty() || program.at.is_some() || program.is_branching() {
         return false;
     }
     let measured = program.measure((points, points.len()), 1.0);
     let mut first = 0;
-    for (how, group) in &program.groups {
+    for part in &program.parts {
+        let group = &part.group;
         let of = &measured[first.min(measured.len())..(first + group.comparisons.len()).min(measured.len())];
         first += group.comparisons.len();
-        if !matches!(how, Use::Always) {
+        if !matches!(part.what, What::Every | What::Constant) || group.formula.is_some() {
             continue;
         }
         for point in 0..points.len() {
@@ -133,7 +135,7 @@ fn is_refuted(program: &Program, points: &Points) -> bool {
                 of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.difference(point).ok()?)));
             let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
             // With a size of 0 nothing is small: what is violated then is so for every size.
-            let violated = |(kind, difference): &(_, _)| judge(*kind, *difference, 0.0, 0.0) == Standing::Violated;
+            let violated = |(kind, difference): &(_, _)| judge(*kind, *difference, 0.0, 0.0) == Possible::FALSE;
             if all.iter().any(violated) {
                 return true;
             }

@@ -3,7 +3,7 @@
 use super::PROBE;
 use super::account::{AssumptionAccount, Need};
 use crate::check::account::{ClaimAccount, PairAccount};
-use crate::check::verdict::{Outcome, Verdict};
+use crate::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::latex::RelationKind;
 
@@ -26,7 +26,7 @@ pub(super) struct Dropped {
 /// Whether a verdict could become another one when an assumption is left out.
 pub(super) fn is_open(verdict: &Verdict, selects: bool) -> bool {
     match verdict.outcome() {
-        Outcome::NotApplicable => true,
+        Outcome::NotApplicable(_) => true,
         // An inequality chooses the times that count: without it there may be more.
         Outcome::Holds(_) => selects && !verdict.evidence().excluded.is_empty(),
         Outcome::Fails(_) | Outcome::Undecided => false,
@@ -66,7 +66,7 @@ pub(super) fn need(whole: &ClaimAccount, without: &[PairAccount], text: &str) ->
         match pair.verdict.outcome() {
             Outcome::Fails(_) => fails.push(name),
             Outcome::Undecided => open.push(name),
-            Outcome::NotApplicable => {}
+            Outcome::NotApplicable(_) => {}
             Outcome::Holds(_) => {
                 // Where it held before, it must hold at more times to say anything new.
                 let more = before(&name).is_some_and(|v| pair.verdict.evidence().samples > v.evidence().samples);

@@ -5,7 +5,7 @@ use super::account::{ConditionName, Explanation, Join, Rival, Separation};
 use super::ask::Sides;
 use super::candidates::Candidate;
 use crate::check::account::ClaimAccount;
-use crate::check::verdict::Outcome;
+use crate::verdict::Outcome;
 
 /// Most rivals that are named.
 const MOST_RIVALS: usize = 5;

@@ -25,7 +25,7 @@ use super::memory::Recall;
 use super::one_pair;
 use super::program::Program;
 use super::trial::{Course, Trial};
-use super::verdict::Verdict;
+use crate::verdict::Verdict;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
 use ask::{Ask, Sides};
@@ -194,8 +194,8 @@ impl Probes {
         for (&at, sides) in split.iter().zip(&sides) {
             let claim = &mut account.claims[at];
             // A claim explains nothing about itself, and neither does a part of it.
-            let same = |c: &&crate::derivation::Claim| c.id == claim.id && c.reading == claim.reading;
-            let said = |c: &crate::derivation::Claim| candidates::said(&derivation.graph, c);
+            let same = |c: &&derivation::Claim| c.id == claim.id && c.reading == claim.reading;
+            let said = |c: &derivation::Claim| candidates::said(&derivation.graph, c);
             let own = derivation.claims.iter().find(same).map(said).unwrap_or_default();
             if all().filter(from_file).any(|k| !own.is_empty() && said(&self.candidates[k].claim) == own) {
                 // It is a condition of the file itself: where it holds is what it says.

@@ -5,7 +5,7 @@
 //! hold would hold as well.
 
 use super::super::account::{Account, ClaimAccount, PairAccount};
-use super::super::verdict::Outcome;
+use crate::verdict::Outcome;
 use super::account::WEAK;
 
 /// What one motion alone could have decided.
@@ -84,7 +84,7 @@ impl Account {
             let Some(pair) = claim.results.iter().find(|p| p.trajectory == trajectory) else { continue };
             out.tried += 1;
             match pair.verdict.outcome() {
-                Outcome::NotApplicable => out.not_applicable += 1,
+                Outcome::NotApplicable(_) => out.not_applicable += 1,
                 Outcome::Holds(_) => {
                     out.holds += 1;
                     let fails = |p: &PairAccount| matches!(p.verdict.outcome(), Outcome::Fails(_));

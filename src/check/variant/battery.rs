@@ -6,7 +6,7 @@
 use super::generate::ClaimVariants;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::{Bounded, BoundedLanes, NoValue};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Points that are evaluated at once.
 pub(super) const LANES: usize = 4;

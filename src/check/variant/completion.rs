@@ -17,7 +17,7 @@ use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::latex;
 use crate::latex::syntax::{Chain, Node, NodeKind};
 use crate::number::{Bounded, Number};
-use crate::tape::Tape;
+use crate::expr::tape::Tape;
 
 /// Largest power in a monomial.
 const HIGHEST: i32 = 3;
@@ -196,7 +196,7 @@ fn valued_atoms(graph: &mut Graph, setting: &Setting, all: &[Node], points: &Poi
     for point in &points.points {
         let inputs: Vec<Value> = leaves
             .iter()
-            .map(|l| points.known.binary_search(l).map_or(Err(crate::number::NoValue::Indeterminate), |i| point[i]))
+            .map(|l| points.known.binary_search(l).map_or(Err(number::NoValue::Indeterminate), |i| point[i]))
             .collect();
         for (all, v) in values.iter_mut().zip(tape.evaluate(&(), &inputs, &mut slots)) {
             all.extend(v.ok().filter(|v| v.value.abs() > 1e3 * v.error).map(|v| v.value));

@@ -29,7 +29,7 @@ use crate::check::account::{ClaimAccount, PairAccount};
 use crate::check::program::Program;
 use crate::check::step::Step;
 use crate::check::trial::{Course, Trial, Values};
-use crate::check::verdict::Outcome;
+use crate::verdict::Outcome;
 use crate::check::{CheckError, one_pair};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Expr, Graph, Leaf, Rational};
@@ -98,7 +98,7 @@ fn asked(account: &ClaimAccount) -> Vec<bool> {
 
 /// Whether a claim does not apply to a motion on which it is stated to hold.
 fn is_absent(pair: &PairAccount) -> bool {
-    pair.verdict.outcome() == Outcome::NotApplicable && pair.expected == Some("holds")
+    matches!(pair.verdict.outcome(), Outcome::NotApplicable(_)) && pair.expected == Some("holds")
 }
 
 impl Search<'_> {
@@ -494,7 +494,7 @@ fn as_claim(
             (Form::FirstIntegral(Written { text, span, value }), FormKind::FirstIntegral)
         }
     };
-    let formulas = vec![crate::derivation::Formula { text: candidate.text.clone(), kind }];
+    let formulas = vec![derivation::Formula { text: candidate.text.clone(), kind }];
     let expect = vec![None; trajectories.len()];
     let id = id.to_owned();
     Some(Claim { id, reading: None, forms: vec![form], formulas, trajectories, expect, ..claim.clone() })

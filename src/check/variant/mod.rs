@@ -43,7 +43,7 @@ use super::CheckError;
 use super::account::ClaimAccount;
 use super::program::Program;
 use super::trial::{Course, Values};
-use super::verdict::{Outcome, Verdict};
+use crate::verdict::{Outcome, Verdict};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
 use crate::flow::Sample;

@@ -15,7 +15,7 @@ use crate::derivation::{Claim, Derivation};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::latex::{RelationKind, Role};
 use crate::number::{Bounded, BoundedLanes, Draws};
-use crate::tape::{Slots, Tape};
+use crate::expr::tape::{Slots, Tape};
 
 /// Points at which residuals are compared.
 const POINTS: usize = 5;

@@ -7,12 +7,13 @@
 //! [`MOST_TIMES`] of the tried times are used, spread evenly. Most variants fall at the first of them, and only those that
 //! are left go on. So what is reported as not rejected is so at these times; what is reported as rejected is rejected.
 
-use super::super::comparison::{Standing, judge};
+use super::super::comparison::judge;
 use super::battery::{Battery, LANES, Memory, Outputs};
 use super::generate::ClaimVariants;
 use crate::expr::Leaf;
 use crate::flow::Sample;
 use crate::number::NoValue;
+use crate::verdict::Possible;
 
 /// Most times of a motion at which a variant is tried.
 pub(super) const MOST_TIMES: usize = 64;
@@ -40,7 +41,7 @@ impl Placed {
         (0..parts).all(|part| outputs.own(formula, part).is_ok())
     }
 
-    fn at(&self, point: Sample, sign: f64, slots: &mut crate::tape::Slots<crate::number::Bounded>) -> Outputs<'_> {
+    fn at(&self, point: Sample, sign: f64, slots: &mut expr::tape::Slots<number::Bounded>) -> Outputs<'_> {
         let value = |i: &Option<usize>| i.map_or(Err(NoValue::Indeterminate), |i| point.get(i));
         self.battery.at(self.inputs.iter().map(value), sign, slots)
     }
@@ -178,11 +179,11 @@ fn try_at(
     let battery = &placed.battery;
     let stand = |o: &Outputs, f: usize, p: usize, difference| match difference {
         Ok(d) => judge(claim.formulas[f].parts[p].kind, d, o.size(f, p), evidence.precision),
-        Err(NoValue::OutOfDomain) => Standing::NoValue(NoValue::OutOfDomain),
-        Err(_) => Standing::Inconclusive,
+        Err(NoValue::OutOfDomain) => Possible::VOID,
+        Err(_) => Possible::OPEN,
     };
     // How the parts of each formula stand as printed, for each sign: those of one formula one after the other.
-    let mut printed: Vec<[Standing; 2]> = Vec::new();
+    let mut printed: Vec<[Possible; 2]> = Vec::new();
     let starts: Vec<usize> = claim
         .formulas
         .iter()
@@ -199,9 +200,9 @@ fn try_at(
                 [first, minus.map_or(first, |m| stand(m, f, p, m.own(f, p)))]
             }));
             let signs = |what: &dyn Fn(usize) -> bool| [what(0), what(1)];
-            let violated = signs(&|s| printed[of(f)].iter().any(|p| p[s] == Standing::Violated));
+            let violated = signs(&|s| printed[of(f)].iter().any(|p| p[s] == Possible::FALSE));
             formulas[f] |= violated == [true; 2];
-            let valued = signs(&|s| printed[of(f)].iter().all(|p| !matches!(p[s], Standing::NoValue(_))));
+            let valued = signs(&|s| printed[of(f)].iter().all(|p| p[s] != Possible::VOID));
             speaks[f] = valued.contains(&true);
         }
         for (position, &v) in battery.chosen.iter().enumerate() {
@@ -214,7 +215,7 @@ fn try_at(
             }
             record.tried += 1;
             let one = |s: usize, outputs: &Outputs| {
-                let mut standing = Standing::Satisfied;
+                let mut standing = Possible::TRUE;
                 if claim.formulas[f].branching {
                     // With this sign the unaltered parts must be true, too.
                     for (p, own) in printed[of(f)].iter().enumerate() {
@@ -230,9 +231,9 @@ fn try_at(
             };
             let first = one(0, plus);
             let standings = [first, minus.map_or(first, |minus| one(1, minus))];
-            let violated = standings.map(|s| s == Standing::Violated);
+            let violated = standings.map(|s| s == Possible::FALSE);
             // Where one sign gives no value at all, the other decides.
-            record.valued += usize::from(standings.iter().any(|s| !matches!(s, Standing::NoValue(_))));
+            record.valued += usize::from(standings.iter().any(|s| *s != Possible::VOID));
             record.both |= violated == [true; 2];
             for (all, now) in record.violated.iter_mut().zip(violated) {
                 *all |= now;

@@ -19,8 +19,8 @@ pub(super) fn class(pair: &PairAccount) -> &'static str {
         (Outcome::Fails(Strength::Sampled), true) => "f x",
         (Outcome::Fails(_), false) => "f e",
         (Outcome::Fails(_), true) => "f e x",
-        (Outcome::NotApplicable, false) => "n",
-        (Outcome::NotApplicable, true) => "n x",
+        (Outcome::NotApplicable(_), false) => "n",
+        (Outcome::NotApplicable(_), true) => "n x",
         (Outcome::Undecided, false) => "u",
         (Outcome::Undecided, true) => "u x",
     }

@@ -278,7 +278,7 @@ fn making(derivation: &Derivation) -> Markup {
                 dt { "to repeat it" }
                 dd { code { (crate::PROGRAM) " check " (derivation.file.path) } }
                 dt { "precision asked for" }
-                dd { (size(crate::derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
+                dd { (size(derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
                 dt { "seeds" }
                 dd { "Random points of proofs are drawn from seeds that are fixed by the program and the file: the same input gives the same page, byte by byte." }
             }

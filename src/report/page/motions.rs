@@ -226,7 +226,7 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
 }
 
 /// The name of an initial value ends with the initial time, which is no symbol of the file.
-fn given_name(name: &str, scope: &crate::latex::Scope) -> Markup {
+fn given_name(name: &str, scope: &latex::Scope) -> Markup {
     match name.strip_suffix("(t_0)") {
         Some(state) => html! { (formula(state, scope)) " at the start" },
         None => formula(name, scope),

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::Term;
-use crate::derivation::Unit;
-use crate::expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
+use derivation::Unit;
+use expr::{Expr, Graph, Leaf, Node, Op, Rational, Symbol};
 
 /// What is known of the unit of an expression.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,10 +13,10 @@ mod infer;
 
 use std::collections::HashMap;
 
-use crate::derivation::{Claim, Derivation, Form, SymbolEntry, Unit, Written};
-use crate::expr::{Expr, Graph, Leaf, Tensor};
-use crate::latex::{LimitPoint, Role, Statement};
+use derivation::{Claim, Derivation, Form, SymbolEntry, Unit, Written};
+use expr::{Expr, Graph, Leaf, Tensor};
 use infer::{Fault, Inference, State};
+use latex::{LimitPoint, Role, Statement};
 
 /// A part of a formula and its unit.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +89,7 @@ impl UnitsAccount {
 
     /// Keeps, of the claims, only those with these ids; all if there are none. Where only some are asked for, what is measured
     /// and what is offered as a condition is left out, too.
-    pub(super) fn keep(&mut self, claims: &[String]) {
+    pub fn keep(&mut self, claims: &[String]) {
         if claims.is_empty() {
             return;
         }
@@ -128,11 +128,7 @@ pub fn units(derivation: &Derivation) -> UnitsAccount {
 
 /// Whether relations between pairs of sides, or expressions by themselves, are inconsistent in their units; `graph` is that of
 /// the derivation, or a copy with more in it. Nothing is inconsistent where nothing has a unit.
-pub(super) fn inconsistent(
-    derivation: &Derivation,
-    graph: &Graph,
-    formulas: &[Vec<(Expr, Option<Expr>)>],
-) -> Vec<bool> {
+pub fn inconsistent(derivation: &Derivation, graph: &Graph, formulas: &[Vec<(Expr, Option<Expr>)>]) -> Vec<bool> {
     if !derivation.symbols.iter().any(|s| s.measured_in.is_some()) {
         return vec![false; formulas.len()];
     }

@@ -1,0 +1,249 @@
+//! The program as a library: the text of a derivation file comes in, diagnostics and findings go out, as plain data.
+//!
+//! **In:** a text and a name for it, then questions ([`Ask`]). **Out:** [`Findings`]: one [`Finding`] for each claim on each
+//! motion, or the documents that the reports are made of.
+//!
+//! **Guaranteed:** no file is read or written, nothing is printed, the process does not end, and the derivation stays as it
+//! was read: a check works on a copy. The same text and the same question give the same findings, however many threads
+//! there are.
+//!
+//! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
+//! what is left to them is where the text comes from and how findings are shown.
+
+use crate::check::{self, Account, Cache, CheckError, ClaimAccount, Options, Outcome, Rigor, Witness};
+use crate::derivation::{Derivation, parse};
+use crate::diag::{Diagnostic, Source};
+use crate::report;
+
+/// A derivation that was read, and what is known of it.
+#[derive(Debug)]
+pub struct Session {
+    name: String,
+    derivation: Derivation,
+    cache: Cache,
+}
+
+/// What is to be found.
+#[derive(Clone, Debug, Default)]
+pub struct Ask {
+    /// Only claims with these names, `id` or `id/reading`; all when empty.
+    pub claims: Vec<String>,
+    /// Only trajectories with these ids; all when empty.
+    pub trajectories: Vec<String>,
+    /// How much is asked of a verdict.
+    pub rigor: Rigor,
+    /// The verdicts alone: no altered formulas, nothing that separates motions.
+    pub only_verdicts: bool,
+}
+
+/// Why nothing was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// The text has problems, each with its place.
+    Problems(Vec<Diagnostic>),
+    /// The question names a claim or a trajectory that is not there.
+    Unknown(String),
+    /// The program contradicts itself: a defect to be reported.
+    Defect(String),
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Failure::Problems(found) => f.write_str(&crate::diag::render(found, false)),
+            Failure::Unknown(name) => write!(f, "there is no claim or trajectory `{name}`"),
+            Failure::Defect(what) => write!(f, "a defect of this program: {what}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl From<CheckError> for Failure {
+    fn from(error: CheckError) -> Failure {
+        match error {
+            CheckError::Problems(found) => Failure::Problems(found),
+            CheckError::Defect(what) => Failure::Defect(what),
+        }
+    }
+}
+
+/// A claim of a derivation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClaimName {
+    /// Its id.
+    pub id: String,
+    /// Its reading, where it has several.
+    pub reading: Option<String>,
+    /// What it says, in the words of the file.
+    pub says: String,
+}
+
+/// What was found of one claim on one motion, or over its ranges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// The claim.
+    pub claim: ClaimName,
+    /// Id of the trajectory; `None` for a claim over ranges.
+    pub trajectory: Option<String>,
+    /// The verdict, with its strength.
+    pub outcome: Outcome,
+    /// The word that the file expects, if it expects one.
+    pub expected: Option<String>,
+    /// Whether the verdict is as expected; without an expectation, whether the claim does not fail.
+    pub is_expected: bool,
+    /// Why, where the verdict has a reason.
+    pub reason: Option<String>,
+    /// A point that can be checked by hand, where there is one.
+    pub witness: Option<Witness>,
+}
+
+impl Session {
+    /// Reads the text of a derivation file. `name` is shown in diagnostics, and is the id of the derivation unless its text
+    /// gives another.
+    ///
+    /// # Errors
+    /// Every problem of the text.
+    ///
+    /// ```
+    /// let problems = rederive::Session::open("decay", "[derivation]\ntitle = 'Decay'").unwrap_err();
+    /// assert_eq!(problems[0].code, "derivation::missing-key");
+    /// assert_eq!(problems[0].line_and_column(), Some((1, 1)));
+    /// ```
+    pub fn open(name: &str, text: impl Into<String>) -> Result<Session, Vec<Diagnostic>> {
+        Ok(Session { name: name.to_owned(), derivation: read(name, text.into())?, cache: Cache::default() })
+    }
+
+    /// A derivation that was read already, for instance by [`load`](crate::derivation::load).
+    pub fn of(derivation: Derivation) -> Session {
+        Session { name: derivation.id.clone(), derivation, cache: Cache::default() }
+    }
+
+    /// The derivation, as it was read.
+    pub fn derivation(&self) -> &Derivation {
+        &self.derivation
+    }
+
+    /// The claims, in the order of the file.
+    pub fn claims(&self) -> Vec<ClaimName> {
+        let name = |c: &crate::derivation::Claim| ClaimName {
+            id: c.id.clone(),
+            reading: c.reading.clone(),
+            says: c.says.clone(),
+        };
+        self.derivation.claims.iter().map(name).collect()
+    }
+
+    /// Finds what is asked. `progress` is told how many of how many motions are done; it may be called by any thread.
+    ///
+    /// # Errors
+    /// A name that is not there; problems that only show when motions are built.
+    pub fn check(&self, ask: &Ask, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Findings, Failure> {
+        let names = self.claims();
+        let is_called = |id: &str, reading: Option<&String>, name: &str| match name.split_once('/') {
+            None => id == name,
+            Some((of, own)) => id == of && reading.is_some_and(|r| r == own),
+        };
+        let is_known = |name: &&String| names.iter().any(|c| is_called(&c.id, c.reading.as_ref(), name));
+        let is_tried = |id: &&String| self.derivation.trajectories.iter().any(|t| t.id == **id);
+        let unknown = ask.claims.iter().find(|n| !is_known(n)).or(ask.trajectories.iter().find(|id| !is_tried(id)));
+        if let Some(name) = unknown {
+            return Err(Failure::Unknown(name.clone()));
+        }
+        let options = Options {
+            claims: ask.claims.iter().map(|name| name.split('/').next().unwrap_or(name).to_owned()).collect(),
+            trajectories: ask.trajectories.clone(),
+            plain: ask.only_verdicts,
+            rigor: ask.rigor,
+            ..Options::default()
+        };
+        let mut derivation = self.derivation.clone();
+        let mut account = check::check(&mut derivation, &options, progress)?;
+        let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
+        account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
+        Ok(Findings { derivation, account })
+    }
+
+    /// Takes another state of the same file. What was found of parts that are as before is not looked for again by
+    /// [`check_again`](Session::check_again).
+    ///
+    /// # Errors
+    /// Every problem of the text; the session then keeps the state before.
+    pub fn change(&mut self, text: impl Into<String>) -> Result<(), Vec<Diagnostic>> {
+        self.derivation = read(&self.name, text.into())?;
+        Ok(())
+    }
+
+    /// Checks all claims, and recalls what is known from earlier states of the file. The names of the claims for which
+    /// something had to be found come with the findings; these are the same as those of [`check`](Session::check).
+    ///
+    /// # Errors
+    /// As for [`check`](Session::check).
+    pub fn check_again(&mut self) -> Result<(Findings, Vec<String>), Failure> {
+        let mut derivation = self.derivation.clone();
+        let (account, checked) = self.cache.check(&mut derivation)?;
+        Ok((Findings { derivation, account }, checked))
+    }
+}
+
+fn read(name: &str, text: String) -> Result<Derivation, Vec<Diagnostic>> {
+    let stem = name.rsplit(['/', '\\']).next().unwrap_or(name).trim_end_matches(".toml");
+    parse(Source { path: name.to_owned(), text }, stem)
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    derivation: Derivation,
+    account: Account,
+}
+
+impl Findings {
+    /// One entry for each claim on each motion, and for each claim over ranges, in the order of the file.
+    pub fn all(&self) -> Vec<Finding> {
+        let of = |c: &ClaimAccount| -> Vec<Finding> {
+            let claim = ClaimName { id: c.id.clone(), reading: c.reading.clone(), says: c.says.clone() };
+            let one = |judged: check::Judged<'_>| Finding {
+                claim: claim.clone(),
+                trajectory: judged.trajectory.map(str::to_owned),
+                outcome: judged.verdict.outcome(),
+                expected: judged.expected.map(str::to_owned),
+                is_expected: !judged.unexpected,
+                reason: judged.verdict.evidence().reason.clone(),
+                witness: judged.verdict.evidence().witness.clone(),
+            };
+            c.verdicts().map(one).collect()
+        };
+        self.account.claims.iter().flat_map(of).collect()
+    }
+
+    /// Whether every verdict is as the file expects.
+    pub fn is_expected(&self) -> bool {
+        self.account.summary().unexpected == 0
+    }
+
+    /// Everything that was found, for the functions of [`report`].
+    pub fn account(&self) -> &Account {
+        &self.account
+    }
+
+    /// The derivation that it is of.
+    pub fn derivation(&self) -> &Derivation {
+        &self.derivation
+    }
+
+    /// The document `report.json`: the contract of `docs/schema.md`.
+    pub fn json(&self) -> String {
+        report::json(&self.derivation, &self.account)
+    }
+
+    /// The page for a browser, in one file.
+    pub fn page(&self) -> String {
+        report::page(&self.derivation, &self.account)
+    }
+
+    /// The report in Markdown.
+    pub fn markdown(&self) -> String {
+        report::markdown(&self.derivation, &self.account)
+    }
+}

@@ -1,0 +1,141 @@
+//! Evidence: what methods hand over, as plain data.
+//!
+//! **In:** numbers that a method computed. **Out:** [`Evidence`] with its parts. Nothing is judged here; a report makes words
+//! of it, and a reader can compute it again.
+
+use std::sync::Arc;
+
+/// The worst point of a comparison: where |left − right| is largest in units of what it is compared with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Residual {
+    /// |left − right| at that point.
+    pub max: f64,
+    /// Its propagated error bound there.
+    pub bound: f64,
+    /// The time.
+    pub at: f64,
+}
+
+impl Residual {
+    /// |left − right| in units of its bound; 0 where the sides are the same.
+    pub fn ratio(&self) -> f64 {
+        if self.max > 0.0 { self.max / self.bound } else { 0.0 }
+    }
+}
+
+/// A point that a reader can check by hand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// The time.
+    pub t: f64,
+    /// The formula that is compared, as written, with its component: `t9[1]`, `\dot R_{12}`.
+    pub formula: String,
+    /// Value of the left side; not a number where it has none.
+    pub left: f64,
+    /// Value of the right side; not a number where it has none.
+    pub right: f64,
+    /// Error bound of their difference.
+    pub bound: f64,
+    /// Values that the two sides depend on: LaTeX name, value.
+    pub values: Vec<(String, f64)>,
+}
+
+impl Witness {
+    /// How far the sides are apart: |left − right|, of the very numbers that are shown.
+    pub fn difference(&self) -> f64 {
+        (self.left - self.right).abs()
+    }
+}
+
+/// A stretch of time that was left out, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exclusion {
+    /// First excluded sample.
+    pub from: f64,
+    /// Last excluded sample.
+    pub to: f64,
+    /// Why, in words.
+    pub reason: String,
+}
+
+/// What an enclosure found on all stretches of a span.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosed {
+    /// How many stretches were looked at, or events.
+    pub places: usize,
+    /// The largest |left − right| that is not excluded, for equations; 0 where there is none.
+    pub gap: f64,
+    /// The size of the terms that the gap is small against.
+    pub scale: f64,
+}
+
+/// A proof for all values, as far as a verdict needs to know it.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Proof {
+    /// What it follows from.
+    pub from: Vec<String>,
+    /// Conditions under which it was found, and which must hold on the motion.
+    pub conditions: Vec<String>,
+}
+
+/// One comparison at some of its sample times, increasing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Residuals {
+    /// The formula that is compared, with its component: the one in which the worst point lies.
+    pub formula: String,
+    /// Whether it is an equation: then a residual within its bound is a pass.
+    pub equation: bool,
+    /// Whether the relation is looked for at some time, rather than compared at all: a residual near 0 is then a find.
+    pub sought: bool,
+    /// How many samples there were.
+    pub of: usize,
+    /// The samples that were kept.
+    pub points: Vec<ResidualPoint>,
+}
+
+/// A comparison at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResidualPoint {
+    /// The time.
+    pub t: f64,
+    /// Value of the left side.
+    pub left: f64,
+    /// Value of the right side.
+    pub right: f64,
+    /// |left − right|, computed with the error bound.
+    pub residual: f64,
+    /// Its error bound: what the residual is compared with.
+    pub bound: f64,
+    /// The largest bound that counts as evidence: the precision that is asked for, times the size of the terms.
+    pub limit: f64,
+}
+
+/// What a verdict rests on.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Evidence {
+    /// Number of times at which the claim was compared.
+    pub samples: usize,
+    /// The worst point, where something was compared.
+    pub residual: Option<Residual>,
+    /// The refuting point of a `fails`, the found point of an `eventually`.
+    pub witness: Option<Witness>,
+    /// Why not applicable or undecided; a remark on a `holds`.
+    pub reason: Option<String>,
+    /// Times left out.
+    pub excluded: Vec<Exclusion>,
+    /// For a claim with ±: which sign, `+`, `-`, or `either`, and where it changes.
+    pub branch: Option<String>,
+    /// The deciding comparison along the motion, thinned for drawing.
+    pub series: Option<Arc<Residuals>>,
+    /// What an enclosure found.
+    pub enclosed: Option<Enclosed>,
+    /// The proof behind it.
+    pub proof: Option<Proof>,
+}
+
+impl Evidence {
+    /// Nothing but a reason.
+    pub fn because(reason: impl Into<String>) -> Evidence {
+        Evidence { reason: Some(reason.into()), ..Evidence::default() }
+    }
+}

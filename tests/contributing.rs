@@ -1,0 +1,81 @@
+//! The pages for those who change the program are true: files that they name are there, and what they say of crates is so.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// Targets of the links of a page that lead into the project.
+fn links(page: &str) -> Vec<String> {
+    let targets = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    targets.filter(|t| !t.contains("://")).map(|t| t.split('#').next().unwrap_or(t).to_owned()).collect()
+}
+
+#[test]
+fn files_that_are_named_exist() {
+    for (page, least) in [("ARCHITECTURE.md", 40), ("CONTRIBUTING.md", 20)] {
+        let found = links(&read(page));
+        assert!(found.len() > least, "{page}: {}", found.len());
+        for target in found {
+            assert!(root().join(&target).exists(), "{page}: `{target}` is not there");
+        }
+    }
+    assert_eq!(links("see [a](src/a.rs#l1), [b](https://b.c/d)"), ["src/a.rs"]);
+}
+
+/// Rows of the map: the crate, and what it uses.
+fn map() -> BTreeMap<String, BTreeSet<String>> {
+    let page = read("ARCHITECTURE.md");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| [`src/"));
+    rows.filter_map(|row| {
+        let name = row.split('`').next()?.to_owned();
+        let uses = row.split(" | ").nth(2)?;
+        Some((name, uses.split(", ").filter(|u| *u != "–").map(str::to_owned).collect()))
+    })
+    .collect()
+}
+
+#[test]
+fn the_map_is_that_of_the_crates() {
+    let map = map();
+    let mut seen = 0;
+    for entry in fs::read_dir(root().join("src")).expect("src can be listed") {
+        let folder = entry.expect("an entry can be read").path();
+        let Ok(manifest) = fs::read_to_string(folder.join("Cargo.toml")) else { continue };
+        let name = folder.file_name().and_then(|n| n.to_str()).expect("a name").to_owned();
+        let after = manifest.lines().skip_while(|l| *l != "[dependencies]").skip(1).take_while(|l| !l.starts_with('['));
+        let named: BTreeSet<String> = after.filter_map(|l| l.split(['.', ' ']).next()).map(str::to_owned).collect();
+        let uses: BTreeSet<String> =
+            named.into_iter().filter(|n| !n.is_empty() && root().join("src").join(n).exists()).collect();
+        let stated = map.get(&name).unwrap_or_else(|| panic!("ARCHITECTURE.md: no row for src/{name}"));
+        assert_eq!(*stated, uses, "ARCHITECTURE.md: what src/{name} uses");
+        seen += 1;
+    }
+    assert!(seen > 8, "{seen}");
+}
+
+#[test]
+fn the_walk_names_what_is_there() {
+    // The claim that is followed is one of the file, and each step names files in the order of the crates.
+    let page = read("ARCHITECTURE.md");
+    let claim = page.split("\n`always = ['").nth(1).and_then(|t| t.split("']`").next()).expect("a claim");
+    assert!(read("derivations/pendulum.toml").contains(&format!("always = ['{claim}']")), "{claim}");
+}
+
+#[test]
+fn short_names_are_commands() {
+    let config = read(".cargo/config.toml");
+    let names: Vec<&str> = config.lines().filter_map(|l| l.split_once(" = \"").map(|(name, _)| name)).collect();
+    assert!(names.len() > 2, "{names:?}");
+    let page = read("CONTRIBUTING.md");
+    for name in names {
+        assert!(page.contains(&format!("cargo {name}")), "CONTRIBUTING.md does not name `cargo {name}`");
+    }
+}
