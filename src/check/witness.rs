@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use super::account::ClaimAccount;
-use super::program::{Program, Use};
+use super::program::{Part, Program};
 use super::stage::Stage;
 use super::{Prepared, same_motion};
 use crate::derivation::{Derivation, Form};
@@ -97,13 +97,13 @@ fn of_point(points: &Points, prepared: &Prepared, t: usize, mut witness: Witness
 fn sides(program: &Program, label: &str) -> (Vec<Expr>, bool) {
     let mut out = Vec::new();
     let mut undefined = false;
-    for (how, group) in &program.groups {
-        // The conditions under which a vector has a value are those of all its components.
-        let whole = label.split("   [").next().unwrap_or(label);
-        let named = |other: &str| other == label || matches!(how, Use::Defined) && other == whole;
-        for c in group.comparisons.iter().filter(|c| named(&c.label)) {
+    // The conditions under which a vector has a value are those of all its components.
+    let whole = label.split("   [").next().unwrap_or(label);
+    for part in &program.parts {
+        let named = |other: &str| other == label || part.is_definedness() && other == whole;
+        for c in part.group.comparisons.iter().filter(|c| named(&c.label)) {
             out.extend([c.left, c.right]);
-            undefined |= matches!(how, Use::Defined);
+            undefined |= part.is_definedness();
         }
     }
     (out, undefined)
@@ -112,8 +112,9 @@ fn sides(program: &Program, label: &str) -> (Vec<Expr>, bool) {
 /// The curve of the comparison that the witness is of, at the times of the one that was drawn, and at that of the witness. For ±
 /// no sign is that of all times: then there is none.
 fn drawn(points: &Points, prepared: &Prepared, t: usize, witness: &Witness, before: &Residuals) -> Option<Arc<Residuals>> {
-    let groups = prepared.program.groups.iter().filter(|(how, g)| !g.branching && !matches!(how, Use::Defined | Use::Limit(_)));
-    let comparison = groups.flat_map(|(_, g)| &g.comparisons).find(|c| c.label == witness.formula)?;
+    let compared = |p: &&Part| p.is_compared() && !p.is_definedness() && !p.group.branching;
+    let parts = prepared.program.parts.iter().filter(compared);
+    let comparison = parts.flat_map(|p| &p.group.comparisons).find(|c| c.label == witness.formula)?;
     let at = prepared.program.position(comparison)?;
     let mut times: Vec<(f64, f64)> = before.points.iter().map(|p| (p.t, p.limit)).collect();
     let limit = times.first().map_or(0.0, |(_, limit)| *limit);
