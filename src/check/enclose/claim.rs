@@ -26,7 +26,9 @@ pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;
 /// Adds to a verdict that is not rigorous why it is not.
 pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
     if !is_rigorous(verdict.outcome()) {
-        let before = verdict.evidence().reason.as_ref().map_or(String::new(), |r| format!("{r}; "));
+        // What was enclosed of one part is no remark on the whole.
+        let said = verdict.evidence().reason.as_ref().filter(|_| verdict.evidence().enclosed.is_none());
+        let before = said.map_or(String::new(), |r| format!("{r}; "));
         verdict.remark(format!("{before}not enclosed: {reason}"));
     }
 }
