@@ -6,14 +6,15 @@ use std::path::{Path, PathBuf};
 /// Each crate, and the others that it may import.
 pub const CRATES: &[(&str, &[&str])] = &[
     ("diag", &[]),
+    ("files", &[]),
     ("number", &[]),
     ("verdict", &[]),
     ("expr", &["number"]),
     ("latex", &["diag", "expr"]),
     ("flow", &["expr", "number"]),
     ("proof", &["expr", "number"]),
-    ("derivation", &["diag", "expr", "latex"]),
-    ("paper", &["diag", "derivation", "latex"]),
+    ("derivation", &["diag", "expr", "files", "latex"]),
+    ("paper", &["diag", "derivation", "files", "latex"]),
     ("units", &["derivation", "expr", "latex"]),
     ("check", &["derivation", "flow", "proof", "units", "expr", "number", "latex", "diag", "verdict"]),
     ("report", &["diag", "expr", "latex", "derivation", "check", "paper", "verdict"]),

@@ -10,6 +10,8 @@
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
+#![forbid(unsafe_code)]
+
 use crate as check;
 use ::{derivation, diag, expr, flow, latex, number, verdict};
 

@@ -3,7 +3,7 @@
 use rederive::check::Rigor;
 use rederive::report;
 
-use super::{Exit, ExplainArguments, Stop, check, files, print};
+use super::{Exit, ExplainArguments, Stop, check, files, say};
 
 pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let claims = [arguments.claim.clone()];
@@ -14,7 +14,7 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     for derivation in &mut derivations {
         let account = check::account(derivation, &claims, &arguments.on, Rigor::Sampled)?;
         shown += account.claims.iter().map(|c| c.verdicts().count()).sum::<usize>();
-        print(&report::explain(derivation, &account, true))?;
+        say(&report::explain(derivation, &account, true))?;
     }
     if shown == 0 {
         return Err(Stop::Message(format!("`{}` is not tried on this trajectory", arguments.claim)));

@@ -23,7 +23,9 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use rederive::check::{CheckError, Rigor};
+use rederive::diag::shown::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
+use rederive::files::FileError;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -310,6 +312,12 @@ enum Stop {
     Defect(String),
 }
 
+impl From<FileError> for Stop {
+    fn from(error: FileError) -> Stop {
+        Stop::Message(error.to_string())
+    }
+}
+
 impl From<CheckError> for Stop {
     fn from(error: CheckError) -> Stop {
         match error {
@@ -368,7 +376,7 @@ fn guarded(command: impl FnOnce() -> Result<Exit, Stop>) -> Exit {
             Exit::BadInput
         }
         Ok(Err(Stop::Message(message))) => {
-            complain(&format!("error: {message}\n"));
+            complain(&format!("error: {}\n", in_one_line(&message)));
             Exit::BadInput
         }
         Ok(Err(Stop::Defect(message))) => defect(&message),
@@ -387,13 +395,18 @@ fn defect(message: &str) -> Exit {
     Exit::Defect
 }
 
-/// Writes to standard error; colours are removed where they are not wanted.
+/// Writes to standard error what people read, see [`spoken`]; colours are removed where they are not wanted.
 fn complain(text: &str) {
     // If standard error is closed, there is no place left to say so.
-    let _ = anstream::stderr().write_all(text.as_bytes());
+    let _ = anstream::stderr().write_all(spoken(text).as_bytes());
 }
 
-/// Writes to standard output; colours are removed where they are not wanted.
+/// Writes to standard output what people read, see [`spoken`].
+fn say(text: &str) -> Result<(), Stop> {
+    print(&spoken(text))
+}
+
+/// Writes to standard output what programs read, as it is; colours are removed where they are not wanted.
 ///
 /// A reader who has seen enough and closed the pipe is no failure, and does not keep the rest of the work from being done.
 fn print(text: &str) -> Result<(), Stop> {

@@ -6,9 +6,11 @@ use clap::ValueEnum;
 use rederive::check::{Proposition, with_symbols_of};
 use rederive::derivation::{Derivation, load};
 use rederive::diag::Diagnostic;
+use rederive::diag::shown::shown;
+use rederive::files::named;
 use rederive::report;
 
-use super::{Exit, Stop, print};
+use super::{Exit, Stop, print, say};
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words are
 those of [symbols] in a derivation file: a role (parameter, which is so unless given; state,
@@ -74,18 +76,22 @@ enum Output {
 
 pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
     let mut derivation = match &arguments.file {
-        Some(path) => load(path).map_err(Stop::Diagnostics)?,
+        Some(path) => load(&named(path)?).map_err(Stop::Diagnostics)?,
         None => Derivation::blank(),
     };
     if let Some(claim) = &arguments.scope {
         with_symbols_of(&mut derivation, claim, "--scope")?;
     }
-    let typed: Vec<(String, String)> =
-        arguments.symbol.iter().enumerate().map(|(at, text)| (format!("symbol {}", at + 1), text.clone())).collect();
+    let typed: Vec<(String, String)> = arguments
+        .symbol
+        .iter()
+        .enumerate()
+        .map(|(at, text)| (format!("symbol {}", at + 1), shown(text).into_owned()))
+        .collect();
     derivation.declare_typed(&typed).map_err(Stop::Diagnostics)?;
     let proposition = Proposition {
-        formula: arguments.formula.clone(),
-        given: arguments.given.clone(),
+        formula: shown(&arguments.formula).into_owned(),
+        given: arguments.given.iter().map(|text| shown(text).into_owned()).collect(),
         throughout: arguments.branches == Signs::Throughout,
     };
     let account = rederive::check::prove(&mut derivation, &proposition).map_err(|error| match Stop::from(error) {
@@ -96,7 +102,10 @@ pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
         (Output::Json, _) => report::proposition_json(&proposition, &account),
         (Output::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
     };
-    print(&text)?;
+    match arguments.format {
+        Output::Json => print(&text)?,
+        Output::Text => say(&text)?,
+    }
     Ok(match account.verdict {
         "proved" => Exit::Good,
         "refuted" => Exit::Different,

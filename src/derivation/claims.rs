@@ -265,7 +265,7 @@ impl Loader<'_> {
 
     fn relations(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
         for formula in table.formulas(&mut self.problems, kind.key()) {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            claim.formulas.push(Formula { text: formula.printed(), kind });
             let make: fn(Written<Statement>) -> Form = match kind {
                 FormKind::Never => Form::Never,
                 FormKind::Eventually => Form::Eventually,
@@ -284,7 +284,7 @@ impl Loader<'_> {
 
     fn expressions(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
         for formula in table.formulas(&mut self.problems, kind.key()) {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            claim.formulas.push(Formula { text: formula.printed(), kind });
             let make: fn(Written<Tensor>) -> Form = match kind {
                 FormKind::FirstIntegral => Form::FirstIntegral,
                 _ => Form::Defined,
@@ -330,7 +330,7 @@ impl Loader<'_> {
         let Some(table) = Table::open(&mut self.problems, value, "independent", keys::INDEPENDENT) else { return };
         let mut functions = Vec::new();
         for formula in table.formulas(&mut self.problems, "functions") {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Independent });
+            claim.formulas.push(Formula { text: formula.printed(), kind: FormKind::Independent });
             functions.extend(self.expression(&formula, &claim.scope));
         }
         let mut subject_to = Vec::new();

@@ -7,7 +7,7 @@ use toml::de::DeValue;
 use super::load::Loader;
 use super::model::Written;
 use super::number::rational;
-use super::table::{Value, literal_of};
+use super::table::{Value, as_printed, literal_of};
 use expr::{Expr, Leaf, Symbol};
 use latex::Scope;
 
@@ -40,7 +40,7 @@ impl Loader<'_> {
                 None
             }
         }?;
-        Some(Written { text, span, value })
+        Some(Written { text: as_printed(&text), span, value })
     }
 
     /// A formula for all components at once.

@@ -10,10 +10,13 @@
 //! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
 //! reference of the language, and its examples are tests.
 
+#![forbid(unsafe_code)]
+
 mod elaborate;
 mod lexer;
 mod name;
 mod parse;
+mod printed;
 mod scope;
 pub mod syntax;
 mod tensor;
@@ -21,6 +24,7 @@ mod write;
 
 use std::ops::Range;
 
+pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Role, Scope};
 pub use syntax::RelationKind;
 

@@ -94,6 +94,8 @@
 //! J. T. Schwartz, *J. ACM* 27 (1980) 701; R. Zippel, EUROSAM 1979, LNCS 72, 216; G. H. Gonnet, STOC 1984, 334;
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
+#![forbid(unsafe_code)]
+
 mod absolute;
 mod along;
 #[cfg(feature = "certificates")]
@@ -124,9 +126,11 @@ mod solve;
 mod structure;
 mod values;
 mod witness;
+#[cfg(feature = "certificates")]
+mod written;
 
 pub use along::{Along, Apart, InTime, along};
-pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
+pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};

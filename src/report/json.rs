@@ -10,6 +10,7 @@ use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
 use ::paper::Comparison;
+use diag::shown::in_json;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
@@ -20,7 +21,7 @@ fn text(value: &Value) -> String {
     let mut out = String::new();
     write(value, 0, &mut out);
     out.push('\n');
-    out
+    in_json(&out)
 }
 
 /// The same with the comparison with the paper, as `paper`.
