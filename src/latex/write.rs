@@ -309,7 +309,12 @@ fn between(before: &Node, after: &Node) -> &'static str {
     // `x(y)` would be a value of x, `x2` no product that is printed.
     let number = matches!(before.kind, NodeKind::Number(_));
     let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
-    if after.begins_with_number() || mixed || !number && could_be_argument(after) {
+    // Nobody could say how far such a derivative reaches; the reader refuses it.
+    let open = match &before.kind {
+        NodeKind::Derivative { of, operator: true, .. } => !matches!(of.kind, NodeKind::Group(..)),
+        _ => false,
+    };
+    if open || after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
         return r"\cdot ";
     }
     // A space that is printed ends the argument of a function.
