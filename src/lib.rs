@@ -79,24 +79,27 @@
 //!
 //! | crate | what happens there | imports |
 //! |---|---|---|
-//! | [`diag`] | a problem at a place of a file, and how it is shown | – |
+//! | [`files`] | what may be read and written, and how | – |
+//! | [`diag`] | a problem at a place of a file, and how it is shown; texts of strangers, as people may see them | – |
 //! | [`number`] | what a value can be: binary64, duals, error bounds, series, lanes, finite fields | – |
 //! | [`expr`] | the shared graph of expressions, derivatives, printing; [`tape`]: graph → straight-line program; the one evaluation loop | number |
 //! | [`latex`] | formula text → expressions, or a refusal with its place | diag, expr |
-//! | [`derivation`] | the TOML file as written, every formula read | diag, expr, latex |
+//! | [`derivation`] | the TOML file as written, every formula read | diag, expr, files, latex |
 //! | [`flow`] | vector fields, trajectories, observables, events | expr, number |
 //! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
 //! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
 //! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number, verdict |
-//! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, latex |
+//! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, files, latex |
 //! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
 //!
 //! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.
 
+#![forbid(unsafe_code)]
+
 mod session;
 
-pub use ::{check, derivation, diag, expr, flow, latex, number, paper, proof, report, units, verdict};
+pub use ::{check, derivation, diag, expr, files, flow, latex, number, paper, proof, report, units, verdict};
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
 pub use session::{Ask, ClaimName, Failure, Finding, Findings, Session};

@@ -1,5 +1,7 @@
 //! The program `rederive`; see [`rederive`] for what it does, and `rederive --help` for how to use it.
 
+#![forbid(unsafe_code)]
+
 mod cli;
 
 use std::process::ExitCode;

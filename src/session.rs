@@ -10,7 +10,7 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
-use crate::check::{self, Account, Cache, CheckError, ClaimAccount, Options, Outcome, Rigor, Witness};
+use crate::check::{self, Account, Cache, CheckError, ClaimAccount, Limits, Options, Outcome, Rigor, Witness};
 use crate::derivation::{Derivation, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::report;
@@ -34,6 +34,8 @@ pub struct Ask {
     pub rigor: Rigor,
     /// The verdicts alone: no altered formulas, nothing that separates motions.
     pub only_verdicts: bool,
+    /// When the run must end, and how much memory it may take.
+    pub limits: Limits,
 }
 
 /// Why nothing was found.
@@ -155,6 +157,7 @@ impl Session {
             trajectories: ask.trajectories.clone(),
             plain: ask.only_verdicts,
             rigor: ask.rigor,
+            limits: ask.limits.clone(),
         };
         let mut derivation = self.derivation.clone();
         let mut account = check::check(&mut derivation, &options, progress)?;

@@ -277,3 +277,52 @@ fn no_claim_follows_from_itself() {
     let two = [claim("a", "'b', 'c'", ""), claim("b", "'d'", ""), claim("c", "'d'", ""), claim("d", "'free'", "")];
     assert_eq!(problems(&with(&[HEAD, MOTION, &two.concat()])), "no problem\n");
 }
+
+#[test]
+fn a_sign_that_is_two_has_no_place_where_there_is_one_value() {
+    let definition = |formula: &str, role: &str| {
+        let declared = format!("'t' = {{ role = 'time' }}\n'g' = {{ role = '{role}', formula = '{formula}' }}");
+        HEAD.replace("'t' = { role = 'time' }", &declared)
+    };
+    let initial = MOTION.replace("'x' = 0", r"'x' = '\pm1'");
+    let component = MOTION.replace("'-a'", r"'\mp a'");
+    let parameter = MOTION.replace("'a' = 2.5", r"'a' = '2\pm1'");
+    let by_formula = r"
+[[trajectory]]
+id = 'given'
+formula = { 'x' = '\pm t' }
+span = [0, 1]
+";
+    let system = HEAD.replace(r"'\dot x=a'", r"'\dot x=\pm a'");
+    let measure = "[[measure]]\nid = 'm'\nsays = 's'\nformula = 'x\\pm a'\n";
+    let condition = "[[condition]]\nid = 'm'\nsays = 's'\nholds = ['x=\\pm a']\n";
+    let independent = "[[claim]]\nid = 'c'\nsays = 's'\nindependent = { functions = ['x\\pm a'] }\n";
+    for text in [
+        definition(r"\pm a", "abbreviation"),
+        definition(r"1-\frac{a\mp1}{2}", "observable"),
+        with(&[HEAD, &initial]),
+        with(&[HEAD, &component]),
+        with(&[HEAD, &parameter]),
+        with(&[HEAD, by_formula]),
+        with(&[&system, MOTION]),
+        with(&[HEAD, MOTION, measure]),
+        with(&[HEAD, MOTION, condition]),
+        with(&[HEAD, MOTION, independent]),
+    ] {
+        let found = problems(&text);
+        assert!(found.contains('±') && found.contains("test.toml:"), "{text}\n{found}");
+    }
+    // In claims it has a scope.
+    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nassuming = ['a=\\pm1']\nalways = ['a^2=1']\n";
+    assert!(load(&with(&[HEAD, MOTION, claim])).is_ok());
+}
+
+#[test]
+fn what_log_means_is_a_convention_of_the_file() {
+    let claim = "[[claim]]\nid = 'c'\nsays = 's'\nalways = ['a=\\log x']\n";
+    assert!(problems(&with(&[HEAD, MOTION, claim])).contains("[conventions]"));
+    for (word, fine) in [("natural", true), ("decimal", true), ("binary", false)] {
+        let convention = format!("[conventions]\nlog = '{word}'\n");
+        assert_eq!(load(&with(&[HEAD, &convention, MOTION, claim])).is_ok(), fine, "{word}");
+    }
+}

@@ -273,7 +273,7 @@ fn both_routes_agree_on_all_derivations() {
                 let Some(identity) = &claim.identity else { continue };
                 identities += 1;
                 let certificates = &identity.evidence.certificates;
-                assert!(certificates.is_empty() || identity.verdict != "refuted", "{}", claim.id);
+                assert!(certificates.is_empty() || identity.verdict() != "refuted", "{}", claim.id);
             }
         }
     }

@@ -124,7 +124,7 @@ fn orders(names: &str, assumed: &[(Requirement, &str)], claimed: &[(Requirement,
     let parameters = names.split(' ').map(|n| r.leaf(n)).collect();
     let mut read = |list: &[(Requirement, &str)]| list.iter().map(|&(k, text)| (k, r.read(text))).collect();
     let (assumed, claimed) = (read(assumed), read(claimed));
-    let found = decide(&mut r.graph, &Question { parameters, assumed, claimed });
+    let found = decide(&mut r.graph, &Question { parameters, assumed, claimed, asserted: true });
     let names: Vec<String> = names.split(' ').map(str::to_owned).collect();
     (found.words(&names), found.is_proved())
 }
@@ -155,7 +155,7 @@ fn orders_of_size() {
     let mut r = Reader::default();
     let (parameters, e) = (vec![r.leaf("a"), r.leaf("b")], r.read("a^2 - 3*a*b + b^2"));
     let claimed = vec![(Positive, e)];
-    let found = decide(&mut r.graph, &Question { parameters, assumed: Vec::new(), claimed });
+    let found = decide(&mut r.graph, &Question { parameters, assumed: Vec::new(), claimed, asserted: true });
     assert!(found.list.iter().any(|(_, fate)| matches!(fate, Fate::FailsAt(_))), "{found:?}");
     assert!(!found.list.iter().any(|(order, fate)| order.len() == 2 && *fate == Fate::Holds), "{found:?}");
 }

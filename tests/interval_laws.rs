@@ -33,6 +33,8 @@ fn oracle(op: Op, a: f64, b: f64) -> Exact {
     let (x, y) = (exact(a), exact(b));
     match op {
         Op::Neg => -x,
+        // Where the second has a value, the first.
+        Op::Restrict => x,
         Op::Sqrt => x.sqrt(),
         Op::Exp => x.exp(),
         Op::Ln => x.ln(),

@@ -187,7 +187,7 @@ fn run(file: &str) -> (usize, Vec<String>) {
     let mut problems = Vec::new();
     for claim in &account.claims {
         let fails = claim.results.iter().find(|p| matches!(p.verdict.outcome(), Outcome::Fails(_)));
-        if let (Some(pair), Some("proved")) = (fails, claim.identity.as_ref().map(|i| i.verdict)) {
+        if let (Some(pair), Some("proved")) = (fails, claim.identity.as_ref().map(|i| i.verdict())) {
             problems.push(format!("{:?}\n    is proved, and fails on {}", claim.formulas, pair.trajectory));
         }
     }

@@ -262,6 +262,7 @@ fn oracle(op: Op, a: f64, b: f64) -> Exact {
     let one = exact(1.0);
     match op {
         Op::Neg => -x,
+        Op::Restrict => x,
         Op::Sqrt => x.sqrt(),
         Op::Exp => x.exp(),
         Op::Ln => x.ln(),

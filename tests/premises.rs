@@ -23,7 +23,7 @@ fn found(account: &Account, id: &str, reading: Option<&str>) -> (&'static str, V
     let claim = claim.unwrap_or_else(|| panic!("no claim {id}"));
     let strength = |o: Outcome| o.strength().unwrap_or("none");
     let strengths = claim.results.iter().map(|p| strength(p.verdict.outcome())).collect();
-    (claim.identity.as_ref().map_or("none", |i| i.verdict), strengths)
+    (claim.identity.as_ref().map_or("none", |i| i.verdict()), strengths)
 }
 
 #[test]

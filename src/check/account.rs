@@ -4,6 +4,7 @@ use super::picture::PictureAccount;
 use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
 use super::separation::ConditionsAccount;
+use super::standing::{Decision, Exception, Finding, Given};
 use super::units::UnitsAccount;
 use super::variant::{Discrimination, VariantAccount};
 use crate::derivation::Claim;
@@ -130,8 +131,11 @@ pub struct AssumptionsUsed {
 /// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentityAccount {
-    /// `proved`, `refuted` or `undecided`.
-    pub verdict: &'static str,
+    /// What was decided, and of what: only `Finding::weigh` makes one.
+    pub finding: Finding,
+    /// Claims that it follows from, through all steps, which are not proved themselves; assumptions of those that it does not
+    /// make. What is proved is proved given these.
+    pub conditional_on: Vec<Given>,
     /// log₂ of the bound for the probability that a proof is wrong.
     pub log2_error: Option<f64>,
     /// What was given beside definitions and assumptions: ids of claims and systems.
@@ -157,6 +161,33 @@ pub struct IdentityAccount {
 }
 
 impl IdentityAccount {
+    /// The word of the report contract: `proved`, `refuted` or `undecided`. A proof that leaves a case out is `proved` here: see
+    /// [`IdentityAccount::standing`].
+    pub fn verdict(&self) -> &'static str {
+        self.finding.decision().contract_word()
+    }
+
+    /// Whether it is proved for all values: no case is left out, and nothing that it follows from is open.
+    pub fn is_proved(&self) -> bool {
+        self.finding.decision() == Decision::Proved && self.conditional_on.is_empty()
+    }
+
+    /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
+    /// denominators is no exception on integrated motions, which are analytic.
+    pub(super) fn lends_strength(&self) -> bool {
+        let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
+        let finding = &self.finding;
+        finding.is_proved_in_part() && finding.exceptions().iter().all(analytic) && self.presupposed.is_empty()
+    }
+
+    /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.
+    pub fn standing(&self) -> &'static str {
+        match self.finding.decision() {
+            Decision::Proved if !self.conditional_on.is_empty() => "proved given",
+            decision => decision.word(),
+        }
+    }
+
     /// What a proof needs and leaves out: a heading for each list that is not empty.
     pub fn terms(&self) -> Vec<(&'static str, Vec<String>)> {
         let mut out = vec![
@@ -173,6 +204,15 @@ impl IdentityAccount {
         out
     }
 
+    /// What it is proved given, in words; empty where nothing is open.
+    pub fn conditional_in_words(&self) -> String {
+        let one = |g: &Given| match g.standing {
+            None => format!("`{}`, which is not decided for all values", g.name),
+            Some(word) => format!("`{}`, which is {word}", g.name),
+        };
+        self.conditional_on.iter().map(one).collect::<Vec<_>>().join(", ")
+    }
+
     /// The verdict in one sentence.
     pub fn sentence(&self) -> String {
         let given = if self.from.is_empty() {
@@ -181,17 +221,29 @@ impl IdentityAccount {
             format!("the definitions, the assumptions and {}", self.from.join(", "))
         };
         let reason = self.reason.as_deref().unwrap_or("no reason is known");
-        match (self.verdict, self.log2_error) {
-            ("proved", Some(bound)) => format!(
-                "An identity, given {given}: proved by random evaluation, with an error probability of at most \
-                 2^{}.",
-                bound.ceil()
-            ),
-            ("proved", None) => {
-                format!("True for all values, given {given}: proved by signs, for every order of the sizes.")
+        let open = self.conditional_in_words();
+        let decision = self.finding.decision();
+        match (decision, self.log2_error) {
+            (Decision::Proved | Decision::ProvedExcept, bound) => {
+                let how = match bound {
+                    Some(bound) => {
+                        format!("proved by random evaluation, with an error probability of at most 2^{}", bound.ceil())
+                    }
+                    None => "proved by signs, for every order of the sizes".to_owned(),
+                };
+                let head = match (decision, open.is_empty(), bound) {
+                    (Decision::ProvedExcept, true, _) => format!("Proved except in special cases, given {given}"),
+                    (Decision::ProvedExcept, false, _) => {
+                        format!("Proved except in special cases, and only given {open}, from {given}")
+                    }
+                    (_, false, _) => format!("Proved only given {open}, from {given}"),
+                    (_, true, Some(_)) => format!("An identity, given {given}"),
+                    (_, true, None) => format!("True for all values, given {given}"),
+                };
+                format!("{head}: {how}.")
             }
-            ("refuted", _) => format!("Not an identity, given {given}: a point refutes it."),
-            _ => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
+            (Decision::Refuted, _) => format!("Not an identity, given {given}: a point refutes it."),
+            (Decision::Undecided, _) => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
         }
     }
 }

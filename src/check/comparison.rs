@@ -9,6 +9,7 @@
 //! the two, because the error of a trajectory is an estimate.
 
 use super::telling::Told;
+use crate::expr::domain::row;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::number::Bounded;
@@ -139,7 +140,7 @@ pub(super) fn traced_now(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
 }
 
 /// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays.
-fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+pub(super) fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let Some(time) = scope.time() else { return e };
     let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
     let formed = graph.substitute(e, |graph, leaf| {
@@ -147,7 +148,8 @@ fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
         let mut value = definition.components.get(usize::from(leaf.component)).copied()?;
         value = traced_now(graph, scope, value);
         for _ in 0..leaf.rate {
-            value = graph.time_derivative(value, time, moves).ok()?;
+            let rate = graph.time_derivative(value, time, moves).ok()?;
+            value = graph.rate_of(value, rate, |_| false);
         }
         Some(value)
     });
@@ -202,13 +204,13 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
             Node::Unary(Op::Powi(n), a) if n >= 0 => graph.powi(image[&a], n),
             Node::Binary(Op::Add | Op::Sub, a, b) => graph.add(image[&a], image[&b]),
             Node::Binary(Op::Mul, a, b) => graph.mul(image[&a], image[&b]),
+            Node::Binary(Op::Restrict, a, _) => image[&a],
             Node::Binary(Op::Div, a, b) => {
                 let under = graph.unary(Op::Abs, b);
                 graph.div(image[&a], under)
             }
             // Bounded functions and angles are of the size 1, also where they happen to vanish.
-            Node::Unary(Op::Sin | Op::Cos | Op::Tanh | Op::Arcsin | Op::Arccos | Op::Arctan, _)
-            | Node::Binary(Op::Arctan2, ..) => graph.integer(1),
+            Node::Unary(op, _) | Node::Binary(op, ..) if row(op).is_bounded() => graph.integer(1),
             Node::Unary(..) | Node::Binary(..) => graph.unary(Op::Abs, node),
         };
         image.insert(node, m);

@@ -7,16 +7,23 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use super::comparison::{Comparison, Group, at_instant, traced};
+use super::comparison::{Comparison, Group, at_instant, behind_rates, traced};
 use super::program::{Assumption, Denoted, Part, Program, What};
 use super::steep::exponents;
 use crate::derivation::{Claim, Derivation, Form, System, Written};
-use crate::expr::{Expr, Graph, Node, Op, Rational, Shape, Tensor};
+use crate::expr::domain::Sign;
+use crate::expr::{Expr, Graph, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::verdict::{Proposition, Quantifier};
 
+/// The longest formula that names each of its comparisons in full: a chain of relations has as many of them as signs.
+const LONGEST_LABEL: usize = 4_000;
+
 /// Name of a component: the formula, and the values of its free indices.
 fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> String {
+    let end = (0..=80).rev().find(|&n| text.is_char_boundary(n)).unwrap_or(0);
+    let short = format!("{} …", &text[..end.min(text.len())]);
+    let text = if text.len() > LONGEST_LABEL { short.as_str() } else { text };
     if shape.rank() == 0 {
         return text.to_owned();
     }
@@ -80,37 +87,38 @@ fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
     graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
 }
 
-/// The conditions under which every operation of an expression has a value, observables traced back.
-fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> Vec<Comparison> {
-    let traced: Vec<Expr> = w.value.components.iter().map(|&e| traced(graph, scope, e)).collect();
-    let (zero, one) = (graph.integer(0), graph.integer(1));
-    let mut out = Vec::new();
-    for node in graph.reachable(traced) {
-        let conditions = match *graph.node(node) {
-            Node::Unary(Op::Sqrt, a) => vec![(a, RelationKind::GreaterEqual, zero)],
-            Node::Unary(Op::Ln, a) => vec![(a, RelationKind::Greater, zero)],
-            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
-                let size = graph.unary(Op::Abs, a);
-                vec![(size, RelationKind::LessEqual, one)]
-            }
-            Node::Binary(Op::Div, _, b) => vec![(b, RelationKind::NotEqual, zero)],
-            Node::Binary(Op::Arctan2, a, b) => {
-                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
-                let length = graph.add(aa, bb);
-                vec![(length, RelationKind::NotEqual, zero)]
-            }
-            _ => continue,
-        };
-        for (left, kind, right) in conditions {
-            // What does not depend on anything is settled by the value itself.
-            if graph.leaves([left]).is_empty() {
-                continue;
-            }
-            let label = format!("{} has a value", w.text);
-            out.push(Comparison::new(graph, scope, label, kind, left, right));
+/// The conditions under which every operation of an expression has a value, observables traced back; and what vanishes where
+/// it is not known whether there is a value: edges of a rate.
+fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (Vec<Comparison>, Vec<Expr>) {
+    let traced = |e: &Expr| {
+        let e = behind_rates(graph, scope, *e);
+        traced(graph, scope, e)
+    };
+    let traced: Vec<Expr> = w.value.components.iter().map(traced).collect();
+    let zero = graph.integer(0);
+    let (mut out, mut edges) = (Vec::new(), Vec::new());
+    for need in graph.needs_below(traced) {
+        // What does not depend on anything is settled by the value itself.
+        if graph.leaves([need.value]).is_empty() {
+            continue;
+        }
+        let label = format!("{} has a value", w.text);
+        let condition = Comparison::new(graph, scope, label, relation(need.sign), need.value, zero);
+        match need.certain {
+            true => out.push(condition),
+            false => edges.extend(condition.boundaries),
         }
     }
-    out
+    (out, edges)
+}
+
+/// What is asked of a term, as a relation to 0.
+pub(super) fn relation(sign: Sign) -> RelationKind {
+    match sign {
+        Sign::Positive => RelationKind::Greater,
+        Sign::NotNegative => RelationKind::GreaterEqual,
+        Sign::NotZero => RelationKind::NotEqual,
+    }
 }
 
 /// What vanishes where the first relation of a statement holds, for events.
@@ -305,7 +313,7 @@ impl Denotation<'_> {
                     let group = self.values(w, sign, |text| format!("{text} is constant"), true);
                     says.push(self.part(What::Constant, group));
                     // Where the start does not count, or has no value, others are compared.
-                    let needs = domain_conditions(self.graph, &claim.scope, w);
+                    let (needs, _) = domain_conditions(self.graph, &claim.scope, w);
                     if !claim.assuming.is_empty() || claim.at.is_some() || !needs.is_empty() {
                         let mut group = self.values(w, sign, |text| format!("{text} is constant"), false);
                         let zero = self.graph.integer(0);
@@ -316,7 +324,11 @@ impl Denotation<'_> {
                 }
                 Form::Defined(w) => {
                     let mut group = self.values(w, sign, |text| format!("{text} has a value"), false);
-                    let conditions = domain_conditions(self.graph, &claim.scope, w);
+                    let (conditions, edges) = domain_conditions(self.graph, &claim.scope, w);
+                    if let Some(first) = group.comparisons.first_mut() {
+                        // The search between the samples looks there, too.
+                        first.boundaries.extend(edges);
+                    }
                     group.comparisons.extend(conditions);
                     group.asserted = true;
                     says.push(self.part(What::Defined, group));
@@ -354,7 +366,7 @@ impl Denotation<'_> {
     fn needs(&mut self, (text, relation): &Said) -> Vec<Comparison> {
         let of = [&relation.left, &relation.right].into_iter().flat_map(|side| {
             let value = side.clone();
-            domain_conditions(self.graph, &self.claim.scope, &Written { text: (*text).to_owned(), span: 0..0, value })
+            domain_conditions(self.graph, &self.claim.scope, &Written { text: (*text).to_owned(), span: 0..0, value }).0
         });
         of.collect()
     }

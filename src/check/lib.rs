@@ -10,6 +10,8 @@
 //! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
 //! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
 
+#![forbid(unsafe_code)]
+
 use crate as check;
 use ::{derivation, diag, expr, flow, latex, number, verdict};
 
@@ -25,6 +27,7 @@ mod follow;
 mod independence;
 mod kept;
 mod limit;
+mod limits;
 mod measure;
 mod measured;
 mod memory;
@@ -43,6 +46,7 @@ mod second_route;
 pub mod separation;
 mod series;
 mod stage;
+pub mod standing;
 mod steep;
 mod step;
 mod telling;
@@ -59,6 +63,7 @@ pub use account::{
 pub use cache::Cache;
 pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
+pub use limits::Limits;
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
@@ -81,7 +86,7 @@ use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
 use stage::{Fields, Requests, Stage};
-use std::collections::BTreeSet;
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
 use trial::{Course, Trial};
@@ -94,10 +99,12 @@ pub struct Options {
     pub claims: Vec<String>,
     /// Only trajectories with these ids; all when empty.
     pub trajectories: Vec<String>,
-    /// No variants: the verdicts alone.
+    /// The verdicts alone: no variants, no corrections, nothing that separates the motions, no pictures.
     pub plain: bool,
     /// How much is asked of a verdict.
     pub rigor: Rigor,
+    /// When the run must end.
+    pub limits: Limits,
 }
 
 /// Why a check could not be made.
@@ -138,7 +145,7 @@ fn check_recalling(
     recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    let mut account = check_and(derivation, options, &[], true, recall, progress)?;
+    let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
@@ -294,6 +301,9 @@ fn check_and(
         let verdict = |k: usize| {
             let Prepared { claim, program, gradients } = &prepared[k][start_of[t]];
             claim.trajectories.contains(&t).then(|| {
+                if let Some(reached) = options.limits.reached() {
+                    return Verdict::of(Finding::open(reached));
+                }
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                 let mut verdict =
                     recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()));
@@ -314,7 +324,8 @@ fn check_and(
             verdict.clone().map(|verdict| Found { claim, program, verdict })
         };
         let weighed = altered.as_ref().map(|altered| {
-            let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(found).collect();
+            let late = options.limits.reached().is_some();
+            let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(|of| found(of).filter(|_| !late)).collect();
             altered.weigh(start_of[t], &course, &found)
         });
         let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
@@ -340,6 +351,9 @@ fn check_and(
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
     let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
         let claim = &derivation.claims[claimed[k]];
+        if options.limits.reached().is_some() {
+            return None;
+        }
         let step = Step::of(derivation, claim)?;
         match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
@@ -352,9 +366,10 @@ fn check_and(
     }
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried);
-    if options.rigor == Rigor::Enclosed {
+    if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
-        let request = enclose::Request { derivation, fields: &fields, stage: &stage, prepared, start_of, tried };
+        let (fields, stage, limits) = (&fields, &stage, &options.limits);
+        let request = enclose::Request { derivation, fields, stage, prepared, start_of, tried, limits };
         enclose::strengthen(&request, &mut account.claims);
     }
     if let Some(altered) = &altered {
@@ -389,7 +404,7 @@ fn counterexample<'a>(
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
             Premise::Claim(premise) => {
-                let of_this_run = claimed.iter().position(|&c| c == premise).and_then(|k| verdicts[k].as_ref());
+                let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
                 let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
                 verdict.is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty())
@@ -443,52 +458,78 @@ fn strengthen(
     known: &[ClaimAccount],
     tried: &[usize],
 ) {
+    standing::conditional(derivation, claims, known);
     by_formula::settle(derivation, claims, claimed, tried);
-    let mut done: BTreeSet<(usize, usize)> = BTreeSet::new();
-    // Each round may prove claims that follow from those of the round before.
-    loop {
-        let mut ready: Vec<(usize, usize)> = Vec::new();
-        for account in 0..claims.len().min(claimed.len()) {
-            let Some(identity) = claims[account].identity.as_ref().filter(|i| i.verdict == "proved" && !i.generic)
-            else {
-                continue;
+    let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
+    // The motions of the results of each claim.
+    let on: Vec<HashMap<usize, usize>> = claims
+        .iter()
+        .map(|c| {
+            c.results.iter().enumerate().filter_map(|(at, p)| Some((*motion.get(p.trajectory.as_str())?, at))).collect()
+        })
+        .collect();
+    let here = |premise: usize| claimed.binary_search(&premise).ok();
+    for k in premises_first(derivation, claimed, claims) {
+        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
+        let mut ready: Vec<usize> = Vec::new();
+        for (at, pair) in claims[k].results.iter().enumerate() {
+            let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
+            let given = |name: &String| match derivation.premise(name) {
+                Premise::System(system) => is_integrated_from(derivation, t, system),
+                Premise::Claim(premise) => {
+                    let here = here(premise).and_then(|k| Some(&claims[k].results[*on[k].get(&t)?].verdict));
+                    let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                    verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
+                }
+                Premise::Definition => true,
             };
-            for (at, pair) in claims[account].results.iter().enumerate() {
-                let Some(&t) = tried.iter().find(|&&t| derivation.trajectories[t].id == pair.trajectory) else {
-                    continue;
-                };
-                let given = |name: &String| match derivation.premise(name) {
-                    Premise::System(system) => is_integrated_from(derivation, t, system),
-                    Premise::Claim(premise) => {
-                        let here = claimed.iter().position(|&c| c == premise).and_then(|k| {
-                            let pair = claims[k].results.iter().find(|p| p.trajectory == pair.trajectory)?;
-                            Some(&pair.verdict)
-                        });
-                        let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
-                        verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
-                    }
-                    Premise::Definition => true,
-                };
-                // Where something special is left out, only what is seen to hold is given the strength of the proof.
-                let open = match pair.verdict.outcome() {
-                    Outcome::Holds(strength) => strength < Strength::Proved,
-                    Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
-                    Outcome::NotApplicable(_) => false,
-                };
-                if open && !done.contains(&(account, at)) && identity.from.iter().all(given) {
-                    ready.push((account, at));
+            // Where something special is left out, only what is seen to hold is given the strength of the proof.
+            let open = match pair.verdict.outcome() {
+                Outcome::Holds(strength) => strength < Strength::Proved,
+                Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
+                Outcome::NotApplicable(_) => false,
+            };
+            if open && identity.from.iter().all(given) {
+                ready.push(at);
+            }
+        }
+        let proof = Proof { from: identity.from.clone(), conditions: Vec::new() };
+        for at in ready {
+            claims[k].results[at].verdict.prove_claim(&proof);
+        }
+    }
+}
+
+/// The claims, each after those that it follows from: there are no circles.
+fn premises_first(derivation: &Derivation, claimed: &[usize], claims: &[ClaimAccount]) -> Vec<usize> {
+    let premises = |k: usize| {
+        let of = |name: &String| match derivation.premise(name) {
+            Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        let proved = claims[k].identity.iter().flat_map(|i| &i.from);
+        derivation.claims[claimed[k]].follows_from.iter().chain(proved).filter_map(of).collect::<Vec<usize>>()
+    };
+    let mut out = Vec::with_capacity(claimed.len());
+    let mut seen = vec![false; claimed.len()];
+    for first in 0..claimed.len() {
+        // What is open, with its premises that are still to be seen.
+        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+        if !std::mem::replace(&mut seen[first], true) {
+            open.push((first, premises(first)));
+        }
+        while let Some((k, left)) = open.last_mut() {
+            match left.pop() {
+                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
+                Some(_) => {}
+                None => {
+                    out.push(*k);
+                    open.pop();
                 }
             }
         }
-        if ready.is_empty() {
-            return;
-        }
-        for (k, at) in ready {
-            done.insert((k, at));
-            let from = claims[k].identity.as_ref().map(|i| i.from.clone()).unwrap_or_default();
-            claims[k].results[at].verdict.prove_claim(&Proof { from, conditions: Vec::new() });
-        }
     }
+    out
 }
 
 /// Puts the columns together into the account.

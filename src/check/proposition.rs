@@ -54,10 +54,15 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     let scope = derivation.scope.clone();
     let source = typed("the formula", &proposition.formula);
     let conclusion = read(derivation, &source, &scope, &mut problems);
+    // Inequalities are decided where they are about positive parameters only, which is seen below.
+    let mut others = Vec::new();
     for relation in conclusion.iter().flat_map(|w| &w.value.relations) {
         if relation.kind != RelationKind::Equal || relation.limit.is_some() {
             let d = Diagnostic::at(&source, "prove::not-an-equation", relation.span.clone(), "this is no equation");
-            problems.push(d.hint("only equations are decided for all values; other relations can be premises"));
+            others.push(d.hint(
+                "only equations, and inequalities between positive parameters, are decided for all values; other relations can \
+                 be premises",
+            ));
         }
     }
     let (mut assuming, mut follows_from) = (Vec::new(), Vec::new());
@@ -106,6 +111,9 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         scope,
         span: 0..0,
     };
+    if !others.is_empty() && Step::of(derivation, &claim).is_none() {
+        return Err(CheckError::Problems(others));
+    }
     // What the other claims define is found in the derivation.
     derivation.claims.push(claim.clone());
     let decided = Step::of(derivation, &claim).and_then(Step::decide);
@@ -174,9 +182,6 @@ fn note_premise(source: &Arc<Source>, relation: &Relation, problems: &mut Vec<Di
     };
     if relation.limit.is_some() {
         note("a limit cannot be a premise", "say what is used of it, as an equation");
-    }
-    if relation.has_branches {
-        note("± cannot stand in a premise", "give the square of it, or one of the signs");
     }
 }
 

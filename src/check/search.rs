@@ -12,7 +12,7 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use super::{CheckError, Options, Rigor, check_claims};
+use super::{CheckError, Options, check_claims};
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
@@ -346,7 +346,7 @@ impl Trial<'_> {
                 let trajectories = (0..drafts.len()).map(id).collect();
                 match check_claims(
                     &mut read,
-                    &Options { claims, trajectories, plain: true, rigor: Rigor::Sampled },
+                    &Options { claims, trajectories, plain: true, ..Options::default() },
                     &|_, _| {},
                 ) {
                     Ok(account) => Some(account),

@@ -56,6 +56,13 @@ pub(super) struct Fields {
     pub state_leaves: Vec<Leaf>,
 }
 
+/// The numbers that the motions of a file may keep together.
+const MOST_NUMBERS: usize = 300_000_000;
+/// The numbers that a motion keeps of a state for every step: its polynomial, and its error.
+const NUMBERS_OF_A_STEP: usize = 23;
+/// So many steps are allowed in any case.
+const LEAST_STEPS: usize = 100;
+
 impl Fields {
     /// The field of every system, in the order of the file.
     pub fn all(&self) -> &[VectorField] {
@@ -76,6 +83,8 @@ impl Fields {
             ]);
         };
         let mut fields = Vec::new();
+        // The motions share the memory.
+        let each = MOST_NUMBERS / derivation.trajectories.len().max(1);
         for system in systems.iter() {
             // Observables on the right side are part of the system: it is closed in its states.
             let mut closed: Vec<(Expr, Expr)> = Vec::new();
@@ -85,7 +94,10 @@ impl Fields {
                 }
             }
             match VectorField::solve(graph, Some(time), &system.states, &closed) {
-                Ok(field) => fields.push(field),
+                Ok(field) => {
+                    let most = (each / (NUMBERS_OF_A_STEP * field.states().len().max(1))).max(LEAST_STEPS);
+                    fields.push(field.with_most_steps(most));
+                }
                 Err(error) => {
                     let message = format!("the system `{}` cannot be solved for its rates: {error}", system.id);
                     problems.push(Diagnostic::at(file, "flow::system", system.span.clone(), message));

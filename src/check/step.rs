@@ -24,6 +24,7 @@
 //! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
 
 mod gather;
+mod times;
 mod wording;
 
 use super::account::{AssumptionsUsed, IdentityAccount};
@@ -33,8 +34,9 @@ use super::identity::{
     identity_test_after, order,
 };
 use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
+use super::standing::{self, Decision, Finding};
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
 use gather::{Definitions, Gathered};
@@ -55,6 +57,10 @@ pub(super) struct Step<'a> {
     proved_at: Level,
     /// What is known to be open.
     memory: Memory,
+    /// Whether something given was used in part only: then nothing is refuted.
+    loosened: bool,
+    /// The sign for which the claim is asked, where it stands among its assumptions.
+    sign: Option<i64>,
 }
 
 /// What a proof took: how many of the definitions, see [`Definitions::LEVELS`], and whether products were taken apart.
@@ -72,6 +78,10 @@ struct Settled {
     identity: Identity,
 }
 
+/// The largest step that is tried, in nodes of its formulas, with what they are given and defined by.
+const MOST_NODES: usize = 6_000;
+/// Why a larger one is not.
+const TOO_LARGE: &str = "work limit: its formulas, with all that they follow from, are too large for a proof";
 /// Why a step between several times is open.
 const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
                           would need the solution of a differential equation";
@@ -93,6 +103,8 @@ fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {
 
 /// Real points that are tried while definitions are left out: nothing is refuted then.
 const FEW_POINTS: u32 = 24;
+/// Most exceptions of a proof that are looked at by themselves.
+const MOST_EXCEPTIONS: usize = 6;
 /// Most cases into which products are taken apart.
 const MOST_CASES: usize = 12;
 /// Claims with more assumptions are not tried without each of them.
@@ -100,6 +112,35 @@ const MOST_ASSUMPTIONS: usize = 6;
 
 /// Solving without an assumption is given up when it has made this many nodes: then the assumption counts as used.
 const LEFT_OUT_NODES: usize = 8_000;
+
+/// The accounts of both choices of a sign that stands among the assumptions.
+fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount {
+    let worse = |a: &IdentityAccount| match a.finding.decision() {
+        Decision::Refuted => 3,
+        Decision::Undecided => 2,
+        Decision::ProvedExcept => 1,
+        Decision::Proved => 0,
+    };
+    let (mut first, second) = if worse(&upper) >= worse(&lower) { (upper, lower) } else { (lower, upper) };
+    if first.finding.is_proved_in_part() {
+        first.log2_error = first.log2_error.zip(second.log2_error).map(|(a, b)| a.max(b) + 1.0);
+        let lists = [
+            (&mut first.conditions, second.conditions),
+            (&mut first.exceptions, second.exceptions),
+            (&mut first.given_only_where, second.given_only_where),
+        ];
+        for (list, more) in lists {
+            let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
+            list.extend(new);
+        }
+        // Each sign has certificates of its own.
+        first.evidence.certificates.clear();
+        first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
+        first.assumptions = None;
+    }
+    first.finding = first.finding.clone().and(second.finding);
+    first
+}
 
 /// Whether a proof leaves out the case that something divided by vanishes.
 fn has_exceptions(proof: &Proof) -> bool {
@@ -112,6 +153,25 @@ fn without_exceptions(identity: &Identity) -> bool {
 }
 
 impl<'a> Step<'a> {
+    /// The sides of a relation that decide by themselves: components, but of ≠ between vectors or matrices, of which some
+    /// component differs, the sum of the squares and 0. With the sign for which the claim is asked.
+    fn scalars(&mut self, relation: &Relation) -> Pairs {
+        let mut out: Pairs = pairs(relation).collect();
+        if relation.kind == RelationKind::NotEqual && out.len() > 1 {
+            let mut sum = self.graph.integer(0);
+            for (l, r) in out {
+                let difference = self.graph.sub(l, r);
+                let square = self.graph.powi(difference, 2);
+                sum = self.graph.add(sum, square);
+            }
+            out = vec![(sum, self.graph.integer(0))];
+        }
+        match self.sign {
+            Some(value) => self.branch(&out, value),
+            None => out,
+        }
+    }
+
     /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
     /// about parameters only.
     pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
@@ -126,6 +186,8 @@ impl<'a> Step<'a> {
             settled: None,
             proved_at: Level::default(),
             memory: Memory::default(),
+            sign: None,
+            loosened: false,
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
         (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
@@ -193,7 +255,7 @@ impl<'a> Step<'a> {
             false => Vec::new(),
         };
         IdentityAccount {
-            verdict: "refuted",
+            finding: Finding::of_motion(witness),
             from: Step::given(self.derivation, self.claim),
             conditions,
             witness: Some(format!(
@@ -209,11 +271,60 @@ impl<'a> Step<'a> {
         if !self.is_equations() {
             return self.by_order().map(Ok);
         }
-        let gathered = self.gather(None);
+        if self.assumes_sign() {
+            return self.for_each_sign();
+        }
+        self.decide_equations()
+    }
+
+    /// Whether ± stands among the assumptions of the claim.
+    fn assumes_sign(&self) -> bool {
+        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
+    }
+
+    /// A sign that stands among the assumptions is one with that of the claim: it must follow for both.
+    fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
+        let mut all: Option<IdentityAccount> = None;
+        for value in [1, -1] {
+            let mut step = Step::of(self.derivation, self.claim)?;
+            step.sign = Some(value);
+            let one = match step.decide_equations()? {
+                Ok(account) => account,
+                Err(defect) => return Some(Err(defect)),
+            };
+            // Under one sign the assumptions may not be possible.
+            if one.evidence.contradiction {
+                continue;
+            }
+            all = Some(match all {
+                None => one,
+                Some(before) => both_signs(before, one),
+            });
+        }
+        let contradiction = || {
+            let mut step = Step::of(self.derivation, self.claim)?;
+            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
+            Some(step.of_identity(Identity::Undecided(Reason::Contradiction), evidence))
+        };
+        all.or_else(contradiction).map(Ok)
+    }
+
+    /// Decides a claim that consists of equations.
+    fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
+        let mut gathered = self.gather(None);
         let mut equations = self.equations(self.claim)?;
         equations.retain(|(l, r)| l != r);
         if equations.is_empty() {
             return None;
+        }
+        if self.is_too_large(&gathered, &equations) {
+            return Some(Ok(self.open(&gathered, TOO_LARGE)));
+        }
+        let times = self.unite_times(&mut gathered, &mut equations);
+        let several =
+            self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
+        if let Some(present) = self.at_present(&mut gathered, &equations) {
+            equations = present;
         }
         let (mut identity, mut moved) = (self.levels(&gathered, &equations, false), false);
         if !matches!(identity, Identity::Proved(_)) {
@@ -223,13 +334,40 @@ impl<'a> Step<'a> {
                 None => self.settled = settled,
             }
         }
+        if let Identity::Proved(proof) = &identity
+            && has_exceptions(proof)
+        {
+            identity = match moved {
+                false => self.without_empty_cases(identity, &gathered, &equations, true),
+                // What was proved is about rates; a point that refutes it says nothing of values.
+                true => match self.start_and_rates(&gathered, &equations) {
+                    Some(all) => self.without_empty_cases(identity, &gathered, &all, false),
+                    None => identity,
+                },
+            };
+        }
+        if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
+            let still = self.at_rest(&gathered, &equations);
+            let undecided = !matches!(identity, Identity::Refuted(_)) || several;
+            let complete = gathered.complete && !self.loosened;
+            if let Some(refuted) = still.filter(|_| undecided && complete) {
+                self.settled = None;
+                let evidence = match self.evidence(&refuted) {
+                    Ok(evidence) => evidence,
+                    Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
+                };
+                let account = self.account(refuted, gathered.from.clone(), gathered.complete);
+                return Some(Ok(IdentityAccount { evidence, ..account }));
+            }
+        }
         let weighed =
             matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
         if !weighed && self.joins_times(&gathered, &equations) {
             return Some(Ok(self.open(&gathered, ONLY_RATES)));
         }
-        if matches!(identity, Identity::Refuted(_)) {
+        if matches!(identity, Identity::Refuted(_)) && (times.unclear || self.ties(&gathered)) {
             match self.at_fixed_time(&gathered, &equations) {
+                None if times.unclear => return Some(Ok(self.open(&gathered, UNCONNECTED))),
                 None => {}
                 Some(refuted @ Identity::Refuted(_)) => identity = refuted,
                 Some(_) => return Some(Ok(self.open(&gathered, UNCONNECTED))),
@@ -239,26 +377,104 @@ impl<'a> Step<'a> {
             Ok(evidence) => evidence,
             Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
         };
-        let account = self.account(reach(identity, &evidence), gathered.from.clone(), gathered.complete);
-        let mut account = IdentityAccount { evidence, ..account };
-        let leaping = match account.verdict {
-            "proved" => self.leaping(&gathered, &equations, moved),
-            _ => Vec::new(),
-        };
+        let identity = reach(identity, &evidence);
+        let proved = matches!(identity, Identity::Proved(_));
+        let leaping = if proved { self.leaping(&gathered, &equations, moved) } else { Vec::new() };
         if let (true, Some(&one)) = (moved, leaping.first()) {
             let reason = format!(
                 "both sides agree at one time and have the same rates, but `{}` may leap to another of its values between",
                 self.shown(one)
             );
-            account = IdentityAccount { reason: Some(reason), ..self.open(&gathered, ONLY_RATES) };
+            let account = self.open(&gathered, ONLY_RATES);
+            return Some(Ok(IdentityAccount { reason: Some(reason), evidence, ..account }));
         }
-        if account.verdict == "proved" {
+        let along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
+        let complete = gathered.complete && !self.loosened;
+        let account = self.account_along(identity, gathered.from.clone(), complete, along);
+        let mut account = IdentityAccount { evidence, ..account };
+        if account.finding.is_proved_in_part() {
             account.assumptions = self.assumptions_used(&equations, moved);
             account.generic |= !gathered.inherited.is_empty();
             account.presupposed.clone_from(&gathered.inherited);
-            account.exceptions.extend(self.continuation(&equations, moved, &leaping));
         }
         Some(Ok(account))
+    }
+
+    /// A proof without those of its exceptions that are empty, or in which the claim is proved, too; or the refutation that one
+    /// of them holds.
+    ///
+    /// What is claimed holds where what was divided by is not 0. Along a motion it holds at the limits of such times, too, since both
+    /// sides are continuous; what is left is that it is 0 on an interval, with all its derivatives: a premise like others.
+    fn without_empty_cases(
+        &mut self,
+        identity: Identity,
+        gathered: &Gathered,
+        equations: &Pairs,
+        refutes: bool,
+    ) -> Identity {
+        let Identity::Proved(mut proof) = identity else { return identity };
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaps =
+            self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
+        let zero = self.graph.integer(0);
+        let pivots = proof.conditions.iter().filter_map(|c| match *c {
+            Condition::Pivot(e) => Some(e),
+            _ => None,
+        });
+        let pivots: Vec<Expr> = pivots.take(MOST_EXCEPTIONS).collect();
+        for pivot in pivots {
+            // Auxiliary numbers are no part of the question.
+            let leaves = self.graph.leaves([pivot]);
+            let scope = &self.claim.scope;
+            if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
+                continue;
+            }
+            let moves = leaves
+                .iter()
+                .any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
+            if moves && leaps {
+                continue;
+            }
+            // What depends on the time alone vanishes at single times only, and both sides are continuous there.
+            if !leaps && !leaves.is_empty() && leaves.iter().all(|&l| Some(l) == scope.time()) {
+                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
+                continue;
+            }
+            let mut premises = self.premises(gathered, equations, Definitions::All);
+            premises.equations.insert(0, (pivot, zero));
+            let found = self.test_only(&premises, equations, &Options::default());
+            let discharged = match found {
+                Identity::Proved(case) => {
+                    let clean = !has_exceptions(&case);
+                    if clean {
+                        proof.log2_error = proof.log2_error.max(case.log2_error) + 1.0;
+                    }
+                    clean
+                }
+                Identity::Undecided(Reason::Contradiction) => true,
+                Identity::Refuted(refutation) if refutes && gathered.complete && !self.loosened => {
+                    self.settled = None;
+                    return Identity::Refuted(refutation);
+                }
+                Identity::Refuted(_) | Identity::Undecided(_) => {
+                    let mut case = gathered.clone();
+                    case.premises.equations.insert(0, (pivot, zero));
+                    if refutes
+                        && gathered.complete
+                        && !self.loosened
+                        && let Some(refuted) = self.at_rest(&case, equations)
+                    {
+                        self.settled = None;
+                        return refuted;
+                    }
+                    false
+                }
+            };
+            if discharged {
+                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
+            }
+        }
+        Identity::Proved(proof)
     }
 
     /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
@@ -280,6 +496,14 @@ impl<'a> Step<'a> {
         });
         (self.proved_at, self.settled) = (proved_at, settled);
         out
+    }
+
+    /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
+    fn is_too_large(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let given = gathered.systems.iter().chain(&gathered.premises.equations);
+        let mut roots: Vec<Expr> = equations.iter().chain(given).flat_map(|&(l, r)| [l, r]).collect();
+        self.add_definitions(&mut roots);
+        self.graph.reachable(roots).len() > MOST_NODES
     }
 
     /// The account of a step that stays open, for a reason.
@@ -369,10 +593,10 @@ impl<'a> Step<'a> {
         }
         for leaf in then {
             let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
-            premises.equations.push((pair[0], pair[1]));
+            premises.only_now.push((pair[0], pair[1]));
         }
         if let (Some(time), Some(instant)) = (scope.time(), instant) {
-            premises.equations.push((self.graph.leaf(time), instant));
+            premises.only_now.push((self.graph.leaf(time), instant));
         }
         Some(self.ask(&premises, equations, &Options::default(), false))
     }
@@ -478,6 +702,10 @@ impl<'a> Step<'a> {
 
     /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always.
     fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        // What holds at the present time only says nothing of rates.
+        let mut gathered = gathered.clone();
+        gathered.premises.only_now.clear();
+        let gathered = &gathered;
         let all = self.start_and_rates(gathered, equations)?;
         let proved = |i: &Identity| matches!(i, Identity::Proved(_));
         let found = self.levels(gathered, &all, false);

@@ -51,6 +51,7 @@ fn flatten(graph: &Graph, e: Expr, negative: bool, out: &mut Vec<(bool, Expr)>) 
             Node::Binary(Op::Add, a, b) => stack.extend([(b, negative), (a, negative)]),
             Node::Binary(Op::Sub, a, b) => stack.extend([(b, !negative), (a, negative)]),
             Node::Unary(Op::Neg, a) => stack.push((a, !negative)),
+            Node::Binary(Op::Restrict, a, _) => stack.push((a, negative)),
             _ if graph.is_zero(e) => {}
             _ => out.push((negative, e)),
         }

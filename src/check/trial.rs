@@ -134,6 +134,9 @@ pub(super) struct Trial<'a> {
     pub shown: bool,
 }
 
+/// The most parts of a claim that are looked at closer, each by itself.
+const MANY: usize = 64;
+
 /// The times at which a claim is tried, with the values there, and which of them count.
 pub(super) struct Tried<'a> {
     /// The times, increasing.
@@ -299,7 +302,9 @@ fn part(
     let setting = || describer.setting(tried.left.clone());
     let weighed = || weigh(setting(), &measured.parts[position]);
     // What is tried at events only is not looked at between them.
+    // Further times are looked at for each part by itself: not for those of a chain of a thousand relations.
     let closer = |finding: Finding| match program.at {
+        _ if program.parts.len() > MANY => finding,
         Some(_) => finding,
         None => at_peaks(trial, measured, position, look_closer(trial, measured, position, finding)),
     };

@@ -1,18 +1,19 @@
 //! `rederive check`.
 
 use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, CheckError, ClaimAccount, Options, Rigor, Summary};
+use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
 use rederive::derivation::Derivation;
 use rederive::diag::Diagnostic;
+use rederive::files::{named, write};
 use rederive::paper::{self, Comparison};
 use rederive::report;
 
 use super::outputs::{Found, json, standard, summary};
-use super::{CheckArguments, Exit, Format, Stop, complain, files, print};
+use super::{CheckArguments, Exit, Format, Stop, complain, files, print, say};
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut found = Found::default();
@@ -20,7 +21,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         found.write(&arguments.targets, arguments.quiet)?;
         Err(Stop::Diagnostics(problems))
     };
-    let mut derivations = match files::load_all(&files::find(&arguments.paths)?) {
+    let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
+    let inputs: Vec<PathBuf> = files::find(&arguments.paths)?;
+    let outputs: Vec<PathBuf> = arguments.targets.iter().filter_map(|t| t.output.clone()).collect();
+    let all_inputs: Vec<PathBuf> = inputs.iter().chain(&source).cloned().collect();
+    write::check_outputs(&outputs, &all_inputs, &[])?;
+    let mut derivations = match files::load_all(&inputs) {
         Ok(derivations) => derivations,
         Err(Stop::Diagnostics(problems)) => {
             found.problems(&problems);
@@ -28,7 +34,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         Err(stop) => return Err(stop),
     };
-    let paper = match arguments.source.as_ref().map(|path| paper::read(&files::within_project(path))).transpose() {
+    let paper = match source.as_ref().map(|path| paper::read(path)).transpose() {
         Ok(paper) => paper,
         Err(problem) => {
             found.problems(&[*problem.clone()]);
@@ -42,10 +48,16 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let (claims, trajectories) = (&arguments.claim, &arguments.trajectory);
     let filtered = !claims.is_empty() || !trajectories.is_empty();
 
+    let folder = |d: &Derivation| (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&d.id));
+    let folders: Vec<PathBuf> = derivations.iter().filter_map(folder).collect();
+    write::check_outputs(&outputs, &all_inputs, &folders)?;
+
+    let (limits, plain, rigor) = (arguments.limits.from_now(), arguments.only_verdicts, arguments.rigor.into());
+    let options = Options { rigor, plain, limits, ..Options::default() };
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
     for (i, mut derivation) in derivations.into_iter().enumerate() {
-        let account = match account(&mut derivation, claims, trajectories, arguments.rigor.into()) {
+        let account = match account(&mut derivation, claims, trajectories, &options) {
             Ok(account) => account,
             // The other files may have problems, too, or be good.
             Err(CheckError::Problems(noted)) => {
@@ -57,7 +69,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         };
         let compared = paper.as_ref().filter(|_| about.as_ref() == Some(&derivation.id));
         let compared = compared.map(|paper| paper::compare(&derivation, paper));
-        let folder = (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&derivation.id));
+        let folder = folder(&derivation);
         if let Some(folder) = &folder {
             write_reports(folder, &derivation, &account, compared.as_ref())?;
         }
@@ -73,7 +85,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             let written = folder.map(|f| format!("report: {}\n", f.join("report.md").display()));
             text.push_str(&written.unwrap_or_default());
         }
-        print(&text)?;
+        if format == Format::Text {
+            say(&text)?
+        } else {
+            print(&text)?
+        }
         let summary = account.summary();
         if let Some(compared) = &compared
             && compared.differences.len() + compared.unknown.len() > 0
@@ -117,7 +133,7 @@ pub fn account(
     derivation: &mut Derivation,
     claims: &[String],
     trajectories: &[String],
-    rigor: Rigor,
+    options: &Options,
 ) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
@@ -136,7 +152,7 @@ pub fn account(
         bar.set_position(done as u64);
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
-    let options = Options { claims: ids, trajectories: trajectories.to_vec(), rigor, ..Options::default() };
+    let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..options.clone() };
     let account = rederive::check::check(derivation, &options, &progress);
     bar.finish_and_clear();
     account.map(|mut account| {
@@ -191,5 +207,5 @@ fn write_reports(
     let files = [("report.json", data), ("report.md", markdown), ("index.html", page)];
     let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));
     let files: Vec<(&str, String)> = files.into_iter().chain(certificates).collect();
-    report::write_report(folder, &files, &[report::CERTIFICATES]).map_err(|e| Stop::Message(e.to_string()))
+    Ok(write::write_report(folder, &files, &[report::CERTIFICATES])?)
 }

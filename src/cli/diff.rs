@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use rederive::report;
+use rederive::{files, report};
 use serde_json::Value;
 
-use super::{DiffArguments, DiffFormat, Exit, Stop, print};
+use super::{DiffArguments, DiffFormat, Exit, Stop, say};
 
-/// Deepest folder inside a folder that is searched for reports.
-const DEEPEST: usize = 8;
+/// Largest size of a report.json, in bytes.
+const LARGEST_REPORT: u64 = 256 << 20;
 
 pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
     let (old, new) = (reports(&arguments.old)?, reports(&arguments.new)?);
@@ -19,7 +19,7 @@ pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
             .map_err(|e| Stop::Message(format!("`{}` cannot be compared: {e}", path.display())))?;
     }
     let changes = report::diff(&named(&old), &named(&new)).map_err(Stop::Message)?;
-    print(&report::diff_text(&changes, arguments.format == DiffFormat::Markdown))?;
+    say(&report::diff_text(&changes, arguments.format == DiffFormat::Markdown))?;
     Ok(if report::is_worse(&changes) { Exit::Different } else { Exit::Good })
 }
 
@@ -27,35 +27,18 @@ pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
 fn reports(path: &Path) -> Result<Vec<(PathBuf, Value)>, Stop> {
     let mut files = Vec::new();
     if path.is_dir() {
-        search(path, 0, &mut files)?
+        files = files::search(path, &|p| p.file_name().is_some_and(|n| n == "report.json"))?.found;
     } else {
         files.push(path.to_path_buf())
     }
-    files.sort();
     if files.is_empty() {
         return Err(Stop::Message(format!("there is no report.json in `{}`", path.display())));
     }
     let read = |file: PathBuf| {
-        let text = std::fs::read_to_string(&file)
-            .map_err(|e| Stop::Message(format!("`{}` cannot be read: {e}", file.display())))?;
-        let value =
-            serde_json::from_str(&text).map_err(|e| Stop::Message(format!("`{}` is not JSON: {e}", file.display())))?;
+        let bytes = files::read(&file, LARGEST_REPORT)?;
+        let value = serde_json::from_slice(&bytes)
+            .map_err(|e| Stop::Message(format!("`{}` is not JSON: {e}", file.display())))?;
         Ok((file, value))
     };
     files.into_iter().map(read).collect()
-}
-
-fn search(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) -> Result<(), Stop> {
-    let failed = |e: std::io::Error| Stop::Message(format!("`{}` cannot be read: {e}", folder.display()));
-    for entry in std::fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.is_dir() {
-            if depth < DEEPEST {
-                search(&path, depth + 1, out)?;
-            }
-        } else if path.file_name().is_some_and(|n| n == "report.json") {
-            out.push(path);
-        }
-    }
-    Ok(())
 }

@@ -1,9 +1,9 @@
 //! `rederive explain`.
 
-use rederive::check::Rigor;
+use rederive::check::Options;
 use rederive::report;
 
-use super::{Exit, ExplainArguments, Stop, check, files, print};
+use super::{Exit, ExplainArguments, Stop, check, files, say};
 
 pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let claims = [arguments.claim.clone()];
@@ -12,9 +12,9 @@ pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     derivations.retain(|d| files::concerns(d, &claims, &arguments.on));
     let mut shown = 0;
     for derivation in &mut derivations {
-        let account = check::account(derivation, &claims, &arguments.on, Rigor::Sampled)?;
+        let account = check::account(derivation, &claims, &arguments.on, &Options::default())?;
         shown += account.claims.iter().map(|c| c.verdicts().count()).sum::<usize>();
-        print(&report::explain(derivation, &account, true))?;
+        say(&report::explain(derivation, &account, true))?;
     }
     if shown == 0 {
         return Err(Stop::Message(format!("`{}` is not tried on this trajectory", arguments.claim)));

@@ -1,68 +1,35 @@
 //! Which derivation files are meant.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use rederive::derivation::{Derivation, load};
 use rederive::diag::{Diagnostic, nearest};
+use rederive::files;
 
-use super::Stop;
-
-/// Deepest folder inside a folder that is searched: links may lead in circles.
-const DEEPEST: usize = 16;
+use super::{Stop, complain};
 
 /// The derivation files that the paths name: files as they are, folders searched for `*.toml`, each once, in order.
 pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
     let mut found = Vec::new();
     for path in paths {
-        let path = within_project(path);
+        let path = files::named(path)?;
         if !path.is_dir() {
             found.push(path);
             continue;
         }
-        let before = found.len();
-        let mut inside = Vec::new();
-        search(&path, 0, &mut inside)?;
-        inside.sort();
-        found.extend(inside);
-        if found.len() == before {
+        let inside = files::search(&path, &|p| p.extension().is_some_and(|e| e == "toml"))?;
+        for link in &inside.links {
+            complain(&format!("`{}` is a link, and a search follows none: name it to check it\n", link.display()));
+        }
+        if inside.found.is_empty() {
             return Err(Stop::Message(format!("there is no derivation file (*.toml) in `{}`", path.display())));
         }
+        found.extend(inside.found);
     }
     let mut seen = BTreeSet::new();
     found.retain(|p| seen.insert(p.clone()));
     Ok(found)
-}
-
-fn search(folder: &Path, depth: usize, out: &mut Vec<PathBuf>) -> Result<(), Stop> {
-    let failed = |e: std::io::Error| Stop::Message(format!("`{}` cannot be read: {e}", folder.display()));
-    for entry in std::fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        let hidden = path.file_name().is_some_and(|n| n.to_string_lossy().starts_with('.'));
-        if hidden {
-            continue;
-        }
-        if path.is_dir() {
-            if depth < DEEPEST {
-                search(&path, depth + 1, out)?;
-            }
-        } else if path.extension().is_some_and(|e| e == "toml") {
-            out.push(path);
-        }
-    }
-    Ok(())
-}
-
-/// The path from the current folder, where it leads inside it.
-pub fn within_project(path: &Path) -> PathBuf {
-    let here = std::env::current_dir().ok();
-    let inside = here.and_then(|here| path.strip_prefix(here).ok().map(Path::to_path_buf));
-    let path = inside.unwrap_or_else(|| path.to_path_buf());
-    match path.strip_prefix(".") {
-        Ok(rest) if !rest.as_os_str().is_empty() => rest.to_path_buf(),
-        _ if path.as_os_str().is_empty() => PathBuf::from("."),
-        _ => path,
-    }
 }
 
 /// Reads every file; all problems of all files together.

@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
-use rederive::{paper, report};
+use rederive::files::{self, write};
+use rederive::paper;
 
-use super::{Exit, InitArguments, Stop, complain, files, print};
+use super::{Exit, InitArguments, Stop, complain, print};
 
 pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
-    let path = files::within_project(&arguments.paper);
+    let path = files::named(&arguments.paper)?;
     let paper = paper::read(&path).map_err(|problem| Stop::Diagnostics(vec![*problem]))?;
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     if paper.equations.is_empty() {
@@ -22,13 +23,11 @@ pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
         print(&draft.text)?;
         return Ok(Exit::Good);
     }
-    if output.exists() {
+    // A link that leads nowhere is something, too.
+    if output.symlink_metadata().is_ok() {
         return Err(Stop::Message(format!("`{}` is there already, and is not replaced", output.display())));
     }
-    let folder =
-        output.parent().filter(|f| !f.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), PathBuf::from);
-    let file = output.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    report::write_files(&folder, &[(&file, draft.text)]).map_err(|e| Stop::Message(e.to_string()))?;
+    write::write_file(&output, draft.text.as_bytes())?;
     complain(&format!(
         "{}: {} equations, {} formulas, {} more that cannot be read yet, {} symbols guessed\n\
          Look for `confirm` in it; then add a system and a motion.\n",

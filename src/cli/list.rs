@@ -1,11 +1,11 @@
 //! `rederive list`.
 
-use super::{Exit, ListArguments, Stop, files, print};
+use super::{Exit, ListArguments, Stop, files, say};
 use rederive::derivation::Derivation;
 
 pub fn list(arguments: &ListArguments) -> Result<Exit, Stop> {
     for derivation in files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)? {
-        print(&contents(&derivation))?;
+        say(&contents(&derivation))?;
     }
     Ok(Exit::Good)
 }

@@ -1,7 +1,7 @@
 //! `rederive manual`.
 
 use clap::{Command, CommandFactory};
-use rederive::report;
+use rederive::files::write;
 
 use super::{Arguments, Exit, ManualArguments, Stop, print};
 
@@ -12,7 +12,7 @@ pub fn manual(arguments: &ManualArguments) -> Result<Exit, Stop> {
     match &arguments.output {
         Some(folder) => {
             let files: Vec<(&str, String)> = pages.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
-            report::write_files(folder, &files).map_err(|e| Stop::Message(e.to_string()))?;
+            write::write_files(folder, &files)?;
         }
         None => print(pages.first().map_or("", |(_, text)| text))?,
     }

@@ -19,11 +19,14 @@ use std::io::Write;
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
-use rederive::check::{CheckError, Rigor};
+use rederive::check::{CheckError, Limits, Rigor};
+use rederive::diag::shown::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
+use rederive::files::FileError;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,6 +183,11 @@ struct CheckArguments {
     /// How much is asked of a verdict
     #[arg(long, value_enum, default_value = "enclosed")]
     rigor: RigorArgument,
+    /// Find the verdicts alone: no altered formulas, no corrections, nothing that separates the trajectories, no pictures
+    #[arg(long, conflicts_with = "min_discrimination")]
+    only_verdicts: bool,
+    #[command(flatten)]
+    limits: LimitArguments,
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
@@ -192,6 +200,34 @@ struct CheckArguments {
     /// Write no reports
     #[arg(long, conflicts_with = "reports")]
     no_reports: bool,
+}
+
+/// What a run may take.
+#[derive(clap::Args)]
+struct LimitArguments {
+    /// Begin nothing after so many seconds: what is left is undecided. Results may then differ from run to run
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    deadline: Option<Duration>,
+    /// Begin nothing while so many megabytes are in use: what is left is undecided (on Linux)
+    #[arg(long, value_name = "MEGABYTES")]
+    memory: Option<u64>,
+    /// Use so many threads; as many as there are processors, unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+}
+
+impl LimitArguments {
+    /// The limits, counted from now.
+    fn from_now(&self) -> Limits {
+        let deadline = self.deadline.and_then(|after| Instant::now().checked_add(after));
+        Limits { deadline, memory: self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000)) }
+    }
+}
+
+/// A number of seconds that is not negative.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let number = text.parse::<f64>().ok().and_then(|x| Duration::try_from_secs_f64(x).ok());
+    number.ok_or_else(|| "a number of seconds is expected".to_owned())
 }
 
 /// A number from 0 to 1.
@@ -310,6 +346,12 @@ enum Stop {
     Defect(String),
 }
 
+impl From<FileError> for Stop {
+    fn from(error: FileError) -> Stop {
+        Stop::Message(error.to_string())
+    }
+}
+
 impl From<CheckError> for Stop {
     fn from(error: CheckError) -> Stop {
         match error {
@@ -341,7 +383,39 @@ pub fn run() -> ExitCode {
             return ExitCode::from(if error.use_stderr() { Exit::BadInput.code() } else { Exit::Good.code() });
         }
     };
-    let exit = guarded(|| match &arguments.command {
+    let exit = with_threads(&arguments, || guarded(|| command(&arguments)));
+    ExitCode::from(exit.code())
+}
+
+/// Memory for the calls of one thread: formulas, tables and proofs may be nested as deep as their readers allow.
+const STACK: usize = 64 << 20;
+
+/// Runs something on threads with enough memory for their calls, and as many of them as were asked for.
+fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Exit + Send) -> Exit {
+    let jobs = match &arguments.command {
+        Command::Check(check) => check.limits.jobs,
+        _ => None,
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.map_or(0, usize::from)).stack_size(STACK);
+    if let Err(error) = pool.build_global() {
+        return defect(&format!("its threads cannot be started: {error}"));
+    }
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, run);
+        match thread.map(std::thread::ScopedJoinHandle::join) {
+            Ok(Ok(exit)) => exit,
+            Ok(Err(_)) => defect("it has stopped in the middle of its work"),
+            Err(error) => {
+                complain(&format!("error: no thread can be started: {error}\n"));
+                Exit::BadInput
+            }
+        }
+    })
+}
+
+/// Runs a command.
+fn command(arguments: &Arguments) -> Result<Exit, Stop> {
+    match &arguments.command {
         Command::Check(a) => check::check(a),
         Command::Explain(a) => explain::explain(a),
         Command::List(a) => list::list(a),
@@ -354,8 +428,7 @@ pub fn run() -> ExitCode {
         Command::Schema(a) => schema::schema(a),
         Command::Completions(a) => completions::completions(a),
         Command::Manual(a) => manual::manual(a),
-    });
-    ExitCode::from(exit.code())
+    }
 }
 
 /// Runs a command; problems are printed, and a panic is a defect of the program.
@@ -368,7 +441,7 @@ fn guarded(command: impl FnOnce() -> Result<Exit, Stop>) -> Exit {
             Exit::BadInput
         }
         Ok(Err(Stop::Message(message))) => {
-            complain(&format!("error: {message}\n"));
+            complain(&format!("error: {}\n", in_one_line(&message)));
             Exit::BadInput
         }
         Ok(Err(Stop::Defect(message))) => defect(&message),
@@ -387,13 +460,18 @@ fn defect(message: &str) -> Exit {
     Exit::Defect
 }
 
-/// Writes to standard error; colours are removed where they are not wanted.
+/// Writes to standard error what people read, see [`spoken`]; colours are removed where they are not wanted.
 fn complain(text: &str) {
     // If standard error is closed, there is no place left to say so.
-    let _ = anstream::stderr().write_all(text.as_bytes());
+    let _ = anstream::stderr().write_all(spoken(text).as_bytes());
 }
 
-/// Writes to standard output; colours are removed where they are not wanted.
+/// Writes to standard output what people read, see [`spoken`].
+fn say(text: &str) -> Result<(), Stop> {
+    print(&spoken(text))
+}
+
+/// Writes to standard output what programs read, as it is; colours are removed where they are not wanted.
 ///
 /// A reader who has seen enough and closed the pipe is no failure, and does not keep the rest of the work from being done.
 fn print(text: &str) -> Result<(), Stop> {

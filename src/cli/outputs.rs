@@ -1,10 +1,11 @@
 //! Which formats go where: `--format F` to standard output, `--format F --output FILE` to a file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ArgMatches;
 use rederive::check::Account;
 use rederive::derivation::Derivation;
+use rederive::files::write;
 use rederive::paper::Comparison;
 use rederive::report::{self, Checked, Finding};
 
@@ -39,7 +40,9 @@ pub fn targets(matches: &ArgMatches, formats: &[Format], outputs: &[PathBuf]) ->
         target.output = Some(file.clone());
     }
     let named: Vec<&PathBuf> = out.iter().filter_map(|t| t.output.as_ref()).collect();
-    if let Some(twice) = named.iter().enumerate().find(|(i, f)| named[..*i].contains(f)).map(|(_, f)| f) {
+    if let Some(twice) =
+        named.iter().enumerate().find(|(i, f)| named[..*i].iter().any(|g| write::same_place(g, f))).map(|(_, f)| f)
+    {
         return Err(format!("`{}` is the output of two formats", twice.display()));
     }
     if out.iter().filter(|t| t.output.is_none()).count() > 1 {
@@ -107,7 +110,7 @@ impl Found {
     pub fn write(&self, targets: &[Target], quiet: bool) -> Result<(), Stop> {
         for target in targets {
             match &target.output {
-                Some(file) => write(file, self.text(target.format, quiet))?,
+                Some(file) => write::write_file(file, self.text(target.format, quiet).as_bytes())?,
                 None if target.format.is_printed_by_file() => {}
                 None => print(&self.text(target.format, quiet))?,
             }
@@ -129,12 +132,4 @@ pub fn summary(derivation: &Derivation, account: &Account, paper: Option<&Compar
     let mut out = report::summary(derivation, account, colour);
     out.extend(paper.map(|paper| report::paper_summary(derivation, paper)));
     out
-}
-
-fn write(file: &Path, text: String) -> Result<(), Stop> {
-    let folder = file.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let Some(name) = file.file_name().and_then(|n| n.to_str()) else {
-        return Err(Stop::Message(format!("`{}` is not the name of a file", file.display())));
-    };
-    report::write_files(folder, &[(name, text)]).map_err(|e| Stop::Message(e.to_string()))
 }

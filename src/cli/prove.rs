@@ -3,12 +3,15 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use rederive::check::standing::Decision;
 use rederive::check::{Proposition, with_symbols_of};
 use rederive::derivation::{Derivation, load};
 use rederive::diag::Diagnostic;
+use rederive::diag::shown::shown;
+use rederive::files::named;
 use rederive::report;
 
-use super::{Exit, Stop, print};
+use super::{Exit, Stop, print, say};
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words are
 those of [symbols] in a derivation file: a role (parameter, which is so unless given; state,
@@ -21,10 +24,10 @@ and no time, t is the time.
   rederive prove '2E={\bf m}^TI^{-1}{\bf m}' --in derivations/top.toml --given t8 --given 'm_1=0'
 
 Exit codes:
-  0   proved
+  0   proved: no case is left out
   1   refuted
   2   the command line, a formula or a file could not be read
-  3   undecided; also when what is given contradicts itself
+  3   undecided, also when what is given contradicts itself; or proved except in cases that are named
   70  a defect of rederive itself";
 
 /// For which points a sign of ± must serve.
@@ -74,18 +77,22 @@ enum Output {
 
 pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
     let mut derivation = match &arguments.file {
-        Some(path) => load(path).map_err(Stop::Diagnostics)?,
+        Some(path) => load(&named(path)?).map_err(Stop::Diagnostics)?,
         None => Derivation::blank(),
     };
     if let Some(claim) = &arguments.scope {
         with_symbols_of(&mut derivation, claim, "--scope")?;
     }
-    let typed: Vec<(String, String)> =
-        arguments.symbol.iter().enumerate().map(|(at, text)| (format!("symbol {}", at + 1), text.clone())).collect();
+    let typed: Vec<(String, String)> = arguments
+        .symbol
+        .iter()
+        .enumerate()
+        .map(|(at, text)| (format!("symbol {}", at + 1), shown(text).into_owned()))
+        .collect();
     derivation.declare_typed(&typed).map_err(Stop::Diagnostics)?;
     let proposition = Proposition {
-        formula: arguments.formula.clone(),
-        given: arguments.given.clone(),
+        formula: shown(&arguments.formula).into_owned(),
+        given: arguments.given.iter().map(|text| shown(text).into_owned()).collect(),
         throughout: arguments.branches == Signs::Throughout,
     };
     let account = rederive::check::prove(&mut derivation, &proposition).map_err(|error| match Stop::from(error) {
@@ -96,11 +103,14 @@ pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
         (Output::Json, _) => report::proposition_json(&proposition, &account),
         (Output::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
     };
-    print(&text)?;
-    Ok(match account.verdict {
-        "proved" => Exit::Good,
-        "refuted" => Exit::Different,
-        _ => Exit::Undecided,
+    match arguments.format {
+        Output::Json => print(&text)?,
+        Output::Text => say(&text)?,
+    }
+    Ok(match account.finding.decision() {
+        Decision::Proved => Exit::Good,
+        Decision::Refuted => Exit::Different,
+        Decision::ProvedExcept | Decision::Undecided => Exit::Undecided,
     })
 }
 

@@ -6,16 +6,17 @@
 //! Whatever fails, the next program that is found is tried, and all failures are told if none succeeds.
 
 use std::fs::File;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use rederive::check::{Options, check};
 use rederive::derivation::{Derivation, load};
+use rederive::files::{self, write};
 use rederive::report;
 
-use super::{Exit, ReportArguments, Stop, complain, files};
+use super::{Exit, ReportArguments, Stop, complain};
 
 /// How a program makes a PDF file.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -43,6 +44,8 @@ const PROGRAMS: [(&str, Way); 9] = [
     ("msedge", Way::Browser),
 ];
 
+/// Largest PDF file, in bytes.
+const LARGEST_PDF: u64 = 256 << 20;
 /// How often LaTeX is run: the second time it knows the widths of its tables, and where its pages are.
 const RUNS: usize = 2;
 /// How long a program may take.
@@ -60,7 +63,8 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
             names.join(", ")
         )));
     }
-    let path = files::within_project(&arguments.file);
+    let path = files::named(&arguments.file)?;
+    write::check_outputs(std::slice::from_ref(&arguments.pdf), std::slice::from_ref(&path), &[])?;
     let mut derivation = load(&path).map_err(Stop::Diagnostics)?;
     let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
     let account = check(&mut derivation, &options, &|_, _| {})?;
@@ -70,7 +74,7 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
     for (name, program, way) in &programs {
         match made(program, *way, &sources) {
             Ok(pdf) => {
-                write(&arguments.pdf, &pdf)?;
+                write::write_file(&arguments.pdf, &pdf)?;
                 complain(&format!("{}: written by {name}\n", told(&arguments.pdf, &derivation)));
                 return Ok(Exit::Good);
             }
@@ -110,7 +114,7 @@ fn is_program(path: &Path) -> bool {
 /// What a program makes of the sources, in a folder of its own; or why it makes nothing, in words that follow its name.
 fn made(program: &Path, way: Way, sources: &[(&str, String)]) -> Result<Vec<u8>, String> {
     let room = tempfile::tempdir().map_err(|e| format!("was not run, since there is no room for its files: {e}"))?;
-    report::write_files(room.path(), sources).map_err(|e| format!("was not run: {e}"))?;
+    write::write_files(room.path(), sources).map_err(|e| format!("was not run: {e}"))?;
     let folder = room.path();
     let latex = ["-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape"];
     let mut commands = Vec::new();
@@ -124,6 +128,7 @@ fn made(program: &Path, way: Way, sources: &[(&str, String)]) -> Result<Vec<u8>,
             let mut browser = command(program, folder, &["--headless", "--disable-gpu", "--no-pdf-header-footer"]);
             if is_privileged(folder) {
                 // It refuses to build its sandbox then. The page fetches nothing, and its only script is ours.
+                complain("the browser runs without its sandbox, since this is the administrator's account\n");
                 browser.arg("--no-sandbox");
             }
             browser.arg(format!("--user-data-dir={}", folder.join("profile").display()));
@@ -135,7 +140,8 @@ fn made(program: &Path, way: Way, sources: &[(&str, String)]) -> Result<Vec<u8>,
     for mut command in commands {
         run(&mut command, folder)?;
     }
-    let pdf = std::fs::read(folder.join("report.pdf")).map_err(|_| "ended well, but wrote no PDF file".to_owned())?;
+    let pdf = files::read(&folder.join("report.pdf"), LARGEST_PDF)
+        .map_err(|_| "ended well, but wrote no PDF file".to_owned())?;
     // A file that breaks off is none.
     let tail = &pdf[pdf.len().saturating_sub(1024)..];
     if !pdf.starts_with(b"%PDF-") || !tail.windows(5).any(|w| w == b"%%EOF") {
@@ -189,21 +195,4 @@ fn run(command: &mut Command, folder: &Path) -> Result<(), String> {
     // LaTeX marks an error so.
     let why = text.lines().find(|line| line.starts_with('!')).map(|line| format!(": {line}")).unwrap_or_default();
     Err(format!("failed{why}"))
-}
-
-/// Writes a file, whole or not at all.
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Stop> {
-    let failed = |e: &dyn std::fmt::Display| Stop::Message(format!("`{}` cannot be written: {e}", path.display()));
-    let folder = path.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if path.is_dir() {
-        return Err(failed(&"there is a folder of this name"));
-    }
-    std::fs::create_dir_all(folder).map_err(|e| failed(&e))?;
-    let mut options = tempfile::Builder::new();
-    #[cfg(unix)]
-    options.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = options.tempfile_in(folder).map_err(|e| failed(&e))?;
-    file.write_all(bytes).and_then(|()| file.flush()).map_err(|e| failed(&e))?;
-    file.persist(path).map_err(|e| failed(&e.error))?;
-    Ok(())
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rederive::check::search::{Found, SearchAccount, SearchOptions};
 
-use super::{Exit, Stop, complain, files, print};
+use super::{Exit, Stop, complain, files, say};
 
 /// What the exit code of a search means.
 pub const EXIT_CODES: &str = "\
@@ -58,7 +58,7 @@ pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
         say_known(&account);
         match &account.found {
             Some(found) => {
-                print(&table(found, &options, account.variant.as_deref()))?;
+                say(&table(found, &options, account.variant.as_deref()))?;
                 if found.listed {
                     complain(&format!("`{}` names its trajectories: add \"{}\" to them\n", found.claim, found.id));
                 }

@@ -7,23 +7,23 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use rederive::check::{Cache, CheckError};
-use rederive::derivation::load;
+use rederive::derivation::{LARGEST_FILE, load};
 use rederive::diag::{Diagnostic, render, sort};
-use rederive::report;
+use rederive::{files, report};
 
-use super::{Exit, Stop, WatchArguments, complain, files, print};
+use super::{Exit, Stop, WatchArguments, complain, say};
 
 /// Between two looks at the file.
 const PAUSE: Duration = Duration::from_millis(25);
 
 pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
-    let path = files::within_project(&arguments.file);
+    let path = files::named(&arguments.file)?;
     let mut cache = Cache::default();
     let mut last = None;
     let mut checks = 0;
     loop {
         // A file that is being replaced may be missing for a moment; if it stays away, that is told once.
-        let now = std::fs::read(&path).ok();
+        let now = files::read(&path, LARGEST_FILE).ok();
         if now.is_some() && now != last || last.is_none() && checks == 0 {
             last = now;
             check(&path, &mut cache)?;
@@ -61,7 +61,7 @@ fn check(path: &Path, cache: &mut Cache) -> Result<(), Stop> {
         "{}: {} claims checked again in {took} ms; {} hold, {} fail, {} do not apply, {} undecided, {} not as expected\n",
         derivation.id, checked.len(), summary.holds, summary.fails, summary.not_applicable, summary.undecided, summary.unexpected,
     ));
-    print(&text)
+    say(&text)
 }
 
 fn problems(mut found: Vec<Diagnostic>) {

@@ -265,7 +265,7 @@ impl Loader<'_> {
 
     fn relations(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
         for formula in table.formulas(&mut self.problems, kind.key()) {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            claim.formulas.push(Formula { text: formula.printed(), kind });
             let make: fn(Written<Statement>) -> Form = match kind {
                 FormKind::Never => Form::Never,
                 FormKind::Eventually => Form::Eventually,
@@ -284,7 +284,7 @@ impl Loader<'_> {
 
     fn expressions(&mut self, claim: &mut Claim, table: &Table<'_, '_>, kind: FormKind) {
         for formula in table.formulas(&mut self.problems, kind.key()) {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind });
+            claim.formulas.push(Formula { text: formula.printed(), kind });
             let make: fn(Written<Tensor>) -> Form = match kind {
                 FormKind::FirstIntegral => Form::FirstIntegral,
                 _ => Form::Defined,
@@ -330,12 +330,12 @@ impl Loader<'_> {
         let Some(table) = Table::open(&mut self.problems, value, "independent", keys::INDEPENDENT) else { return };
         let mut functions = Vec::new();
         for formula in table.formulas(&mut self.problems, "functions") {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Independent });
-            functions.extend(self.expression(&formula, &claim.scope));
+            claim.formulas.push(Formula { text: formula.printed(), kind: FormKind::Independent });
+            functions.extend(self.quantity(&formula, &claim.scope));
         }
         let mut subject_to = Vec::new();
         for formula in table.formulas(&mut self.problems, "subject-to") {
-            subject_to.extend(self.statements(&formula, &claim.scope));
+            subject_to.extend(self.with_one_sign(&formula, &claim.scope));
         }
         if table.get("functions").is_none() {
             table.missing(&mut self.problems, "functions");
@@ -443,7 +443,7 @@ impl Loader<'_> {
             table.missing(&mut self.problems, "formula");
         }
         let formula: Option<Literal<'_>> = table.formula(&mut self.problems, "formula");
-        let formula = formula.and_then(|f| self.expression(&f, &scope));
+        let formula = formula.and_then(|f| self.quantity(&f, &scope));
         let at = table.formula(&mut self.problems, "at").and_then(|f| self.event(&f, &scope));
         let trajectories = match table.get("trajectories") {
             Some(_) => self.some_trajectories(&table),

@@ -27,7 +27,7 @@ impl Loader<'_> {
         let before = self.problems.found.len();
         let mut holds = Vec::new();
         for formula in table.formulas(&mut self.problems, "holds") {
-            holds.extend(self.statements(&formula, &scope));
+            holds.extend(self.with_one_sign(&formula, &scope));
         }
         let (id, span) = id?;
         let new = self.take("condition", &id, span.clone());

@@ -11,6 +11,8 @@
 //! **Why this way:** the file is walked by hand, not by derived deserializers: those stop at the first problem, and a person
 //! who writes a file wants to see all of them. The format is described in `docs/derivation-file.md`.
 
+#![forbid(unsafe_code)]
+
 mod claims;
 mod conditions;
 pub mod keys;

@@ -1,7 +1,6 @@
 //! From the bytes of a file to a [`Derivation`].
 
 use std::collections::HashMap;
-use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -11,10 +10,12 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys;
 use super::model::{Derivation, System, Trajectory, Written};
-use super::table::{Literal, Problems, Table, check_id, text_of};
+use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
+use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
-use latex::{self, Relation, RelationKind, Scope, Statement};
+use files::Why;
+use latex::{self, Logarithm, Relation, RelationKind, Scope, Statement};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;
@@ -24,22 +25,16 @@ pub const LARGEST_FILE: u64 = 4 << 20;
 /// # Errors
 /// Every problem of the file, in the order of their places.
 pub fn load(path: &Path) -> Result<Derivation, Vec<Diagnostic>> {
-    let shown = path.display().to_string();
+    let shown = shown(&path.display().to_string()).into_owned();
     let one = |d: Diagnostic| vec![d];
-    let unreadable = |e: std::io::Error| {
-        one(Diagnostic::of_file(&shown, "derivation::unreadable", format!("this file cannot be read: {e}")))
-    };
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    if file.metadata().map_err(unreadable)?.is_dir() {
-        let d = Diagnostic::of_file(&shown, "derivation::unreadable", "this is a folder, not a file");
-        return Err(one(d));
-    }
-    let mut bytes = Vec::new();
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        let message = format!("this file is larger than {} MiB", LARGEST_FILE >> 20);
-        return Err(one(Diagnostic::of_file(&shown, "derivation::too-large", message)));
-    }
+    let bytes = files::read(path, LARGEST_FILE).map_err(|error| {
+        let (code, message) = match error.why {
+            Why::NotAFile(what) => ("derivation::unreadable", format!("this is {what}, not a file")),
+            Why::TooLarge(_) => ("derivation::too-large", format!("this file {}", error.why)),
+            why => ("derivation::unreadable", format!("this file {why}")),
+        };
+        one(Diagnostic::of_file(&shown, code, message))
+    })?;
     let text = String::from_utf8(bytes).map_err(|e| {
         let at = e.utf8_error().valid_up_to();
         let line = e.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
@@ -146,7 +141,17 @@ impl<'s> Loader<'s> {
                 DeValue::Table(entries) => {
                     for (key, value) in entries {
                         if let Some(text) = text_of(problems, value, key.get_ref()) {
-                            self.out.conventions.push((key.get_ref().to_string(), text.trim().to_owned()));
+                            if key.get_ref() == "log" {
+                                match text.trim() {
+                                    "natural" => self.out.scope.set_logarithm(Logarithm::Natural),
+                                    "decimal" => self.out.scope.set_logarithm(Logarithm::Decimal),
+                                    other => {
+                                        let message = format!("`log` is `natural` or `decimal`, not `{other}`");
+                                        problems.note("derivation::wrong-type", value.span(), message);
+                                    }
+                                }
+                            }
+                            self.out.conventions.push((in_one_line(key.get_ref()), shown(text.trim()).into_owned()));
                         }
                     }
                 }
@@ -196,6 +201,29 @@ impl<'s> Loader<'s> {
                 None
             }
         }
+    }
+
+    /// A formula that stands for one value: without ±.
+    pub fn quantity(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Tensor>> {
+        match latex::read_quantity(formula.text, scope, &mut self.out.graph) {
+            Ok(tensor) => Some(written(formula, 0..formula.text.len(), tensor)),
+            Err(found) => {
+                self.note_formula(formula, found);
+                None
+            }
+        }
+    }
+
+    /// Relations where ± has no scope: it is refused.
+    pub fn with_one_sign(&mut self, formula: &Literal<'_>, scope: &Scope) -> Vec<Written<Statement>> {
+        let statements = self.statements(formula, scope);
+        for statement in statements.iter().filter(|s| s.value.relations.iter().any(|r| r.has_branches)) {
+            let message = "± has no meaning here: there is no claim that it belongs to";
+            self.problems
+                .note("latex::branches", statement.span.clone(), message)
+                .hint("write the relation for one sign, or for both");
+        }
+        statements
     }
 
     /// An event: one `=` between scalars.
@@ -264,5 +292,5 @@ pub(super) fn written<T>(formula: &Literal<'_>, part: Range<usize>, value: T) ->
     };
     let trimmed = text.trim();
     let start = formula.start + part.start + (text.len() - text.trim_start().len());
-    Written { text: trimmed.to_owned(), span: start..start + trimmed.len(), value }
+    Written { text: as_printed(trimmed), span: start..start + trimmed.len(), value }
 }

@@ -7,6 +7,7 @@ use diag::Source;
 use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
+use super::premise::Index;
 use super::unit::Unit;
 
 /// A formula as written, where it stands, and what it means.
@@ -59,6 +60,8 @@ pub struct Derivation {
     pub given: Vec<GivenValue>,
     /// Pictures of the motions.
     pub pictures: Vec<Picture>,
+    /// What is asked of the whole file again and again, found once.
+    pub(super) index: Index,
 }
 
 /// A declared symbol.

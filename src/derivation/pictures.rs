@@ -82,7 +82,7 @@ impl Loader<'_> {
         let scope = self.out.scope.clone();
         let mut out = Vec::new();
         for formula in formulas {
-            let Some(read) = self.expression(&formula, &scope) else { continue };
+            let Some(read) = self.quantity(&formula, &scope) else { continue };
             match read.value.as_scalar() {
                 Some(value) => out.push(super::model::Written { text: read.text, span: read.span, value }),
                 None => {

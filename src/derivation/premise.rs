@@ -3,6 +3,7 @@
 //! **Guaranteed:** a name means one thing, and no claim of a [`Derivation`] follows from itself, not even through others.
 //! A circle of claims would prove them all from nothing.
 
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::load::Loader;
@@ -18,6 +19,13 @@ pub enum Premise {
     Claim(usize),
     /// The definition of a symbol, which is always given.
     Definition,
+}
+
+/// The names of claims and systems, and the symbols that are angles. A file may have as many as it likes, and each claim asks.
+#[derive(Clone, Debug, Default)]
+pub struct Index {
+    names: HashMap<String, Premise>,
+    angles: HashSet<Symbol>,
 }
 
 impl Claim {
@@ -36,6 +44,9 @@ impl Derivation {
     ///
     /// Of a claim with readings, its id alone means the claim itself where it says something, otherwise the first reading.
     pub fn premise(&self, name: &str) -> Premise {
+        if !self.index.names.is_empty() {
+            return self.index.names.get(name).copied().unwrap_or(Premise::Definition);
+        }
         if let Some(system) = self.systems.iter().position(|s| s.id == name) {
             return Premise::System(system);
         }
@@ -49,9 +60,36 @@ impl Derivation {
     }
 }
 
+impl Derivation {
+    /// Makes the index, when all claims are there.
+    pub(super) fn make_index(&mut self) {
+        let mut names = HashMap::new();
+        for (at, claim) in self.claims.iter().enumerate() {
+            names.entry(claim.id.clone()).or_insert(Premise::Claim(at));
+            if let Some(reading) = &claim.reading {
+                names.entry(format!("{}/{reading}", claim.id)).or_insert(Premise::Claim(at));
+            }
+        }
+        // Systems go before claims.
+        for (at, system) in self.systems.iter().enumerate().rev() {
+            names.insert(system.id.clone(), Premise::System(at));
+        }
+        let angles = self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols)).filter(|s| s.angle);
+        self.index = Index { names, angles: angles.map(|s| s.symbol).collect() };
+    }
+
+    /// Whether a symbol of the file is an angle, which is continued along a motion.
+    pub fn is_angle(&self, symbol: Symbol) -> bool {
+        let declared = || self.symbols.iter().chain(self.claims.iter().flat_map(|c| &c.symbols));
+        self.index.angles.contains(&symbol)
+            || self.index.names.is_empty() && declared().any(|s| s.angle && s.symbol == symbol)
+    }
+}
+
 impl Loader<'_> {
     /// Refuses claims that follow from themselves through others.
     pub fn circles(&mut self) {
+        self.out.make_index();
         let claims = &self.out.claims;
         let premises: Vec<Vec<usize>> = claims
             .iter()

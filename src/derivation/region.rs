@@ -189,7 +189,7 @@ impl Loader<'_> {
         }
         let mut such_that: Vec<Written<Statement>> = Vec::new();
         for formula in table.formulas(&mut self.problems, "such-that") {
-            claim.formulas.push(Formula { text: formula.text.trim().to_owned(), kind: FormKind::Exists });
+            claim.formulas.push(Formula { text: formula.printed(), kind: FormKind::Exists });
             such_that.extend(self.statements(&formula, &scope));
         }
         let unique = table.boolean(&mut self.problems, "unique").unwrap_or(false);

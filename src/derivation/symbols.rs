@@ -5,7 +5,7 @@ use toml::de::{DeTable, DeValue};
 use super::keys;
 use super::load::Loader;
 use super::model::SymbolEntry;
-use super::table::{Literal, Table, Value, literal_of, note_double_quoted};
+use super::table::{Literal, Table, Value, as_printed, literal_of, note_double_quoted};
 use expr::Shape;
 use latex::{Declaration, DeclareError, Role, Scope};
 
@@ -110,13 +110,13 @@ impl Loader<'_> {
         let (unit, measured_in) = self.unit(&table);
         let problems = &mut self.problems;
         let entry = SymbolEntry {
-            name: name.to_owned(),
+            name: as_printed(name),
             role,
             unit,
             measured_in,
             positive: table.boolean(problems, "positive").unwrap_or(false),
             angle: table.boolean(problems, "angle").unwrap_or(false),
-            formula: formula.as_ref().map(|f| f.text.trim().to_owned()),
+            formula: formula.as_ref().map(Literal::printed),
             arguments: names.iter().map(|&n| n.to_owned()).collect(),
             says: table.text(problems, "says"),
             span: span.clone(),

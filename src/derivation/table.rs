@@ -6,7 +6,10 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use diag::shown::shown;
 use diag::{Diagnostic, Label, Source, nearest};
+use files::is_portable;
+use latex::printed;
 
 /// A value and its place.
 pub(super) type Value<'s> = Spanned<DeValue<'s>>;
@@ -95,6 +98,18 @@ pub(super) struct Literal<'a> {
     pub span: Range<usize>,
 }
 
+impl Literal<'_> {
+    /// The formula without what is not set: what is kept of it.
+    pub fn printed(&self) -> String {
+        as_printed(self.text)
+    }
+}
+
+/// A formula without what is not set; a text that is no formula, as it may be shown.
+pub(super) fn as_printed(text: &str) -> String {
+    printed(text).unwrap_or_else(|| shown(text.trim()).into_owned())
+}
+
 /// One table.
 #[derive(Clone)]
 pub(super) struct Table<'a, 's> {
@@ -142,7 +157,7 @@ impl<'a, 's> Table<'a, 's> {
     /// A text, not a formula.
     pub fn text(&self, problems: &mut Problems<'_>, key: &str) -> Option<String> {
         let value = self.get(key)?;
-        text_of(problems, value, key).map(|t| t.trim().to_owned())
+        text_of(problems, value, key).map(|t| shown(t.trim()).into_owned())
     }
 
     /// A text that must be there and say something.
@@ -151,7 +166,7 @@ impl<'a, 's> Table<'a, 's> {
             self.missing(problems, key);
             return None;
         };
-        let text = text_of(problems, value, key)?.trim().to_owned();
+        let text = shown(text_of(problems, value, key)?.trim()).into_owned();
         if text.is_empty() {
             problems.note("derivation::missing-key", value.span(), format!("`{key}` is empty"));
             return None;
@@ -209,6 +224,16 @@ impl<'a, 's> Table<'a, 's> {
 pub(super) fn check_id(problems: &mut Problems<'_>, id: &str, span: Range<usize>) -> bool {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
     let good = id.starts_with(|c: char| c.is_ascii_alphanumeric()) && id.chars().all(allowed) && id.len() <= 100;
+    if good && !is_portable(id) {
+        problems
+            .note(
+                "derivation::bad-id",
+                span,
+                format!("`{id}` cannot be an id: it cannot be the name of a file on Windows"),
+            )
+            .hint("do not end it with a dot, and do not call it con, prn, aux, nul, com1 … or lpt1 …");
+        return false;
+    }
     if !good {
         let message = format!("`{id}` cannot be an id");
         problems

@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use super::model::{Derivation, SymbolEntry};
 use super::symbols::{ROLES, parse_shape};
+use super::table::as_printed;
 use diag::{Diagnostic, Source, nearest};
 use expr::{Graph, Shape};
 use latex::{Declaration, DeclareError, Role, Scope};
@@ -39,6 +40,7 @@ impl Derivation {
             conditions: Vec::new(),
             pictures: Vec::new(),
             given: Vec::new(),
+            index: super::premise::Index::default(),
         }
     }
 
@@ -104,14 +106,14 @@ impl Derivation {
             }
         })?;
         self.symbols.push(SymbolEntry {
-            name: name.to_owned(),
+            name: as_printed(name),
             symbol,
             role: typed.role,
             unit: None,
             measured_in: None,
             positive: typed.positive,
             angle: typed.angle,
-            formula: formula.map(str::to_owned),
+            formula: formula.map(as_printed),
             arguments,
             says: None,
             span: span.clone(),

@@ -7,7 +7,7 @@ use toml::de::DeValue;
 use super::load::Loader;
 use super::model::Written;
 use super::number::rational;
-use super::table::{Value, literal_of};
+use super::table::{Value, as_printed, literal_of};
 use expr::{Expr, Leaf, Symbol};
 use latex::Scope;
 
@@ -40,13 +40,13 @@ impl Loader<'_> {
                 None
             }
         }?;
-        Some(Written { text, span, value })
+        Some(Written { text: as_printed(&text), span, value })
     }
 
     /// A formula for all components at once.
     fn formula_components(&mut self, value: &Value<'_>, symbol: Symbol, scope: &Scope) -> Option<Vec<Expr>> {
         let formula = literal_of(&mut self.problems, value, "the value")?;
-        let read = self.expression(&formula, scope)?;
+        let read = self.quantity(&formula, scope)?;
         let graph = &self.out.graph;
         let shape = graph.shape(symbol);
         if read.value.shape != *shape {
@@ -109,7 +109,7 @@ impl Loader<'_> {
             return None;
         }
         let formula = literal_of(&mut self.problems, value, "the value")?;
-        let read = self.expression(&formula, scope)?;
+        let read = self.quantity(&formula, scope)?;
         let scalar = read.value.as_scalar();
         if scalar.is_none() {
             let message = format!("one number is needed here, this formula is a {}", read.value.shape);

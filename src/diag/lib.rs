@@ -4,11 +4,17 @@
 //! and the text that a person reads: code, message, line and column, the line itself with a caret, and a hint.
 //!
 //! **Guaranteed:** no span makes the rendering panic: it is moved to the nearest characters of the text. Diagnostics have
-//! one order, by file and place, so the same input always prints the same text.
+//! one order, by file and place, so the same input always prints the same text. What it prints of files cannot act on a
+//! terminal: see [`shown`].
+
+#![forbid(unsafe_code)]
+
+pub mod shown;
 
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::shown::{in_one_line, shown_with_places};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
@@ -139,29 +145,40 @@ pub fn render(diagnostics: &[Diagnostic], colour: bool) -> String {
 
 fn render_one(diagnostic: &Diagnostic, renderer: &Renderer) -> String {
     let text = &diagnostic.source.text;
-    let title = Level::ERROR.primary_title(diagnostic.message.as_str()).id(diagnostic.code);
+    // Files are quoted as they are: nothing of them may act here.
+    let (message, path) = (in_one_line(&diagnostic.message), in_one_line(&diagnostic.source.path));
+    let hint = diagnostic.hint.as_deref().map(in_one_line);
+    let words = |l: &Label| in_one_line(&l.text);
+    let (label_words, other_words) = (
+        diagnostic.place.as_ref().map(words).unwrap_or_default(),
+        diagnostic.other.as_ref().map(words).unwrap_or_default(),
+    );
+    let source;
+    let title = Level::ERROR.primary_title(message.as_str()).id(diagnostic.code);
     let mut group: Group<'_> = match &diagnostic.place {
-        None => title.element(Origin::path(diagnostic.source.path.as_str())),
+        None => title.element(Origin::path(path.as_str())),
         Some(label) => {
             let place = clamp(text, &label.span);
-            let other = diagnostic.other.as_ref().map(|l| (clamp(text, &l.span), l.text.as_str()));
+            let other = diagnostic.other.as_ref().map(|l| (clamp(text, &l.span), other_words.as_str()));
             // Only the lines that are shown are given to the renderer: it scans all it gets, and files may be large.
             let first = other.as_ref().map_or(place.start, |(o, _)| o.start.min(place.start));
             let last = other.as_ref().map_or(place.end, |(o, _)| o.end.max(place.end));
             let from = text[..first].rfind('\n').map_or(0, |i| i + 1);
             let to = text[last..].find('\n').map_or(text.len(), |i| last + i);
-            let within = |r: &Range<usize>| r.start - from..r.end - from;
-            let mut snippet = Snippet::source(&text[from..to])
-                .path(diagnostic.source.path.as_str())
+            let (lines, moved) = shown_with_places(&text[from..to]);
+            source = lines;
+            let within = |r: &Range<usize>| moved(r.start - from)..moved(r.end - from);
+            let mut snippet = Snippet::source(source.as_str())
+                .path(path.as_str())
                 .line_start(text[..from].matches('\n').count() + 1)
-                .annotation(AnnotationKind::Primary.span(within(&place)).label(label.text.as_str()));
+                .annotation(AnnotationKind::Primary.span(within(&place)).label(label_words.as_str()));
             if let Some((span, words)) = &other {
                 snippet = snippet.annotation(AnnotationKind::Context.span(within(span)).label(*words));
             }
             title.element(snippet)
         }
     };
-    if let Some(hint) = &diagnostic.hint {
+    if let Some(hint) = &hint {
         group = group.element(Level::HELP.with_name("hint").message(hint.as_str()));
     }
     renderer.render(&[group])

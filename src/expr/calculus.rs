@@ -40,9 +40,9 @@ impl Graph {
                 Node::Leaf(leaf) => tangent(self, leaf).unwrap_or(zero),
                 Node::Unary(op, a) => {
                     let da = derivative[&a];
-                    if self.is_zero(da) { zero } else { self.unary_derivative(op, node, a, da) }
+                    if self.is_zero(da) { zero } else { self.derivative(op, node, (a, da), (a, da))? }
                 }
-                Node::Binary(op, a, b) => self.binary_derivative(op, node, (a, derivative[&a]), (b, derivative[&b]))?,
+                Node::Binary(op, a, b) => self.derivative(op, node, (a, derivative[&a]), (b, derivative[&b]))?,
             };
             derivative.insert(node, d);
         }
@@ -89,11 +89,17 @@ impl Graph {
         image[&e]
     }
 
-    /// Derivative of `node` = op(a), where a moves at the speed `da` ≠ 0.
-    fn unary_derivative(&mut self, op: Op, node: Expr, a: Expr, da: Expr) -> Expr {
-        let one = self.integer(1);
-        let two = self.integer(2);
-        match op {
+    /// Derivative of `node` = op(a, b), where a and b move at the speeds `da` and `db`. For an operation of one argument, b is
+    /// a, and `da` is not 0.
+    fn derivative(
+        &mut self,
+        op: Op,
+        node: Expr,
+        (a, da): (Expr, Expr),
+        (b, db): (Expr, Expr),
+    ) -> Result<Expr, NoDerivative> {
+        let (one, two) = (self.integer(1), self.integer(2));
+        Ok(match op {
             Op::Neg => self.neg(da),
             Op::Sqrt => {
                 let twice = self.mul(two, node);
@@ -145,6 +151,7 @@ impl Graph {
                 let sign = self.div(a, node);
                 self.mul(sign, da)
             }
+            Op::Restrict => da,
             Op::Powi(0) => self.integer(0),
             Op::Powi(n) => {
                 let factor = self.integer(i64::from(n));
@@ -152,21 +159,6 @@ impl Graph {
                 let outer = self.mul(factor, power);
                 self.mul(outer, da)
             }
-            Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm => {
-                unreachable!("operations of two arguments are handled by `binary_derivative`")
-            }
-        }
-    }
-
-    /// Derivative of `node` = op(a, b).
-    fn binary_derivative(
-        &mut self,
-        op: Op,
-        node: Expr,
-        (a, da): (Expr, Expr),
-        (b, db): (Expr, Expr),
-    ) -> Result<Expr, NoDerivative> {
-        Ok(match op {
             Op::Add => self.add(da, db),
             Op::Sub => self.sub(da, db),
             Op::Mul => {
@@ -182,7 +174,6 @@ impl Graph {
             }
             Op::Pow => {
                 // (a^b)′ = a^b·ln a·b′ + b·a^(b−1)·a′
-                let one = self.integer(1);
                 let mut sum = self.integer(0);
                 if !self.is_zero(da) {
                     let less = self.sub(b, one);
@@ -213,7 +204,6 @@ impl Graph {
             // The derivative of the mean needs the elliptic integral of the second kind.
             Op::Agm if self.is_zero(da) && self.is_zero(db) => da,
             Op::Agm => return Err(NoDerivative(op)),
-            _ => unreachable!("operations of one argument are handled by `unary_derivative`"),
         })
     }
 }

@@ -10,7 +10,10 @@
 //! **Why scalar nodes:** a formula with indices means one scalar equation per index value. Resolving indices and shapes
 //! while reading leaves nothing for later rooms to misunderstand.
 
+#![forbid(unsafe_code)]
+
 mod calculus;
+pub mod domain;
 mod graph;
 mod hash;
 mod print;

@@ -185,6 +185,8 @@ fn binary(op: Op, a: &(String, Bond), b: &(String, Bond)) -> (String, Bond) {
         Op::Sub => (format!("{}-{}", a.0, wrapped(b, Bond::Product)), Bond::Sum),
         Op::Mul => (format!(r"{}\cdot {}", wrapped(a, Bond::Product), wrapped(b, Bond::Factor)), Bond::Product),
         Op::Div => (format!(r"\frac{{{}}}{{{}}}", a.0, b.0), Bond::Factor),
+        // As its formula: what it is restricted to is seen in the text that it was read from.
+        Op::Restrict => a.clone(),
         Op::Pow => {
             // An exponent needs no parentheses.
             let exponent = if b.0 == r"(\pm1)" { r"\pm1" } else { &b.0 };

@@ -104,13 +104,14 @@ impl Core {
 
     /// The derivative along the motion of an expression in basic leaves.
     fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
-        graph.directional_derivative(e, |graph, leaf| {
+        let rate = graph.directional_derivative(e, |graph, leaf| {
             if leaf == self.time {
                 return Some(graph.integer(1));
             }
             let orbit = self.orbit.as_deref()?;
             orbit.states.iter().position(|&l| l == leaf).map(|i| orbit.rates[i])
-        })
+        })?;
+        Ok(graph.rate_of(e, rate, |_| false))
     }
 
     /// A new constant.

@@ -87,6 +87,14 @@ pub enum FlowError {
         /// Why.
         reason: NoValue,
     },
+    /// More unknowns than validated integration takes: its work grows with their cube, and its memory with their square.
+    #[error("{unknowns} unknowns are too much work for an enclosure, whose limit is {limit}")]
+    TooManyUnknowns {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// A span that is not an interval of finite times around the initial time.
     #[error("the span [{}, {}] is not a finite interval with the initial time {initial_time} in it", span.0, span.1)]
     Span {
@@ -123,6 +131,15 @@ pub enum Problem {
         time: f64,
         /// Why.
         reason: NoValue,
+    },
+    /// A right side that jumps or has an infinite slope there.
+    #[error(
+        "the motion is not determined after t = {time}: a right side jumps there, or its slope by a state is infinite, so \
+         that several motions may go on, or none"
+    )]
+    Undetermined {
+        /// The time up to which it is.
+        time: f64,
     },
     /// The independent integration, from which the error is estimated, ends earlier.
     #[error("the error is not known after t = {time}")]

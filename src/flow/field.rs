@@ -14,7 +14,11 @@ pub struct VectorField {
     states: Vec<Leaf>,
     rates: Vec<Expr>,
     parameters: Vec<Leaf>,
+    most_steps: usize,
 }
+
+/// Largest number of steps of a trajectory in each direction.
+const MAX_STEPS: usize = 40_000;
 
 /// An expression as Σ coefficient · unknown + rest. A rest of `None` is a structural zero.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +28,18 @@ struct Affine {
 }
 
 impl VectorField {
+    /// The same with a limit of the steps of a motion, in each direction; there is one in any case.
+    ///
+    /// A motion keeps what it needs of every step: many of them in one file must share the memory.
+    pub fn with_most_steps(self, most_steps: usize) -> VectorField {
+        VectorField { most_steps: most_steps.min(MAX_STEPS), ..self }
+    }
+
+    /// Largest number of steps of a motion in each direction.
+    pub fn most_steps(&self) -> usize {
+        self.most_steps
+    }
+
     /// Solves equations, which may be implicit in the rates, for the highest rate of every state.
     ///
     /// A state symbol whose highest rate in the equations is n contributes x, ẋ … x⁽ⁿ⁻¹⁾ to the state. Equations whose two
@@ -115,7 +131,7 @@ impl VectorField {
             .into_iter()
             .filter(|l| Some(*l) != time && !states.contains(l))
             .collect();
-        VectorField { time, states, rates, parameters }
+        VectorField { time, states, rates, parameters, most_steps: MAX_STEPS }
     }
 
     /// The time leaf the field may depend on.

@@ -13,6 +13,8 @@
 //! **Why Taylor series:** the step polynomials are the dense output, of full order; the same recurrences give rates,
 //! events and the continuity of angles.
 
+#![forbid(unsafe_code)]
+
 // The notation of the tests, which names crates by way of the whole program.
 #[cfg(test)]
 extern crate self as rederive;
@@ -33,6 +35,7 @@ mod expansion;
 mod field;
 mod hoist;
 mod motion;
+mod narrow;
 mod points;
 mod program;
 mod resolve;

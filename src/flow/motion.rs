@@ -21,9 +21,6 @@ use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
 use number::{Bounded, NoValue};
 
-/// Largest number of steps of a trajectory in each direction.
-const MAX_STEPS: usize = 40_000;
-
 /// The values of the prepared leaves at one time, in the order in which they were asked for.
 pub type Point = Vec<Result<Bounded, NoValue>>;
 
@@ -471,10 +468,9 @@ impl Core {
         }
         let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
         let flow = Flow::new(tape, field.states(), names);
-        let trajectory =
-            Trajectory::integrate(&flow, &constants, self.initial_time, &values, self.span, MAX_STEPS).map_err(
-                |(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: self.initial_time, reason },
-            )?;
+        let (start, most) = (self.initial_time, field.most_steps());
+        let trajectory = Trajectory::integrate(&flow, &constants, start, &values, self.span, most)
+            .map_err(|(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: start, reason })?;
         self.orbit = Some(Arc::new(Orbit { states, rates, flow, constants, trajectory }));
         Ok(())
     }

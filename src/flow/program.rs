@@ -4,9 +4,10 @@ use num_dual::Dual;
 
 use super::core::Core;
 use super::trajectory::{ORDER, Place, Trajectory};
+use expr::domain::{Change, Place as At, Term, row};
 use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf};
-use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Op, Orders, Scalar};
+use number::{Bounded, BoundedLanes, Interval, Jet, Lanes, NoValue, Number, Orders, Scalar};
 
 /// Where an input of a program comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,8 +29,8 @@ pub(super) struct Program {
     moving: bool,
     /// Which states are among the inputs.
     needs: Vec<bool>,
-    /// Operations with a branch point, and the slots of their first arguments.
-    branches: Vec<(Op, usize)>,
+    /// Branch points: see [`branches`].
+    branches: Vec<(Term, usize)>,
 }
 
 /// Numbers in which states and turns are available.
@@ -91,10 +92,18 @@ pub(super) struct DualBench {
 /// Number of turns of every angle at one time, or why it has none.
 pub(super) type Turns = Vec<Result<i64, NoValue>>;
 
-/// Operations with a branch point, and the slots of their first arguments.
-fn branches(tape: &Tape) -> Vec<(Op, usize)> {
-    let some = tape.instructions().iter().filter(|i| matches!(i.op, Op::Sqrt | Op::Pow | Op::Arcsin | Op::Arccos));
-    some.map(|i| (i.op, i.a as usize)).collect()
+/// The slots of arguments and the term of them whose zero is a branch point, for each that the steps have.
+fn branches(tape: &Tape) -> Vec<(Term, usize)> {
+    let mut out = Vec::new();
+    for step in tape.instructions() {
+        let steep = row(step.op).edges.into_iter().filter(|edge| edge.change == Change::Steep);
+        out.extend(steep.filter_map(|edge| match edge.place {
+            At::Zero(Term::Second) => Some((Term::First, step.b as usize)),
+            At::Zero(term) => Some((term, step.a as usize)),
+            At::ZeroWhile(..) | At::Infinity => None,
+        }));
+    }
+    out
 }
 
 /// 2π·n with its rounding error.
@@ -401,16 +410,9 @@ impl Program {
 
     /// The same, whatever the degree; of values alone, whether there may be a branch point.
     pub(super) fn is_at_branch_value<B: Base>(&self, bench: &Bench<B>) -> bool {
-        self.branches.iter().any(|&(op, slot)| {
+        self.branches.iter().any(|&(term, slot)| {
             let argument = bench.slots.value(slot);
-            let branch = match op {
-                Op::Arcsin | Op::Arccos => {
-                    let one = B::integer(1);
-                    let x = argument.coefficient(0);
-                    (one - x).is_zero() || (one + x).is_zero()
-                }
-                _ => argument.coefficient(0).is_zero(),
-            };
+            let branch = term.vanishes(argument.coefficient(0));
             bench.slots.missing(slot).is_none() && argument.is_constant() && branch
         })
     }
@@ -423,16 +425,9 @@ impl Program {
     /// Whether an operation may have been evaluated at its branch point at one of several times.
     pub(super) fn may_be_at_branch_point<const N: usize>(&self, bench: &Bench<BoundedLanes<N>>) -> bool {
         bench.degree > 0
-            && self.branches.iter().any(|&(op, slot)| {
+            && self.branches.iter().any(|&(term, slot)| {
                 let argument = bench.slots.value(slot).coefficient(0);
-                let branch = |x: Bounded| match op {
-                    Op::Arcsin | Op::Arccos => {
-                        let one = Bounded::exact(1.0);
-                        (one - x).is_zero() || (one + x).is_zero()
-                    }
-                    _ => x.is_zero(),
-                };
-                bench.slots.missing(slot).is_none() && (0..N).any(|i| branch(argument.lane(i)))
+                bench.slots.missing(slot).is_none() && (0..N).any(|i| term.vanishes(argument.lane(i)))
             })
     }
 

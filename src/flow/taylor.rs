@@ -6,9 +6,11 @@
 //! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
 //! e⁻²ᵖ of the first.
 
+use super::narrow::Narrow;
 use expr::Leaf;
+use expr::domain::{Change, Place, Term, row};
 use expr::tape::{Slots, Tape};
-use number::{Jet, NoValue, Op, Orders, Scalar};
+use number::{Interval, Jet, NoValue, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug)]
@@ -44,6 +46,8 @@ pub(super) enum Stop {
     Collapsed,
     /// A rate has no value; the number of the state.
     NoRate(usize, NoValue),
+    /// A right side jumps, or its slope is infinite: several motions may go on from there, or none.
+    Undetermined,
 }
 
 /// An integration under way: state at the present time, and its expansion there.
@@ -67,21 +71,33 @@ pub(super) struct Walker<'a> {
     top: Vec<f64>,
     last_step: f64,
     kinks: Kinks,
+    narrow: Option<Narrow>,
     /// What the states may be off for steps that end a little behind a kink.
     pub(super) late: Vec<f64>,
 }
 
-/// The arguments of |·| in the right sides: where one changes its sign, no series goes on, and a step ends there.
+/// The edges of the right sides, by the table of domains. Where the argument of a kink, as |·| has one, changes its sign, no
+/// series goes on, and a step ends there. Where a right side is steep or jumps, the motion is not determined.
 #[derive(Clone, Debug, Default)]
 struct Kinks {
-    /// Their slots.
+    /// The slots of what vanishes at kinks and jumps.
     slots: Vec<usize>,
+    /// For each of these, what must be negative for a jump; nothing for a kink.
+    jumps: Vec<Option<usize>>,
+    /// What vanishes where a right side is steep in a state: a term of the value in a slot.
+    steep: Vec<(Term, usize)>,
     /// Their coefficients around the present time, `order + 1` for each.
     series: Vec<f64>,
     /// How many were crossed.
     crossed: usize,
 }
 
+/// A rate that changes by more than this share of itself at a kink jumps there.
+const JUMP: f64 = 1e-6;
+/// An edge that is nearer than this share of the span is met at a kink.
+const NEAR: f64 = 1e-6;
+/// A step that is to end before a jump ends at this share of the way.
+const BEFORE: f64 = 1.0 - 1e-9;
 /// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
 const MOST_KINKS: usize = 4_000;
 /// Times within a step at which the argument of |·| is looked at.
@@ -89,8 +105,49 @@ const LOOKS: usize = 8;
 
 impl Kinks {
     fn new(flow: &Flow) -> Kinks {
-        let of_abs = flow.tape.instructions().iter().filter(|i| i.op == Op::Abs);
-        Kinks { slots: of_abs.map(|i| i.a as usize).collect(), ..Kinks::default() }
+        let moving = flow.moving(false);
+        let mut out = Kinks::default();
+        for step in flow.tape.instructions() {
+            let (a, b) = (step.a as usize, step.b as usize);
+            for edge in row(step.op).edges {
+                match (edge.change, edge.place) {
+                    (Change::Kink, Place::Zero(Term::First)) => {
+                        out.slots.push(a);
+                        out.jumps.push(None);
+                    }
+                    (Change::Jump(_), Place::ZeroWhile(Term::First, Term::Opposite)) if moving[a] || moving[b] => {
+                        out.slots.push(a);
+                        out.jumps.push(Some(b));
+                    }
+                    // In the time alone it does no harm.
+                    (Change::Steep, Place::Zero(Term::Second)) if moving[b] => out.steep.push((Term::First, b)),
+                    (Change::Steep, Place::Zero(term)) if moving[a] => out.steep.push((term, a)),
+                    // Other edges are where there is no value, which ends the motion anyway.
+                    (Change::Kink | Change::Jump(_) | Change::Steep | Change::Pole(..) | Change::Log, _) => {}
+                }
+            }
+        }
+        out
+    }
+
+    /// Whether a right side is steep at the present state: exactly at an edge.
+    fn is_steep(&self, slots: &Slots<Jet<f64>>) -> bool {
+        self.steep
+            .iter()
+            .any(|&(term, slot)| slots.missing(slot).is_none() && term.vanishes(slots.value(slot).coefficient(0)))
+    }
+
+    /// Whether an edge at which a right side is steep is nearer than a moment.
+    fn is_near_steep(&self, slots: &Slots<Jet<f64>>, moment: f64) -> bool {
+        self.steep.iter().any(|&(term, slot)| {
+            let argument = slots.value(slot);
+            let (x, speed) = (argument.coefficient(0), argument.coefficient(1).abs());
+            let off = match term {
+                Term::Unit => (1.0 - x.abs()).abs(),
+                _ => x.abs(),
+            };
+            slots.missing(slot).is_none() && off <= moment * speed
+        })
     }
 
     /// Keeps the series of the arguments around the present time.
@@ -190,6 +247,17 @@ impl Flow {
 }
 
 impl Flow {
+    /// The slots that depend on a state, or, if asked for, on the time.
+    pub(super) fn moving(&self, with_time: bool) -> Vec<bool> {
+        let mut out = vec![false; self.tape.slot_count()];
+        out[0] = with_time;
+        out[1..=self.dimension].fill(true);
+        for step in self.tape.instructions() {
+            out[step.out as usize] = out[step.a as usize] || out[step.b as usize];
+        }
+        out
+    }
+
     /// Whether the right sides name the time.
     fn depends_on_time(&self) -> bool {
         self.tape.instructions().iter().any(|i| i.a == 0 || i.b == 0)
@@ -223,11 +291,18 @@ impl<'a> Walker<'a> {
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
             kinks: Kinks::new(flow),
+            narrow: Narrow::new(&flow.tape, &flow.moving(true), flow.dimension, |order| {
+                let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
+                flow.slots(order, &constants)
+            }),
             late: vec![0.0; n],
         };
         flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
             .map_err(|(i, r)| Stop::NoRate(i, r))?;
         walker.kinks.keep(&walker.slots, control.order);
+        if walker.kinks.is_steep(&walker.slots) {
+            return Err(Stop::Undetermined);
+        }
         Ok(walker)
     }
 
@@ -250,10 +325,23 @@ impl<'a> Walker<'a> {
             size = if size >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
+        // The slots hold the series at the present time: of what was tried, the last was accepted.
+        if self.kinks.is_near_steep(&self.slots, 4.0 * smallest) {
+            return Err(Stop::Undetermined);
+        }
         let mut why = Stop::Collapsed;
         // A step that meets a kink ends behind it, as closely as time can tell.
         let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
         let mut behind = smallest;
+        if let Some((at, argument)) = kink
+            && self.kinks.jumps[argument].is_some_and(|b| self.slots.value(b).coefficient(0) < 0.0)
+        {
+            // A step up to the jump; then no more.
+            if at <= 16.0 * smallest {
+                return Err(Stop::Undetermined);
+            }
+            (kink, size) = (None, at * BEFORE);
+        }
         if let Some((at, _)) = kink {
             self.kinks.crossed += 1;
             if self.kinks.crossed > MOST_KINKS {
@@ -292,8 +380,19 @@ impl<'a> Walker<'a> {
                     continue;
                 }
             }
+            if let Some((at, _)) = kink
+                && (self.jumps_over(h) || self.kinks.is_near_steep(&self.slots, NEAR * self.length))
+            {
+                if at <= 16.0 * smallest {
+                    return Err(Stop::Undetermined);
+                }
+                (kink, size) = (None, at * BEFORE);
+                continue;
+            }
             match grown {
                 Err((i, reason)) => why = Stop::NoRate(i, reason),
+                // Halved until nothing can hide between its ends.
+                Ok(()) if kink.is_none() && self.hides(h) => {}
                 // Behind a kink the slope may be another one.
                 Ok(()) if kink.is_some() || self.continues(h) => {
                     if let Some((at, _)) = kink {
@@ -311,6 +410,35 @@ impl<'a> Walker<'a> {
             }
             size *= 0.5;
         }
+    }
+
+    /// Whether a rate is another one behind a kink than before it.
+    fn jumps_over(&self, h: f64) -> bool {
+        let row = self.control.order + 1;
+        (0..self.flow.dimension).any(|i| {
+            let c = &self.now[i * row..(i + 1) * row];
+            let before = (1..row).rev().fold(0.0, |slope, k| slope * h + c[k] * k as f64);
+            let behind = self.next[i * row + 1];
+            // A rate that vanishes at the kink is compared with what moves the state as far as its size.
+            let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
+            (before - behind).abs() > JUMP * before.abs().max(behind.abs()).max(c[1].abs()).max(usual)
+        })
+    }
+
+    /// Whether a rate may do within a step what its ends do not show.
+    fn hides(&mut self, h: f64) -> bool {
+        let row = self.control.order + 1;
+        let Some(narrow) = &mut self.narrow else { return false };
+        // Beside a kink the series over all times of the step has no sign to go by; the step ends at the kink.
+        let near = |c: &[f64]| {
+            let rest = c[1..].iter().rev().fold(0.0, |sum, x| (sum + x.abs()) * h.abs());
+            c[0].abs() <= rest
+        };
+        if self.kinks.series.chunks(row).any(near) {
+            return false;
+        }
+        let scale = |i: usize| self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
+        !narrow.resolves(&self.flow.tape, (self.time, h), &self.now, scale)
     }
 
     /// The step went on for a time behind a kink, at the rates before it.

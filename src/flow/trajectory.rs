@@ -230,6 +230,7 @@ impl Trajectory {
 fn problem(flow: &Flow, stop: Stop, time: f64) -> Problem {
     match stop {
         Stop::Collapsed => Problem::StepCollapsed { time },
+        Stop::Undetermined => Problem::Undetermined { time },
         Stop::NoRate(i, reason) => Problem::NoRate { state: flow.names[i].clone(), time, reason },
     }
 }
@@ -278,7 +279,10 @@ impl Branch {
         let mut walker = match Walker::new(flow, control, constants, (start, end), &initial) {
             Ok(walker) => walker,
             Err(Stop::NoRate(i, reason)) => return Err((i, reason)),
-            Err(Stop::Collapsed) => return Ok(out),
+            Err(stop @ (Stop::Collapsed | Stop::Undetermined)) => {
+                out.problem = Some(problem(flow, stop, start));
+                return Ok(out);
+            }
         };
         // Largest value so far, for the rounding floor.
         let mut largest: Vec<f64> = initial.iter().map(|x| x.abs()).collect();
@@ -369,7 +373,8 @@ impl Branch {
             Some(Problem::StepCollapsed { .. }) => Problem::StepCollapsed { time: reached },
             Some(Problem::NoRate { state, reason, .. }) => Problem::NoRate { state, time: reached, reason },
             Some(Problem::TooManySteps { steps, .. }) => Problem::TooManySteps { time: reached, steps },
-            _ => Problem::ErrorUnknown { time: reached },
+            Some(Problem::Undetermined { .. }) => Problem::Undetermined { time: reached },
+            Some(Problem::ErrorUnknown { .. }) | None => Problem::ErrorUnknown { time: reached },
         });
     }
 

@@ -22,6 +22,8 @@ pub(super) enum Kind {
     OpenBar,
     /// See [`Kind::OpenBar`].
     CloseBar,
+    /// `\left.`, which opens what a bar on the right belongs to: `\left.\dot x\right|_{t=0}`.
+    OpenFence,
     /// `\\` or `\cr`.
     Row,
     /// The end of the text.
@@ -53,6 +55,10 @@ const IGNORED: &[&str] = &[
     "Bigr",
     "bigg",
     "Bigg",
+    "biggl",
+    "biggr",
+    "Biggl",
+    "Biggr",
     "hfill",
 ];
 
@@ -103,7 +109,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 None => push(Kind::Sign('|'), at),
             },
             '+' | '-' | '*' | '/' | '=' | '<' | '>' | '(' | ')' | '[' | ']' | '{' | '}' | '_' | '^' | ',' | '.'
-            | '&' | '\'' | ';' => push(Kind::Sign(c), at),
+            | '&' | '\'' | ';' | '!' => push(Kind::Sign(c), at),
             '\\' => {
                 let rest = &text[at..];
                 let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
@@ -152,6 +158,9 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                             ));
                         } else if next.starts_with('|') {
                             pending_bar = Some(name == "left");
+                        } else if next.starts_with('.') && name == "left" {
+                            at = text.len() - next.len() + 1;
+                            push(Kind::OpenFence, at);
                         } else if next.starts_with('.') {
                             problems.push(problem(
                                 "latex::invisible-delimiter",

@@ -10,10 +10,15 @@
 //! **Path:** characters → tokens → syntax tree (`parse`) → meaning (`elaborate`). The page `docs/grammar.md` is the
 //! reference of the language, and its examples are tests.
 
+#![forbid(unsafe_code)]
+
 mod elaborate;
+mod invisible;
 mod lexer;
 mod name;
 mod parse;
+mod printed;
+mod refusal;
 mod scope;
 pub mod syntax;
 mod tensor;
@@ -21,7 +26,8 @@ mod write;
 
 use std::ops::Range;
 
-pub use scope::{Declaration, DeclareError, Role, Scope};
+pub use printed::printed;
+pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope};
 pub use syntax::RelationKind;
 
 use diag::Problem;
@@ -113,6 +119,15 @@ pub fn elaborate(chain: &syntax::Chain, scope: &Scope, graph: &mut Graph) -> Res
 /// As for [`elaborate`].
 pub fn elaborate_expression(node: &syntax::Node, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Problem> {
     Elaborator::new(scope, graph).closed_expression(node).map_err(|problem| *problem)
+}
+
+/// Reads one expression that stands for one value: ± is refused, with its place. What is defined, given or measured is
+/// read so.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn read_quantity(text: &str, scope: &Scope, graph: &mut Graph) -> Result<Tensor, Vec<Problem>> {
+    Elaborator::new(scope, graph).quantity(text)
 }
 
 /// Reads one expression.

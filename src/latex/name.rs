@@ -135,7 +135,7 @@ pub(super) fn canonical(tokens: &[Token]) -> String {
             },
             Kind::OpenBar | Kind::CloseBar => out.push('|'),
             Kind::Row => out.push_str("\\\\"),
-            Kind::End => {}
+            Kind::End | Kind::OpenFence => {}
         }
         i += 1;
     }

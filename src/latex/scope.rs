@@ -114,6 +114,19 @@ pub struct Scope {
     sign: Leaf,
     /// No longer found by name; formulas read before still mean them.
     hidden: Vec<Filed>,
+    /// Names of several letters, the longest first.
+    words: Vec<Name>,
+    /// What `\log` is.
+    logarithm: Option<Logarithm>,
+}
+
+/// What `\log` stands for, by a convention of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Logarithm {
+    /// The natural one.
+    Natural,
+    /// That of base 10.
+    Decimal,
 }
 
 /// What a written symbol refers to.
@@ -154,7 +167,32 @@ impl Scope {
     /// A scope without symbols; it knows the sign that ± stands for.
     pub fn new(graph: &mut Graph) -> Scope {
         let symbol = graph.declare(r"\pm", Shape::scalar(), false);
-        Scope { entries: Vec::new(), hidden: Vec::new(), sign: Leaf { symbol, component: 0, rate: 0, instant: None } }
+        Scope {
+            entries: Vec::new(),
+            hidden: Vec::new(),
+            words: Vec::new(),
+            logarithm: None,
+            sign: Leaf { symbol, component: 0, rate: 0, instant: None },
+        }
+    }
+
+    /// Says what `\log` stands for.
+    pub fn set_logarithm(&mut self, logarithm: Logarithm) {
+        self.logarithm = Some(logarithm);
+    }
+
+    pub(super) fn logarithm(&self) -> Option<Logarithm> {
+        self.logarithm
+    }
+
+    /// Whether names of several letters are declared.
+    pub(super) fn has_words(&self) -> bool {
+        !self.words.is_empty()
+    }
+
+    /// The longest declared name of several letters with which these letters begin.
+    pub(super) fn word(&self, letters: &str) -> Option<&str> {
+        self.words.iter().map(String::as_str).find(|w| letters.starts_with(w))
     }
 
     /// Declares a symbol under its name as LaTeX writes it.
@@ -166,6 +204,12 @@ impl Scope {
     /// [`DeclareError`], with the place in the key or in the formula.
     pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
         let WrittenName { name, sub, arguments } = read_key(key, self)?;
+        let letters = name.trim_end_matches('\'').to_owned();
+        let spelled = letters.len() > 1 && letters.bytes().all(|b| b.is_ascii_alphabetic());
+        if spelled && letters.chars().all(|c| self.declares(&c.to_string())) {
+            let message = format!("`{key}` would also be a product of the declared letters");
+            return Err(bad_key(message, key, r"write `\mathrm{…}` around the name"));
+        }
         if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
             return Err(bad_key("there is a time already", key, ""));
         }
@@ -221,6 +265,10 @@ impl Scope {
         let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
         let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
         let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
+        if spelled && !self.words.contains(&letters) {
+            self.words.push(letters);
+            self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
+        }
         let key = key.to_owned();
         let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
         // The same name again hides the earlier one.

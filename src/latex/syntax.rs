@@ -77,6 +77,11 @@ pub enum NodeKind {
     Number(Rational),
     /// π.
     Pi,
+    /// Euler's number by itself.
+    Euler {
+        /// Written `\mathrm{e}`.
+        upright: bool,
+    },
     /// The identity matrix.
     Identity,
     /// A symbol.
@@ -144,6 +149,18 @@ pub enum NodeKind {
         /// Written `\mathrm{d}`.
         upright: bool,
     },
+    /// The value of something at a time: `(x+y)(0)`, `\left.\dot x\right|_{t=0}`. Of a symbol, the time stands among its
+    /// arguments.
+    At {
+        /// What is taken there.
+        of: Box<Node>,
+        /// When.
+        time: Box<Node>,
+        /// The name of the time, where it is written behind a bar.
+        bar: Option<Name>,
+    },
+    /// The factorial of a whole number.
+    Factorial(Box<Node>),
     /// A vector, by components.
     Tuple(Vec<Node>),
     /// A matrix, by rows.
@@ -204,6 +221,19 @@ impl Node {
         matches!(&self.kind, NodeKind::Number(r) if *r == Rational::ZERO)
     }
 
+    /// Whether digits are printed first.
+    pub fn begins_with_number(&self) -> bool {
+        match &self.kind {
+            NodeKind::Number(_) => true,
+            NodeKind::Scripted { base: first, .. }
+            | NodeKind::Factorial(first)
+            | NodeKind::At { of: first, bar: None, .. } => first.begins_with_number(),
+            NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.first().is_some_and(Node::begins_with_number),
+            NodeKind::Quotient { top, slash: true, .. } => top.begins_with_number(),
+            _ => false,
+        }
+    }
+
     /// Whether this is made of numbers alone.
     pub fn is_numeric(&self) -> bool {
         match &self.kind {
@@ -215,7 +245,7 @@ impl Node {
     /// The parts of a node, in the order in which they are written.
     pub fn children(&self) -> Vec<&Node> {
         match &self.kind {
-            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Vec::new(),
             NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
             NodeKind::Scripted { base, sup, .. } => std::iter::once(&**base).chain(sup.as_deref()).collect(),
             NodeKind::Sum(terms) => terms.iter().map(|(_, n)| n).collect(),
@@ -224,7 +254,8 @@ impl Node {
             NodeKind::Cross { left, right, .. } => vec![left, right],
             NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
             NodeKind::Derivative { of, by, .. } => vec![of, by],
-            NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::At { of, time, .. } => vec![of, time],
+            NodeKind::Factorial(a) | NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
             NodeKind::Exponential { exponent, .. } => vec![exponent],
             NodeKind::Matrix(rows) => rows.iter().flatten().collect(),
             NodeKind::Limit(body, target) => match target {

@@ -58,6 +58,12 @@ impl Text {
         if command && piece.starts_with(|c: char| c.is_ascii_alphabetic()) {
             self.0.push(' ');
         }
+        // `\ln^2 0` is no power 20.
+        let mut last = self.0.chars().rev();
+        let script = last.next().is_some_and(|c| c.is_ascii_digit()) && matches!(last.next(), Some('^' | '_'));
+        if script && piece.starts_with(|c: char| c.is_ascii_digit()) {
+            self.0.push(' ');
+        }
         self.0.push_str(piece);
     }
 
@@ -90,6 +96,7 @@ impl Text {
         match &node.kind {
             NodeKind::Number(r) => self.put(&number(r)),
             NodeKind::Pi => self.put(r"\pi"),
+            NodeKind::Euler { upright } => self.put(if *upright { r"\mathrm{e}" } else { "e" }),
             NodeKind::Identity => self.put(r"\mathbb{1}"),
             NodeKind::Symbol(s) => self.symbol(s),
             NodeKind::Group(inner, bracket) => {
@@ -120,7 +127,14 @@ impl Text {
                     self.node(term, Least::Dot);
                 }
             }
-            NodeKind::Product(parts) => self.joined(parts, "", Least::Factor),
+            NodeKind::Product(parts) => {
+                for (i, part) in parts.iter().enumerate() {
+                    if let Some(before) = i.checked_sub(1).map(|i| &parts[i]) {
+                        self.put(between(before, part));
+                    }
+                    self.node(part, Least::Factor);
+                }
+            }
             NodeKind::Dot(parts) => self.joined(parts, r"\cdot", Least::Cross),
             NodeKind::Cross { left, right, bracket } => {
                 let (open, middle, close, least) =
@@ -177,6 +191,25 @@ impl Text {
                     self.node(of, Least::Factor);
                 }
             }
+            NodeKind::At { of, time, bar: None } => {
+                self.node(of, Least::Factor);
+                self.put("(");
+                self.node(time, Least::Sum);
+                self.put(")");
+            }
+            NodeKind::At { of, time, bar: Some(name) } => {
+                self.put(r"\left.");
+                self.node(of, Least::Sum);
+                self.put(r"\right|_{");
+                self.put(&name::to_latex(name));
+                self.put("=");
+                self.node(time, Least::Sum);
+                self.put("}");
+            }
+            NodeKind::Factorial(inner) => {
+                self.node(inner, Least::Factor);
+                self.put("!");
+            }
             NodeKind::Tuple(parts) => {
                 self.put("(");
                 self.joined(parts, ",", Least::Sum);
@@ -197,6 +230,12 @@ impl Text {
     }
 
     fn function(&mut self, function: &str, power: Option<i32>, arguments: &[Node]) {
+        if let ("binom", [n, k]) = (function, arguments) {
+            self.put(r"\binom");
+            self.braced(n);
+            self.braced(k);
+            return;
+        }
         let command = super::parse::spelled(function);
         self.put(&command);
         if let Some(n) = power {
@@ -262,6 +301,47 @@ impl Text {
         for text in first.iter().chain(&second) {
             self.put(text);
         }
+    }
+}
+
+/// What stands between two factors, so that they are read as two factors.
+fn between(before: &Node, after: &Node) -> &'static str {
+    // `x(y)` would be a value of x, `x2` no product that is printed.
+    let number = matches!(before.kind, NodeKind::Number(_));
+    let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
+    // Nobody could say how far such a derivative reaches; the reader refuses it.
+    let open = match &before.kind {
+        NodeKind::Derivative { of, operator: true, .. } => !matches!(of.kind, NodeKind::Group(..)),
+        _ => false,
+    };
+    if open || after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
+        return r"\cdot ";
+    }
+    // A space that is printed ends the argument of a function.
+    let bare = match &before.kind {
+        NodeKind::Function(name, _, arguments) => {
+            super::parse::takes_bare_argument(name)
+                && matches!(arguments.as_slice(), [one] if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_) | NodeKind::Matrix(_)))
+        }
+        _ => false,
+    };
+    let ends_alike = matches!(after.kind, NodeKind::Function(..));
+    if bare && !ends_alike { r"\," } else { "" }
+}
+
+/// Whether something in parentheses could be the argument of what stands before it.
+fn could_be_argument(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Group(inner, Bracket::Round) => match &inner.kind {
+            NodeKind::Sum(_) => inner.is_numeric(),
+            NodeKind::Dot(_) | NodeKind::Cross { .. } => false,
+            _ => true,
+        },
+        NodeKind::Scripted { base, .. } => could_be_argument(base),
+        NodeKind::Number(r) => *r < Rational::ZERO,
+        NodeKind::Sum(_) => node.is_numeric(),
+        // What gets its parentheses from the writer.
+        _ => tightness(node) < Least::Factor,
     }
 }
 

@@ -276,6 +276,10 @@ impl Number for Bounded {
         *self = Bounded::new(std::f64::consts::PI, 1.25e-16);
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Bounded, _: &Bounded) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     /// The products of repeated squaring, each with its bound.
     fn powi(&mut self, _: &(), a: &Bounded, n: i32) -> Result<(), NoValue> {
         if n < 0 && a.contains_zero() {

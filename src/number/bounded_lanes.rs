@@ -189,6 +189,9 @@ impl<const N: usize> Number for BoundedLanes<N> {
         *self = Self::splat(x);
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Self, _: &Self) -> Result<(), NoValue> {
+        self.total(|i| a.lane(i))
+    }
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {
             2 => self.total(|i| a.lane(i) * a.lane(i)),

@@ -196,6 +196,10 @@ impl Number for DoubleDouble {
         *self = PI;
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &DoubleDouble, _: &DoubleDouble) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &DoubleDouble, n: i32) -> Result<(), NoValue> {
         if n < 0 && a.is_zero() {
             return Err(NoValue::OutOfDomain);

@@ -40,6 +40,10 @@ macro_rules! common {
             *self = Self::blank(&());
             self.re.pi(&())
         }
+        fn restrict(&mut self, _: &(), a: &Self, _: &Self) -> Result<(), NoValue> {
+            self.clone_from(a);
+            Ok(())
+        }
         #[inline]
         fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
             chain(self, Op::Powi(n), a, |x| x.powi(&(), &a.re, n))

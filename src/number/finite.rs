@@ -330,6 +330,10 @@ impl Number for Finite {
     fn pi(&mut self, _: &FiniteField) -> Result<(), NoValue> {
         Err(NoValue::Unsupported)
     }
+    fn restrict(&mut self, _: &FiniteField, a: &Finite, _: &Finite) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, f: &FiniteField, a: &Finite, n: i32) -> Result<(), NoValue> {
         let mut base = if n < 0 { f.inverse(*a).ok_or(NoValue::OutOfDomain)? } else { *a };
         let (mut e, mut acc) = (n.unsigned_abs(), f.integer(1));

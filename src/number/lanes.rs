@@ -58,7 +58,8 @@ fn pow(a: f64, b: f64) -> f64 {
 /// The angle of a point other than the origin.
 #[inline(always)]
 fn arctan2(y: f64, x: f64) -> f64 {
-    only(y != 0.0 || x != 0.0, pxfm::f_atan2(y, x))
+    // −0 is 0: never the other side of the cut.
+    only(y != 0.0 || x != 0.0, pxfm::f_atan2(y + 0.0, x + 0.0))
 }
 
 /// The mean of numbers that are not negative.
@@ -107,6 +108,9 @@ impl<const N: usize> Number for Lanes<N> {
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         *self = Lanes::splat(std::f64::consts::PI);
         Ok(())
+    }
+    fn restrict(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        self.zip(a, b, |a, b| only(!b.is_nan(), a))
     }
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {
@@ -323,6 +327,9 @@ impl<const N: usize> Number for DualLanes<N> {
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         *self = DualLanes::constant(std::f64::consts::PI);
         Ok(())
+    }
+    fn restrict(&mut self, _: &(), a: &Self, b: &Self) -> Result<(), NoValue> {
+        self.zip(a, b, |[a, da], [b, _]| [only(!b.is_nan(), a), da])
     }
     fn powi(&mut self, _: &(), a: &Self, n: i32) -> Result<(), NoValue> {
         match n {

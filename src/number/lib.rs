@@ -11,6 +11,8 @@
 //! number type. The table below generates the trait, so that an operation without an implementation in some number type
 //! does not compile. Results are written in place: series and lanes then need no allocation in the loop.
 
+#![forbid(unsafe_code)]
+
 mod bounded;
 mod bounded_lanes;
 mod double_double;

@@ -2,7 +2,8 @@
 //!
 //! From each row follow a variant of [`Op`], a method that every [`Number`] must have, the arm of the evaluation loop,
 //! the spelling in formulas and the row of the grammar page. To add an operation: add a row here, then implement the
-//! method where the compiler asks for it (one per number type, plus the derivative in `expr`).
+//! method where the compiler asks for it (one per number type, plus its derivative and its row in the table of domains, which
+//! says where it has a value, in `expr`).
 
 use super::{NoValue, Rational};
 
@@ -35,6 +36,16 @@ impl<N: Number> Apply<N> for Plain<'_, N::Context> {
     }
 }
 
+/// Why there is no result where an argument is missing: for the reason of the first one that is. What is restricted to where
+/// something else has a value is *unknown* where that has one: a formula for a rate may miss what its function has.
+fn absent(op: Op, a: Option<NoValue>, b: Option<NoValue>) -> Option<NoValue> {
+    match (op, a, b) {
+        (Op::Restrict, Some(_), None) => Some(NoValue::Indeterminate),
+        (Op::Restrict, _, Some(of)) => Some(of),
+        _ => a.or(b),
+    }
+}
+
 /// The evaluation loop: the steps in their order. An argument without a value is the reason why a result has none.
 #[inline(always)]
 pub(super) fn run_each<N>(
@@ -47,7 +58,7 @@ pub(super) fn run_each<N>(
         let (a, b, out) = (a as usize, b as usize, out as usize);
         let reason = missing[a].or(missing[b]);
         missing[out] = if reason.is_some() {
-            reason
+            absent(op, missing[a], missing[b])
         } else {
             // Arguments lie before the result, so the borrow can be split there.
             let (before, rest) = values.split_at_mut(out);
@@ -58,35 +69,33 @@ pub(super) fn run_each<N>(
 
 macro_rules! operations {
     (
-        unary { $( $U:ident $u:ident $uspell:literal on $udom:literal; )* }
-        binary { $( $B:ident $b:ident $bspell:literal on $bdom:literal; )* }
+        unary { $( $U:ident $u:ident $uspell:literal; )* }
+        binary { $( $B:ident $b:ident $bspell:literal; )* }
     ) => {
         /// An operation of the table. `Powi` carries its integer exponent and is unary.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Op {
-            $( #[doc = concat!("`", $uspell, "` on ", $udom, ".")] $U, )*
-            $( #[doc = concat!("`", $bspell, "` on ", $bdom, ".")] $B, )*
+            $( #[doc = concat!("`", $uspell, "`.")] $U, )*
+            $( #[doc = concat!("`", $bspell, "`.")] $B, )*
             /// Integer power xⁿ; x ≠ 0 where n < 0; x⁰ = 1.
             Powi(i32),
+            /// a, where b has a value. No formula is written with it: it makes a rate (a) have no value where its function (b)
+            /// has none. Where b has a value and a has none, nothing is known.
+            Restrict,
         }
 
         impl Op {
-            /// Every operation of the table, with two exponents standing for all integer powers.
+            /// Every operation that formulas are written with; two exponents stand for all integer powers.
             pub const ALL: &'static [Op] = &[ $( Op::$U, )* $( Op::$B, )* Op::Powi(3), Op::Powi(-2) ];
 
             /// Number of arguments.
             pub fn arity(self) -> usize {
-                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1 }
+                match self { $( Op::$U => 1, )* $( Op::$B => 2, )* Op::Powi(_) => 1, Op::Restrict => 2 }
             }
 
             /// How the operation is written in a formula.
             pub fn spelling(self) -> &'static str {
-                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^" }
-            }
-
-            /// The real domain, in words.
-            pub fn domain(self) -> &'static str {
-                match self { $( Op::$U => $udom, )* $( Op::$B => $bdom, )* Op::Powi(_) => "ℝ; without 0 for a negative exponent" }
+                match self { $( Op::$U => $uspell, )* $( Op::$B => $bspell, )* Op::Powi(_) => "^", Op::Restrict => r"\restriction" }
             }
 
             /// `out` := this operation of `args`; `args.len()` is [`Op::arity`].
@@ -99,6 +108,7 @@ macro_rules! operations {
                     $( Op::$U => out.$u(cx, a), )*
                     $( Op::$B => out.$b(cx, a, b), )*
                     Op::Powi(n) => out.powi(cx, a, n),
+                    Op::Restrict => out.restrict(cx, a, b),
                 }
             }
         }
@@ -117,11 +127,13 @@ macro_rules! operations {
             fn rational(&mut self, cx: &Self::Context, r: &Rational) -> Result<(), NoValue>;
             /// `self` := π.
             fn pi(&mut self, cx: &Self::Context) -> Result<(), NoValue>;
+            /// `self` := a, where b has a value: see [`Op::Restrict`].
+            fn restrict(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>;
             /// `self` := aⁿ.
             fn powi(&mut self, cx: &Self::Context, a: &Self, n: i32) -> Result<(), NoValue>;
-            $( #[doc = concat!("`self` := `", $uspell, "` of `a`, on ", $udom, ".")]
+            $( #[doc = concat!("`self` := `", $uspell, "` of `a`.")]
                fn $u(&mut self, cx: &Self::Context, a: &Self) -> Result<(), NoValue>; )*
-            $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`, on ", $bdom, ".")]
+            $( #[doc = concat!("`self` := `a` `", $bspell, "` `b`.")]
                fn $b(&mut self, cx: &Self::Context, a: &Self, b: &Self) -> Result<(), NoValue>; )*
 
             /// Carries out the steps of a program. A type whose operations want wider registers than every processor has
@@ -137,28 +149,28 @@ macro_rules! operations {
 
 operations! {
     unary {
-        Neg neg "-" on "ℝ";
-        Sqrt sqrt r"\sqrt" on "[0, ∞)";
-        Exp exp r"\exp" on "ℝ";
-        Ln ln r"\ln" on "(0, ∞)";
-        Sin sin r"\sin" on "ℝ";
-        Cos cos r"\cos" on "ℝ";
-        Tan tan r"\tan" on "ℝ without the odd multiples of π/2";
-        Arcsin arcsin r"\arcsin" on "[−1, 1]";
-        Arccos arccos r"\arccos" on "[−1, 1]";
-        Arctan arctan r"\arctan" on "ℝ";
-        Sinh sinh r"\sinh" on "ℝ";
-        Cosh cosh r"\cosh" on "ℝ";
-        Tanh tanh r"\tanh" on "ℝ";
-        Abs abs r"|\cdot|" on "ℝ";
+        Neg neg "-";
+        Sqrt sqrt r"\sqrt";
+        Exp exp r"\exp";
+        Ln ln r"\ln";
+        Sin sin r"\sin";
+        Cos cos r"\cos";
+        Tan tan r"\tan";
+        Arcsin arcsin r"\arcsin";
+        Arccos arccos r"\arccos";
+        Arctan arctan r"\arctan";
+        Sinh sinh r"\sinh";
+        Cosh cosh r"\cosh";
+        Tanh tanh r"\tanh";
+        Abs abs r"|\cdot|";
     }
     binary {
-        Add add "+" on "ℝ²";
-        Sub sub "-" on "ℝ²";
-        Mul mul r"\cdot" on "ℝ²";
-        Div div r"\frac" on "a ∈ ℝ, b ≠ 0";
-        Pow pow "^" on "a > 0, or a = 0 with b > 0";
-        Arctan2 arctan2 r"\operatorname{atan2}" on "ℝ² without (0, 0)";
-        Agm agm r"\operatorname{agm}" on "a ≥ 0, b ≥ 0";
+        Add add "+";
+        Sub sub "-";
+        Mul mul r"\cdot";
+        Div div r"\frac";
+        Pow pow "^";
+        Arctan2 arctan2 r"\operatorname{atan2}";
+        Agm agm r"\operatorname{agm}";
     }
 }

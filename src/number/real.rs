@@ -75,6 +75,10 @@ impl Number for f64 {
         *self = std::f64::consts::PI;
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &f64, _: &f64) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &f64, n: i32) -> Result<(), NoValue> {
         domain((n >= 0 || *a != 0.0) && !a.is_nan())?;
         *self = finite(powi(*a, n))?;
@@ -164,7 +168,8 @@ impl Number for f64 {
     }
     fn arctan2(&mut self, _: &(), y: &f64, x: &f64) -> Result<(), NoValue> {
         domain(*y != 0.0 || *x != 0.0)?;
-        *self = finite(pxfm::f_atan2(*y, *x))?;
+        // −0 is 0: never the other side of the cut.
+        *self = finite(pxfm::f_atan2(*y + 0.0, *x + 0.0))?;
         Ok(())
     }
     fn agm(&mut self, _: &(), a: &f64, b: &f64) -> Result<(), NoValue> {

@@ -275,6 +275,16 @@ impl<B: Scalar> Number for Jet<B> {
         self.length = 1;
         self.series[0].pi(&())
     }
+    fn restrict(&mut self, cx: &Orders, a: &Jet<B>, _: &Jet<B>) -> Result<(), NoValue> {
+        self.start(cx, |x| {
+            *x = a.series[0];
+            Ok(())
+        })?;
+        for k in cx.recurrent() {
+            self.put(k, a.coefficient(k))?;
+        }
+        Ok(())
+    }
     fn powi(&mut self, cx: &Orders, a: &Jet<B>, n: i32) -> Result<(), NoValue> {
         self.start(cx, |x| x.powi(&(), &a.series[0], n))?;
         let m = n.unsigned_abs();

@@ -4,7 +4,7 @@
 //! that cannot be read stands in a comment, with the reason. What is returned loads. It decides nothing, since it has no
 //! motions: every guess waits for a person.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -99,15 +99,23 @@ fn plain(text: &str) -> Vec<Mark> {
 
 fn claims(paper: &Paper) -> Vec<Claim> {
     let mut taken = BTreeSet::new();
+    // For a label that occurs often, the number that is tried next.
+    let mut next: BTreeMap<String, usize> = BTreeMap::new();
     let mut out = Vec::new();
+    // Equations stand in the order of their places.
+    let (mut line, mut counted) = (1, 0);
     for (i, equation) in paper.equations.iter().enumerate() {
-        let line = paper.file.text.get(..equation.span.start).map_or(0, |t| t.matches('\n').count()) + 1;
+        if equation.span.start < counted {
+            (line, counted) = (1, 0);
+        }
+        line += paper.file.text.get(counted..equation.span.start).map_or(0, |t| t.matches('\n').count());
+        counted = equation.span.start;
         let base = equation.label.as_ref().map_or_else(|| format!("equation-{}", i + 1), |l| id_of(l));
         let mut id = base.clone();
-        let mut n = 2;
+        let n = next.entry(base.clone()).or_insert(2);
         while !taken.insert(id.clone()) {
             id = format!("{base}-{n}");
-            n += 1;
+            *n += 1;
         }
         let formula = |text: &str| {
             let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -134,15 +142,20 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
     let mut done = false;
     let before = symbols.len();
     let mut refuse = Vec::new();
+    // Letters that are declared in this round: they may be missing at many places.
+    let mut declared: BTreeSet<&str> = BTreeSet::new();
     for problem in found {
         let Some(span) = problem.place.as_ref().map(|l| l.span.clone()) else { continue };
+        let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
+        let name = problem.message.split('`').nth(1).filter(|_| missing);
+        if name.is_some_and(|name| declared.contains(name)) {
+            continue;
+        }
         let here = |f: &Formula| f.refused.is_none() && f.place.start <= span.start && span.start <= f.place.end;
         let at = claims.iter().enumerate().find_map(|(c, claim)| Some((c, claim.formulas.iter().position(here)?)));
         let Some((c, f)) = at else { continue };
         let text = &problem.source.text;
         let (at, after) = (text.get(span.clone()).unwrap_or_default(), text.get(span.end..).unwrap_or_default());
-        let missing = problem.code == "latex::unknown-symbol" && problem.message.ends_with("is not declared");
-        let name = problem.message.split('`').nth(1).filter(|_| missing);
         let guess = match name {
             Some(name) => Some(guess(name, at, after, all)),
             // The letter is known, but not with this subscript.
@@ -158,6 +171,7 @@ fn repair(found: &[Diagnostic], symbols: &mut Vec<Guess>, claims: &mut [Claim], 
                 if !symbols[before..].iter().any(|s| base(&s.name) == base(&guess.name)) {
                     symbols.push(guess);
                 }
+                declared.extend(name);
                 done = true;
             }
             Some(_) if done && missing => {}

@@ -11,6 +11,8 @@
 //! the derivation file. That the file has copied the paper rightly is a question of signs on paper, and is answered with
 //! signs.
 
+#![forbid(unsafe_code)]
+
 mod compare;
 mod draft;
 mod macros;
@@ -26,7 +28,9 @@ use sha2::{Digest, Sha256};
 pub use compare::{Comparison, Coverage, Difference, Relation, UnknownLabel, compare};
 pub use draft::{Draft, draft};
 
+use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source};
+use files::Why;
 use mark::{Mark, group_text, marks, parts, text_of};
 use token::{Kind, Token};
 
@@ -71,7 +75,7 @@ pub struct Part {
 
 impl Part {
     fn new(tokens: &[Token]) -> Part {
-        Part { text: text_of(tokens), span: span_of(tokens), marks: marks(tokens) }
+        Part { text: shown(&text_of(tokens)).into_owned(), span: span_of(tokens), marks: marks(tokens) }
     }
 }
 
@@ -87,16 +91,12 @@ fn span_of(tokens: &[Token]) -> Range<usize> {
 /// # Errors
 /// The file cannot be read, is too large, or has macros that do not end.
 pub fn read(path: &Path) -> Result<Paper, Box<Diagnostic>> {
-    let shown = path.display().to_string();
+    let shown = shown(&path.display().to_string()).into_owned();
     let refuse = |message: String| Box::new(Diagnostic::of_file(&shown, "paper::unreadable", message));
-    let size = std::fs::metadata(path).map_err(|e| refuse(format!("this file cannot be read: {e}")))?;
-    if size.is_dir() {
-        return Err(refuse("this is a folder, not a file".to_owned()));
-    }
-    if size.len() > LARGEST_PAPER {
-        return Err(refuse(format!("this file is larger than {} MiB", LARGEST_PAPER >> 20)));
-    }
-    let bytes = std::fs::read(path).map_err(|e| refuse(format!("this file cannot be read: {e}")))?;
+    let bytes = files::read(path, LARGEST_PAPER).map_err(|error| match error.why {
+        Why::NotAFile(what) => refuse(format!("this is {what}, not a file")),
+        why => refuse(format!("this file {why}")),
+    })?;
     let sha256 = Sha256::digest(&bytes).iter().map(|b| format!("{b:02x}")).collect();
     let text = String::from_utf8(bytes).unwrap_or_else(|e| e.as_bytes().iter().map(|b| char::from(*b)).collect());
     parse(Source { path: shown, text }, sha256)
@@ -115,6 +115,7 @@ pub fn parse(file: Source, sha256: String) -> Result<Paper, Box<Diagnostic>> {
     let mut reader = Reader { tokens: &all, at: 0, equations: Vec::new(), relations: Vec::new(), title: None };
     reader.document();
     let Reader { equations, relations, title, .. } = reader;
+    let title = title.map(|t| shown(&t).into_owned());
     Ok(Paper { file, sha256, title, equations, relations })
 }
 
@@ -253,7 +254,7 @@ impl Reader<'_> {
             let label = line.iter().position(|t| t.is("label")).map(|i| group_text(&line, i + 1).0);
             let parts: Vec<Part> = parts(&line).iter().map(|p| Part::new(p)).collect();
             if !parts.is_empty() {
-                let label = label.map(|l| l.trim().to_owned()).filter(|l| !l.is_empty());
+                let label = label.map(|l| in_one_line(&l)).filter(|l| !l.is_empty());
                 self.equations.push(Equation { label, span: span_of(&line), parts });
             }
         }

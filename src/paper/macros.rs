@@ -9,6 +9,10 @@ use super::token::{Kind, Token, tokens};
 
 /// The most tokens that a paper may have when its macros are expanded.
 const MOST_TOKENS: usize = 4_000_000;
+/// The most calls of macros.
+const MOST_CALLS: usize = 1_000_000;
+/// The most arguments of a macro, as TeX has it.
+const MOST_ARGUMENTS: usize = 9;
 /// The deepest that macros may call each other.
 const DEEPEST: usize = 200;
 
@@ -34,6 +38,8 @@ pub(super) fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
     // A stack of what is still to be read, the next token last; the depth of macros it came from beside it.
     let mut rest: Vec<(Token, usize)> = tokens(text).into_iter().rev().map(|t| (t, 0)).collect();
     let mut out: Vec<Token> = Vec::new();
+    // Macros that leave nothing can call each other more often than any paper has tokens.
+    let mut calls = 0;
     while let Some((token, depth)) = rest.pop() {
         if token.kind != Kind::Command {
             out.push(token);
@@ -44,10 +50,10 @@ pub(super) fn expanded(text: &str) -> Result<Vec<Token>, Endless> {
         } else if define(&token.text, &mut rest, &mut macros) {
             // Nothing is printed.
         } else if let Some(found) = macros.get(&token.text) {
-            let body = call(found, &token, &mut rest);
-            if depth >= DEEPEST || rest.len() + body.len() + out.len() > MOST_TOKENS {
-                return Err(Endless { name: token.text, span: token.span });
-            }
+            calls += 1;
+            let room = MOST_TOKENS.saturating_sub(rest.len() + out.len());
+            let body = if depth >= DEEPEST || calls > MOST_CALLS { None } else { call(found, &token, &mut rest, room) };
+            let Some(body) = body else { return Err(Endless { name: token.text, span: token.span }) };
             rest.extend(body.into_iter().rev().map(|t| (t, depth + 1)));
         } else {
             out.push(token);
@@ -158,7 +164,7 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
             let count: String = optional(rest).unwrap_or_default().iter().map(|t| t.text.as_str()).collect();
             let default = optional(rest);
             let body = argument(rest);
-            let arguments = count.trim().parse().unwrap_or(0);
+            let arguments = count.trim().parse().map_or(0, |n: usize| n.min(MOST_ARGUMENTS));
             let fresh = |name: &String| command != "providecommand" || !macros.contains_key(name);
             if let Some(name) = name.filter(fresh) {
                 macros.insert(name, Macro { arguments, default, body });
@@ -208,7 +214,7 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
             let kinds: String = argument(rest).iter().map(|t| t.text.as_str()).collect();
             let body = argument(rest);
             let plain = kinds.chars().all(|c| c == 'm' || c.is_whitespace());
-            let arguments = kinds.chars().filter(|c| *c == 'm').count();
+            let arguments = kinds.chars().filter(|c| *c == 'm').count().min(MOST_ARGUMENTS);
             if let Some(name) = name.filter(|_| plain) {
                 macros.insert(name, Macro { arguments, default: None, body });
             }
@@ -218,8 +224,9 @@ fn define(command: &str, rest: &mut Rest, macros: &mut BTreeMap<String, Macro>) 
     true
 }
 
-/// The body of a macro with its arguments put in; every token has the place of the call.
-fn call(found: &Macro, token: &Token, rest: &mut Rest) -> Vec<Token> {
+/// The body of a macro with its arguments put in; every token has the place of the call. `None` if it has more than `most`
+/// tokens.
+fn call(found: &Macro, token: &Token, rest: &mut Rest, most: usize) -> Option<Vec<Token>> {
     let mut values: Vec<Vec<Token>> = Vec::new();
     if let Some(default) = &found.default {
         values.push(optional(rest).unwrap_or_else(|| default.clone()));
@@ -229,6 +236,9 @@ fn call(found: &Macro, token: &Token, rest: &mut Rest) -> Vec<Token> {
     }
     let mut out = Vec::new();
     for t in &found.body {
+        if out.len() > most {
+            return None;
+        }
         match t.kind {
             Kind::Argument => {
                 let nth: usize = t.text.parse().unwrap_or(1);
@@ -237,7 +247,7 @@ fn call(found: &Macro, token: &Token, rest: &mut Rest) -> Vec<Token> {
             _ => out.push(Token { span: token.span.clone(), ..t.clone() }),
         }
     }
-    out
+    (out.len() <= most).then_some(out)
 }
 
 #[cfg(test)]
@@ -268,6 +278,22 @@ mod tests {
         for text in [r"\def\a{\a}\a", r"\def\a{\b\b}\def\b{\a\a}\a", r"\def\a{x\a\a}\a"] {
             assert!(expanded(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn macros_take_no_more_than_a_paper_may() {
+        // Sixty doublings of nothing; a long argument that is used often; more arguments than TeX has.
+        let names: Vec<char> = ('a'..='z').chain('A'..='Z').collect();
+        let doubling = |base: &str| {
+            let first = format!("\\def\\a{{{base}}}");
+            let each = names.windows(2).map(|w| format!("\\def\\{}{{\\{}\\{}}}", w[1], w[0], w[0]));
+            format!("{first}{}\\Z", each.collect::<String>())
+        };
+        assert!(expanded(&doubling("")).is_err());
+        assert!(expanded(&doubling("x")).is_err());
+        let often = format!("\\def\\a#1{{{}}}\\a{{{}}}", "#1".repeat(10_000), "x".repeat(10_000));
+        assert!(expanded(&often).is_err());
+        assert_eq!(shown(r"\newcommand{\a}[99999999999]{x}\a bcdefghijkl"), "xkl");
     }
 
     #[test]

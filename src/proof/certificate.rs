@@ -34,8 +34,29 @@ pub struct Certificate {
     pub not_zero: Vec<String>,
     /// N: the conclusion's numerator.
     pub conclusion: String,
+    /// D: the conclusion's denominator.
+    pub under: String,
     /// The relations that are used.
     pub terms: Vec<Cofactor>,
+    /// The same for a program, which computes N and every p from what is claimed and given.
+    pub program: Program,
+}
+
+/// A claim as a reader's program has it: texts in the notation of Python, see `written`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Program {
+    /// Names of everything that a number can be put in for.
+    pub names: Vec<String>,
+    /// Left and right side of the claim.
+    pub sides: (String, String),
+    /// Names with what they are by what is given, or parts of long texts.
+    pub definitions: Vec<(String, String)>,
+    /// Calls of functions, each with the quotient of polynomials that stands for it.
+    pub functions: Vec<(String, String)>,
+    /// Variables that stand for functions.
+    pub variables: Vec<(String, String)>,
+    /// For each of the relations that are used, what is equal.
+    pub relations: Vec<(String, String)>,
 }
 
 /// A relation with its cofactor.
@@ -141,7 +162,11 @@ pub fn certify(
     given: &Premises,
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
-    super::membership::certify(graph, equations, given, effort)
+    // It says what is so wherever the formulas have values: what restricts them does not matter.
+    let mut plain = |&(l, r): &(Expr, Expr)| (graph.unrestricted(l), graph.unrestricted(r));
+    let equations: Vec<(Expr, Expr)> = equations.iter().map(&mut plain).collect();
+    let given = Premises { equations: given.equations.iter().map(plain).collect(), ..given.clone() };
+    super::membership::certify(graph, &equations, &given, effort)
 }
 
 /// No certificates: the program was built without them.

@@ -7,26 +7,23 @@ use super::prove::Lowered;
 use super::restate::restated;
 use super::sign::Facts;
 use super::solve::{Resolved, unmarked};
+use expr::domain::{Need, Sign, Term};
 use expr::{Expr, Graph, Node, Op};
 use expr::{FastMap, FastSet};
 
 /// Radicands, denominators … of the operations of some formulas, see [`Condition`].
 pub fn domains(graph: &mut Graph, exprs: &[Expr]) -> Vec<Condition> {
-    let mut out = Vec::new();
-    for e in graph.reachable(exprs.iter().copied()) {
-        match *graph.node(e) {
-            Node::Binary(Op::Div, _, b) => out.push(Condition::Denominator(b)),
-            Node::Binary(Op::Pow, a, _) | Node::Unary(Op::Ln, a) => out.push(Condition::Positive(a)),
-            Node::Unary(Op::Powi(n), a) if n < 0 => out.push(Condition::Denominator(a)),
-            Node::Unary(Op::Sqrt, a) => out.push(Condition::Radicand(a)),
-            Node::Unary(Op::Arccos | Op::Arcsin, a) => out.push(Condition::Unit(a)),
-            Node::Unary(Op::Tan, a) => {
-                let cosine = graph.unary(Op::Cos, a);
-                out.push(Condition::Denominator(cosine));
-            }
-            _ => {}
-        }
-    }
+    let condition = |need: Need| match (need.term, need.sign) {
+        // Powers are shown to be what they are for positive bases, whatever the exponent.
+        (Term::Support, _) => Condition::Positive(need.first),
+        (Term::First, Sign::NotNegative) if need.op == Op::Pow => Condition::Positive(need.first),
+        (Term::Unit, _) => Condition::Unit(need.first),
+        (_, Sign::Positive) => Condition::Positive(need.value),
+        (_, Sign::NotNegative) => Condition::Radicand(need.value),
+        (_, Sign::NotZero) => Condition::Denominator(need.value),
+    };
+    let mut out: Vec<Condition> = graph.needs_below(exprs.iter().copied()).into_iter().map(condition).collect();
+    out.dedup();
     out
 }
 

@@ -48,6 +48,10 @@ impl Number for Exact {
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         Err(NoValue::Unsupported)
     }
+    fn restrict(&mut self, _: &(), a: &Exact, _: &Exact) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &Exact, n: i32) -> Result<(), NoValue> {
         if n < 0 && a.0 == Rational::ZERO {
             return Err(NoValue::OutOfDomain);

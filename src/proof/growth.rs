@@ -59,6 +59,10 @@ impl Number for Growth {
     fn pi(&mut self, _: &()) -> Result<(), NoValue> {
         Err(NoValue::Unsupported)
     }
+    fn restrict(&mut self, _: &(), a: &Growth, _: &Growth) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &Growth, n: i32) -> Result<(), NoValue> {
         let k = f64::from(n.unsigned_abs());
         let (t, u) = if n < 0 {

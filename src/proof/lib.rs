@@ -6,7 +6,8 @@
 //!
 //! # Procedure
 //!
-//! 1. Premises are differentiated by time where rates ask for it; explicit definitions are inserted (`prepare`).
+//! 1. Premises are differentiated by time as far as the claim and hidden constraints ask for (`closing`); explicit definitions
+//!    are inserted (`prepare`).
 //! 2. Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
 //!    combinations of monomials (`linear`).
 //! 3. |a| in a premise is written σ·a with a sign σ (`absolute`). Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
@@ -19,7 +20,7 @@
 //!    denominator of a formula vanishes and no pivot of step 3 does is void, since the formulas have no value there; its
 //!    denominators are then counted in the bound, because it must be told from a choice on which they vanish by chance.
 //! 6. In the second case real points decide (`witness`): one that satisfies every premise as given, and at which the two
-//!    sides differ by more than their error bounds, refutes. None found: the case is taken apart by the signs in its
+//!    sides differ by more than their error bounds, refutes, if a motion passes through it (`closing`). None found: the case is taken apart by the signs in its
 //!    definitions, of which what is given may exclude one; or it is undecided.
 //! 7. What was divided by in step 3 is looked at by itself: the case that it vanishes is solved and tested in the same way.
 //!    What cannot be settled so is reported as a condition, [`Condition::Pivot`]. Pivots of definitions on which neither the
@@ -94,11 +95,14 @@
 //! J. T. Schwartz, *J. ACM* 27 (1980) 701; R. Zippel, EUROSAM 1979, LNCS 72, 216; G. H. Gonnet, STOC 1984, 334;
 //! J. Ax, *Ann. Math.* 93 (1971) 252; O. Ramaré & R. Rumely, *Math. Comp.* 65 (1996) 397.
 
+#![forbid(unsafe_code)]
+
 mod absolute;
 mod along;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
+mod closing;
 mod conditions;
 mod exact;
 mod field;
@@ -124,9 +128,11 @@ mod solve;
 mod structure;
 mod values;
 mod witness;
+#[cfg(feature = "certificates")]
+mod written;
 
 pub use along::{Along, Apart, InTime, along};
-pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, certify};
+pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use memory::Memory;
 pub use outcome::{Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};

@@ -71,8 +71,11 @@ fn power(a: &Combination, n: i32) -> Option<Combination> {
         let m: Monomial = m.iter().map(|&(b, k)| (b, k.saturating_mul(n))).collect();
         return Some(Combination::from([(m, q.pow(n as isize))]));
     }
-    if n <= 0 || a.is_empty() {
+    if n <= 0 {
         return None;
+    }
+    if a.is_empty() {
+        return Some(Combination::new());
     }
     let mut out = Combination::from([(Vec::new(), Rational::ONE)]);
     for _ in 0..n {

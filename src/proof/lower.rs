@@ -212,7 +212,9 @@ impl<'g> Lowering<'g> {
                     let image = self.image[&a];
                     self.opaque_node(node, op, vec![image])?
                 }
-                Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm => return Err(TooLarge),
+                Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow | Op::Arctan2 | Op::Agm | Op::Restrict => {
+                    return Err(TooLarge);
+                }
             },
             Node::Binary(op, a, b) => match op {
                 Op::Add | Op::Sub | Op::Mul | Op::Div => {
@@ -224,6 +226,8 @@ impl<'g> Lowering<'g> {
                     let argument = self.graph.mul(b, log);
                     self.exponential(argument)?
                 }
+                // Equal where it has a value; the needs of what restricts it are conditions.
+                Op::Restrict => self.image[&a],
                 _ => {
                     let (y, x) = (self.image[&a], self.image[&b]);
                     let ahead = self.graph.as_constant(x).is_some_and(|x| *x > Rational::ZERO);

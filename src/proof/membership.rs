@@ -12,7 +12,7 @@
 //! over finite fields, and is how each route can convict the other.
 
 use super::budget::{Coefficient, within};
-use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin};
+use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program};
 use super::linear::Combinations;
 use super::lower::Generator;
 use super::outcome::{Premises, Reason};
@@ -20,11 +20,13 @@ use super::polynomial::{factors, fraction};
 use super::prepare::{Explicit, explicit, with_rates};
 use super::prove::{Lowered, lower};
 use super::solve::insert_definitions;
+use super::written::{Writer, functions, meaning};
 use ::groebner::{LiftBasis, Monomial, MonomialOrder, Polynomial, PolynomialExt, verify_lift};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::rc::Rc;
 
 type Poly = Polynomial<Coefficient>;
 
@@ -39,21 +41,28 @@ pub(super) fn certify(
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
     let wrong = NoCertificate::NotPolynomial;
-    let premises = with_rates(graph, given, equations).map_err(wrong)?;
+    let (premises, _) = with_rates(graph, given, equations).map_err(wrong)?;
     let solved = explicit(graph, &premises, equations, given);
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
+    // What every function of the formulas is lowered to, for the text: see `written`.
+    let sides = equations.iter().copied().chain(solved.rest.iter().map(|p| (p.left, p.right)));
+    let named = functions(graph, sides.flat_map(|(l, r)| [l, r]), &solved.definitions);
+    let zero = graph.integer(0);
+    let inserted: Vec<(Expr, Expr)> = named.iter().map(|&f| (insert(graph, f), zero)).collect();
+    let all: Vec<(Expr, Expr)> = claim.iter().chain(&inserted).copied().collect();
     let lowered =
-        lower(graph, &solved.rest, &claim, [&nonzero, &positive, &[]], &[], false, &mut Combinations::default())
+        lower(graph, &solved.rest, &all, [&nonzero, &positive, &[]], &[], false, &mut Combinations::default())
             .map_err(wrong)?;
-    let origin = Given { equations, solved: &solved };
+    let images = named.iter().copied().zip(lowered.claim[claim.len()..].iter().map(|&(image, _)| image)).collect();
+    let origin = Given { equations, solved: &solved, images: &images };
     let mut search = Search { graph, lowered: &lowered, origin, effort, left: effort.work };
     let mut system = search.system()?;
     let mut out = Vec::new();
-    for (equation, &(l, r)) in lowered.claim.iter().enumerate() {
-        out.push(search.certificate(&mut system, equation, (l, r))?);
+    for (equation, &sides) in equations.iter().enumerate() {
+        out.push(search.certificate(&mut system, equation, sides)?);
     }
     Ok(out)
 }
@@ -63,6 +72,8 @@ pub(super) fn certify(
 struct Given<'a> {
     equations: &'a [(Expr, Expr)],
     solved: &'a Explicit,
+    /// Functions of the formulas, and what each is lowered to.
+    images: &'a FastMap<Expr, Expr>,
 }
 
 /// Why a relation holds.
@@ -78,7 +89,15 @@ enum Source {
 struct Relation {
     polynomial: Poly,
     source: Source,
+    /// What is equal.
+    sides: (Expr, Expr),
 }
+
+/// (N, D), see [`written`](super::written).
+type Quotient = Rc<(Poly, Poly)>;
+
+/// An expression, and whether it is of the problem after lowering.
+type Place = (Expr, bool);
 
 /// A ring and the relations in it.
 struct System {
@@ -86,6 +105,8 @@ struct System {
     place: FastMap<Expr, usize>,
     relations: Vec<Relation>,
     basis: Option<LiftBasis<Coefficient>>,
+    /// What expressions are as quotients of polynomials.
+    quotients: FastMap<Place, Quotient>,
     /// Nothing is given but c² + s² = 1.
     only_circles: bool,
 }
@@ -135,30 +156,59 @@ impl Search<'_> {
         variables.dedup();
         let variables: Vec<Expr> = variables.into_iter().map(|(_, e)| e).collect();
         let place = variables.iter().enumerate().map(|(i, &e)| (e, i)).collect();
-        let mut system = System { variables, place, relations: Vec::new(), basis: None, only_circles };
-        let own: Vec<(Expr, Expr)> =
+        let mut system = System {
+            variables,
+            place,
+            relations: Vec::new(),
+            basis: None,
+            quotients: FastMap::default(),
+            only_circles,
+        };
+        let own: Vec<(Expr, (Expr, Expr))> =
             system.variables.iter().filter_map(|&e| Some((e, own_relation(self.graph, lowered, e)?))).collect();
-        for (e, relation) in own {
+        for (e, sides) in own {
             let words = match *self.graph.node(e) {
                 Node::Unary(Op::Sqrt, _) => "a root is squared",
                 Node::Unary(..) => "an absolute value is squared",
                 _ => "c² + s² = 1",
             };
-            self.relate(&mut system, relation, Source::Meaning(words))?;
+            self.relate(&mut system, sides, true, Source::Meaning(words))?;
         }
-        for (at, &(e, _)) in lowered.premises.iter().enumerate() {
-            self.relate(&mut system, e, Source::Premise(at))?;
+        for (at, premise) in self.origin.solved.rest.iter().enumerate() {
+            self.relate(&mut system, (premise.left, premise.right), false, Source::Premise(at))?;
         }
         Ok(system)
     }
 
-    fn relate(&mut self, system: &mut System, e: Expr, source: Source) -> Result<(), NoCertificate> {
-        let (top, _) = fraction(self.graph, e);
-        let polynomial = self.expand(system, top)?;
+    fn relate(
+        &mut self,
+        system: &mut System,
+        sides: (Expr, Expr),
+        lowered: bool,
+        source: Source,
+    ) -> Result<(), NoCertificate> {
+        let (polynomial, _) = self.difference(system, sides, lowered)?;
         if !polynomial.terms.is_empty() {
-            system.relations.push(Relation { polynomial: integral(&polynomial), source });
+            system.relations.push(Relation { polynomial: integral(&polynomial), source, sides });
         }
         Ok(())
+    }
+
+    /// (N, D) of the difference of two sides.
+    fn difference(
+        &mut self,
+        system: &mut System,
+        (l, r): (Expr, Expr),
+        lowered: bool,
+    ) -> Result<(Poly, Poly), NoCertificate> {
+        let (graph, origin, most) = (&*self.graph, self.origin, self.effort.terms);
+        let (value, left) = within(self.left, || {
+            let l = system.quotient(graph, origin, (l, lowered), most)?;
+            let r = system.quotient(graph, origin, (r, lowered), most)?;
+            combined(Op::Sub, &l, &r, most)
+        });
+        self.left = left;
+        value.ok_or(NoCertificate::TooLarge)?
     }
 
     fn certificate(
@@ -167,10 +217,8 @@ impl Search<'_> {
         equation: usize,
         (l, r): (Expr, Expr),
     ) -> Result<Certificate, NoCertificate> {
-        let residual = self.graph.sub(l, r);
-        let (top, under) = fraction(self.graph, residual);
-        let conclusion = self.expand(system, top)?;
-        if self.expand(system, under)?.terms.is_empty() {
+        let (conclusion, under) = self.difference(system, (l, r), false)?;
+        if under.terms.is_empty() {
             return Err(NoCertificate::NotPolynomial(Reason::NoValue));
         }
         let bases = not_zero(self.graph, self.lowered);
@@ -199,7 +247,7 @@ impl Search<'_> {
             let target = self.counted(|| &multiplier * &conclusion)?;
             if let Some(cofactors) = self.lift(system, &target)? {
                 let used = if power > 0 { used } else { Vec::new() };
-                return self.written(system, equation, (&multiplier, &used), &conclusion, &cofactors);
+                return self.written(system, equation, (&multiplier, &used), (&conclusion, &under), &cofactors);
             }
             if system.only_circles && power == 0 {
                 return Err(NoCertificate::Refuted { equation });
@@ -250,7 +298,7 @@ impl Search<'_> {
         system: &System,
         equation: usize,
         (multiplier, used): (&Poly, &[Expr]),
-        conclusion: &Poly,
+        (conclusion, under): (&Poly, &Poly),
         cofactors: &[Poly],
     ) -> Result<Certificate, NoCertificate> {
         if cofactors.iter().map(|q| q.terms.len()).sum::<usize>() > self.effort.terms {
@@ -282,6 +330,8 @@ impl Search<'_> {
             });
         }
         let (conclusion, multiplier) = (text(&top), text(&scaled(multiplier, &scale)));
+        let under = text(&integral(under));
+        let program = self.program(system, equation, &names.list, cofactors)?;
         let not_zero = used.iter().map(|&e| self.raised(e)).collect();
         let variables: Vec<(String, String)> = names
             .list
@@ -291,7 +341,7 @@ impl Search<'_> {
             .filter(|(_, occurs)| *occurs)
             .map(|((name, &e), _)| (name, self.raised(e)))
             .collect();
-        let Given { equations, solved } = self.origin;
+        let Given { equations, solved, .. } = self.origin;
         let graph = &*self.graph;
         let (l, r) = equations.get(equation).copied().ok_or(NoCertificate::TooLarge)?;
         let formula = format!("{} = {}", shown(graph, l), shown(graph, r));
@@ -310,8 +360,85 @@ impl Search<'_> {
             multiplier,
             not_zero,
             conclusion,
+            under,
             terms,
+            program,
         })
+    }
+
+    /// The problem as the reader's program has it.
+    fn program(
+        &mut self,
+        system: &System,
+        equation: usize,
+        variables: &[String],
+        cofactors: &[Poly],
+    ) -> Result<Program, NoCertificate> {
+        let (origin, lowered) = (self.origin, self.lowered);
+        let &(l, r) = origin.equations.get(equation).ok_or(NoCertificate::TooLarge)?;
+        let used: Vec<&Relation> =
+            system.relations.iter().zip(cofactors).filter(|(_, q)| !q.terms.is_empty()).map(|(r, _)| r).collect();
+        let mut roots = vec![l, r];
+        roots.extend(
+            used.iter().filter(|r| matches!(r.source, Source::Premise(_))).flat_map(|r| [r.sides.0, r.sides.1]),
+        );
+        // What variables mean: a generator's function, or the root itself.
+        let mut meanings = Vec::new();
+        for &e in &system.variables {
+            let meant = match *self.graph.node(e) {
+                Node::Leaf(leaf) => match meaning(self.graph, &lowered.generators, leaf) {
+                    None => continue,
+                    Some(meant) => (meant.ok_or(NoCertificate::TooLarge)?, false),
+                },
+                _ => (e, true),
+            };
+            meanings.push((e, meant));
+        }
+        let graph = &*self.graph;
+        let named = functions(graph, roots.iter().copied(), &origin.solved.definitions);
+        let mut names: FastMap<Expr, String> =
+            system.variables.iter().copied().zip(variables.iter().cloned()).collect();
+        let mut list = variables.to_vec();
+        let texts = roots.iter().copied().chain(meanings.iter().map(|&(_, (e, _))| e));
+        let values = origin.solved.definitions.values().copied();
+        for e in graph.reachable(texts.chain(values)) {
+            let Node::Leaf(leaf) = *graph.node(e) else { continue };
+            if !names.contains_key(&e) {
+                let name = free(leaf_name(graph, leaf), &list);
+                list.push(name.clone());
+                names.insert(e, name);
+            }
+        }
+        let none = FastMap::default();
+        let mut claimed = Writer::new(graph, &names, &origin.solved.definitions, false, "e");
+        let mut meant = Writer::new(graph, &names, &none, true, "f");
+        let long = || NoCertificate::TooLarge;
+        let sides = (claimed.write(l).ok_or_else(long)?, claimed.write(r).ok_or_else(long)?);
+        let mut relations = Vec::new();
+        for relation in used {
+            let writer = if matches!(relation.source, Source::Premise(_)) { &mut claimed } else { &mut meant };
+            let (a, b) = relation.sides;
+            relations.push((writer.write(a).ok_or_else(long)?, writer.write(b).ok_or_else(long)?));
+        }
+        let mut calls = Vec::new();
+        for f in named {
+            let Some(&image) = origin.images.get(&f) else { continue };
+            calls.push((claimed.write(f).ok_or_else(long)?, meant.write(image).ok_or_else(long)?));
+        }
+        let mut stand_for = Vec::new();
+        for (variable, (e, is_root)) in meanings {
+            let name = names.get(&variable).ok_or_else(long)?.clone();
+            let text = match (is_root, graph.node(e)) {
+                (true, Node::Unary(op, u)) => {
+                    let inner = meant.write(*u).ok_or_else(long)?;
+                    format!("{}({inner})", if *op == Op::Abs { "Abs" } else { "sqrt" })
+                }
+                _ => claimed.write(e).ok_or_else(long)?,
+            };
+            stand_for.push((name, text));
+        }
+        let definitions = claimed.definitions.into_iter().chain(meant.definitions).collect();
+        Ok(Program { names: list, sides, definitions, functions: calls, variables: stand_for, relations })
     }
 
     /// Why a relation holds, in words and LaTeX.
@@ -342,7 +469,91 @@ impl Search<'_> {
     }
 }
 
+/// The operation on quotients: over a common denominator where there is one, and nothing is cancelled.
+fn combined(op: Op, a: &(Poly, Poly), b: &(Poly, Poly), most: usize) -> Result<(Poly, Poly), NoCertificate> {
+    let times = |p: &Poly, q: &Poly| {
+        let small = p.terms.len().saturating_mul(q.terms.len()) <= 8 * most;
+        let product = if small { p * q } else { return Err(NoCertificate::TooLarge) };
+        if product.terms.len() <= most { Ok(product) } else { Err(NoCertificate::TooLarge) }
+    };
+    Ok(match op {
+        Op::Mul => (times(&a.0, &b.0)?, times(&a.1, &b.1)?),
+        Op::Div => (times(&a.0, &b.1)?, times(&a.1, &b.0)?),
+        Op::Add if a.1.terms == b.1.terms => (&a.0 + &b.0, a.1.clone()),
+        Op::Sub if a.1.terms == b.1.terms => (&a.0 - &b.0, a.1.clone()),
+        Op::Add => (&times(&a.0, &b.1)? + &times(&b.0, &a.1)?, times(&a.1, &b.1)?),
+        Op::Sub => (&times(&a.0, &b.1)? - &times(&b.0, &a.1)?, times(&a.1, &b.1)?),
+        _ => return Err(NoCertificate::TooLarge),
+    })
+}
+
 impl System {
+    /// What an expression is as a quotient: what the reader's program makes of its text.
+    fn quotient(
+        &mut self,
+        graph: &Graph,
+        origin: Given<'_>,
+        place: Place,
+        most: usize,
+    ) -> Result<Quotient, NoCertificate> {
+        let one = self.constant(&Rational::ONE);
+        let mut stack = vec![place];
+        while let Some(&at) = stack.last() {
+            if self.quotients.contains_key(&at) {
+                stack.pop();
+                continue;
+            }
+            let (e, lowered) = at;
+            let node = graph.node(e);
+            let image = origin.images.get(&e).copied().filter(|_| !lowered).map(|image| (image, true));
+            let waits: Vec<Place> = match (image, node) {
+                (Some(image), _) => vec![image],
+                (None, _) if self.place.contains_key(&e) => Vec::new(),
+                (None, Node::Leaf(leaf)) => match origin.solved.definitions.get(leaf) {
+                    Some(&value) if !lowered => vec![(value, false)],
+                    _ => return Err(NoCertificate::TooLarge),
+                },
+                (None, node) => node.children().map(|c| (c, lowered)).collect(),
+            };
+            let open: Vec<Place> = waits.iter().copied().filter(|w| !self.quotients.contains_key(w)).collect();
+            if !open.is_empty() {
+                stack.extend(open);
+                continue;
+            }
+            let value = match (waits.as_slice(), node) {
+                ([one], _) if image.is_some() || matches!(node, Node::Leaf(_)) => Rc::clone(&self.quotients[one]),
+                _ if self.place.contains_key(&e) => {
+                    let p = Poly::monomial(Monomial::var(self.place[&e], self.variables.len()), MonomialOrder::GRevLex);
+                    Rc::new((p, one.clone()))
+                }
+                (_, Node::Constant(r)) => {
+                    let (top, under) = Rational::clone(r).into_parts();
+                    Rc::new((self.constant(&Rational::from(top)), self.constant(&Rational::from(under))))
+                }
+                ([a], Node::Unary(Op::Neg, _)) => {
+                    let a = &self.quotients[a];
+                    Rc::new((&self.constant(&Rational::ZERO) - &a.0, a.1.clone()))
+                }
+                ([a], Node::Unary(Op::Powi(k), _)) if k.unsigned_abs() <= 64 => {
+                    let a = Rc::clone(&self.quotients[a]);
+                    let a = if *k < 0 { (a.1.clone(), a.0.clone()) } else { (a.0.clone(), a.1.clone()) };
+                    let mut out = (one.clone(), one.clone());
+                    for _ in 0..k.unsigned_abs() {
+                        out = combined(Op::Mul, &out, &a, most)?;
+                    }
+                    Rc::new(out)
+                }
+                ([a, b], Node::Binary(op, ..)) => Rc::new(combined(*op, &self.quotients[a], &self.quotients[b], most)?),
+                _ => return Err(NoCertificate::TooLarge),
+            };
+            if value.0.terms.len().max(value.1.terms.len()) > most {
+                return Err(NoCertificate::TooLarge);
+            }
+            self.quotients.insert(at, value);
+        }
+        self.quotients.get(&place).cloned().ok_or(NoCertificate::TooLarge)
+    }
+
     fn constant(&self, r: &Rational) -> Poly {
         Poly::constant(Coefficient::from(big(r)), self.variables.len(), MonomialOrder::GRevLex)
     }
@@ -398,23 +609,19 @@ impl System {
 }
 
 /// What a variable satisfies by its meaning.
-fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<Expr> {
-    let square = graph.powi(e, 2);
+fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<(Expr, Expr)> {
+    // By itself: a square of a root would be taken apart at once.
     match *graph.node(e) {
-        Node::Unary(Op::Sqrt, u) => Some(graph.sub(square, u)),
-        Node::Unary(Op::Abs, u) => {
-            let other = graph.powi(u, 2);
-            Some(graph.sub(square, other))
-        }
+        Node::Unary(Op::Sqrt, u) => Some((graph.unary(Op::Powi(2), e), u)),
+        Node::Unary(Op::Abs, u) => Some((graph.unary(Op::Powi(2), e), graph.powi(u, 2))),
         Node::Leaf(leaf) => {
             let (c, s): (Leaf, Leaf) = lowered.generators.circle(leaf)?;
             if leaf != s {
                 return None;
             }
             let c = graph.leaf(c);
-            let (cc, one) = (graph.powi(c, 2), graph.integer(1));
-            let sum = graph.add(square, cc);
-            Some(graph.sub(sum, one))
+            let (ss, cc) = (graph.powi(e, 2), graph.powi(c, 2));
+            Some((graph.add(ss, cc), graph.integer(1)))
         }
         _ => None,
     }
@@ -529,11 +736,114 @@ struct Names {
     list: Vec<String>,
 }
 
-/// Words that are no names in Python, and names that the line for SymPy uses.
+/// Words that are no names in Python or in Lean, and names that the texts use.
 const TAKEN: &[&str] = &[
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
-    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
-    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "print", "expand", "symbols", "d", "N",
+    "False",
+    "None",
+    "True",
+    "and",
+    "as",
+    "assert",
+    "async",
+    "await",
+    "break",
+    "class",
+    "continue",
+    "def",
+    "del",
+    "elif",
+    "else",
+    "except",
+    "finally",
+    "for",
+    "from",
+    "global",
+    "if",
+    "import",
+    "in",
+    "is",
+    "lambda",
+    "nonlocal",
+    "not",
+    "or",
+    "pass",
+    "raise",
+    "return",
+    "try",
+    "while",
+    "with",
+    "yield",
+    "print",
+    "expand",
+    "symbols",
+    "d",
+    "N",
+    "D",
+    "sqrt",
+    "Abs",
+    "sin",
+    "cos",
+    "tan",
+    "exp",
+    "log",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "agm",
+    "power",
+    "pi",
+    "at",
+    "by",
+    "do",
+    "end",
+    "fun",
+    "have",
+    "let",
+    "match",
+    "open",
+    "show",
+    "then",
+    "where",
+    "theorem",
+    "def",
+    "example",
+    "axiom",
+    "variable",
+    "section",
+    "namespace",
+    "instance",
+    "structure",
+    "universe",
+    "local",
+    "macro",
+    "mutual",
+    "partial",
+    "private",
+    "protected",
+    "unsafe",
+    "notation",
+    "prefix",
+    "infix",
+    "syntax",
+    "calc",
+    "suffices",
+    "obtain",
+    "key",
+    "top",
+    "same",
+    "set_option",
+    "deriving",
+    "extends",
+    "include",
+    "omit",
+    "attribute",
+    "noncomputable",
+    "opaque",
+    "abbrev",
 ];
 
 impl Names {
@@ -551,18 +861,24 @@ impl Names {
                 Node::Unary(Op::Sqrt, _) => "root".to_owned(),
                 _ => "absolute".to_owned(),
             };
-            // A certificate's text calls relations p1, p2 … and cofactors q1, q2 …
-            let numbered = |name: &str| {
-                name.strip_prefix(['p', 'q']).is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
-            };
-            let free = |name: &String| !list.contains(name) && !TAKEN.contains(&name.as_str()) && !numbered(name);
-            let name = match free(&wish) {
-                true => wish,
-                false => (2..).map(|n| format!("{wish}_{n}")).find(free).unwrap_or(wish),
-            };
+            let name = free(wish, &list);
             list.push(name);
         }
         Names { list }
+    }
+}
+
+/// A name that is not taken, as near to this one as there is.
+fn free(wish: String, list: &[String]) -> String {
+    // A certificate's text has relations p1, p2 …, cofactors q1, q2 …, and parts of long texts e1, e2 …, f1, f2 …
+    let numbered = |name: &str| {
+        let rest = name.strip_prefix(['p', 'q', 'e', 'f', 'h']);
+        rest.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let is_free = |name: &String| !list.contains(name) && !TAKEN.contains(&name.as_str()) && !numbered(name);
+    match is_free(&wish) {
+        true => wish,
+        false => (2..).map(|n| format!("{wish}_{n}")).find(is_free).unwrap_or(wish),
     }
 }
 

@@ -16,7 +16,6 @@ use super::outcome::Condition;
 use super::polynomial::fraction;
 use expr::tape::{Slots, Tape};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
-use number::NoValue;
 
 /// What is asked of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +39,8 @@ pub struct Question {
     pub assumed: Vec<(Requirement, Expr)>,
     /// What is claimed.
     pub claimed: Vec<(Requirement, Expr)>,
+    /// Whether it is claimed that there is a value: otherwise values for which a formula has none do not count.
+    pub asserted: bool,
 }
 
 /// Groups of equal parameters (by their number), in increasing order.
@@ -113,7 +114,9 @@ pub fn decide(graph: &mut Graph, question: &Question) -> Orders {
         match signs.all(&question.assumed) {
             Fate::Holds => {
                 let fate = signs.all(&question.claimed);
-                out.list.push((order, fate));
+                if question.asserted || fate != Fate::NoValue {
+                    out.list.push((order, fate));
+                }
             }
             Fate::Fails | Fate::NoValue => {}
             // The assumptions hold for a part of the values only, perhaps for none.
@@ -180,9 +183,11 @@ impl Signs<'_> {
         for &(requirement, e) in requirements {
             match self.one(requirement, e) {
                 Fate::Holds => {}
+                // Something false beside it decides.
+                Fate::NoValue => fate = Fate::NoValue,
                 Fate::Open if fate == Fate::Holds => fate = Fate::Open,
                 Fate::Open => {}
-                settled => return settled,
+                settled @ (Fate::Fails | Fate::FailsAt(_)) => return settled,
             }
         }
         fate
@@ -321,7 +326,7 @@ impl Signs<'_> {
                 Requirement::Positive => *v > Rational::ZERO,
                 Requirement::NotNegative => *v >= Rational::ZERO,
             }),
-            Err(NoValue::OutOfDomain) => Some(false),
+            // What has no value there says nothing.
             Err(_) => None,
         }
     }

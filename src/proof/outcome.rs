@@ -7,6 +7,8 @@ use expr::{Expr, Leaf, Rational, Symbol};
 pub struct Premises {
     /// Equations that hold: definitions, systems, assumptions, earlier claims.
     pub equations: Vec<(Expr, Expr)>,
+    /// Equations that hold at the present time, and perhaps at no other: they are not differentiated.
+    pub only_now: Vec<(Expr, Expr)>,
     /// Expressions that are not 0.
     pub nonzero: Vec<Expr>,
     /// Expressions that are positive (declared parameters, assumptions).
@@ -191,6 +193,9 @@ pub enum Reason {
     NoDerivative,
     /// The bound could not be brought below the target within a reasonable number of trials.
     Bound(f64),
+    /// Real points satisfy what is given and its derivatives, and not the claim; that a motion passes through one of them was
+    /// not shown.
+    Unextended,
     /// No point of the field was found at which all roots exist.
     NoPoint,
     /// A relation between roots that held at all random points of the preparation does not hold at others: try another seed.
@@ -241,6 +246,9 @@ impl std::fmt::Display for Reason {
             Reason::TooLarge => f.write_str("too many cases, exponents or transcendental arguments"),
             Reason::NoDerivative => f.write_str("a derivative by time cannot be written with the known operations"),
             Reason::Bound(b) => write!(f, "the error bound stays at 2^{b:.0}"),
+            Reason::Unextended => f.write_str(
+                "a point satisfies what is given, and not the claim; but that a motion passes through it was not shown",
+            ),
             Reason::NoPoint => f.write_str("no point of the field was found at which all square roots exist"),
             Reason::Coincidence => f.write_str("a relation between roots held at some random points only"),
             Reason::Defect(what) => write!(f, "the two routes disagree, a defect of this program: {what}"),

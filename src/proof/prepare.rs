@@ -1,5 +1,6 @@
 //! Premises before lowering: derivatives by time, explicit definitions.
 
+use super::closing::Dynamics;
 use super::insertion::put_in;
 use super::outcome::{Premises, Reason};
 use expr::{Expr, Graph, Leaf, Node, Op};
@@ -14,31 +15,54 @@ pub(super) struct Premise {
     pub(super) derived: bool,
 }
 
-/// The premises' equations, followed by as many of their derivatives by time as the highest rate that occurs asks for.
+/// The premises' equations, followed by their derivatives by time as far as the claim and hidden constraints ask for, see
+/// [`Dynamics`]; and all of these at the fixed times at which rates occur.
 pub(super) fn with_rates(
     graph: &mut Graph,
     premises: &Premises,
     equations: &[(Expr, Expr)],
-) -> Result<Vec<Premise>, Reason> {
-    let mut all: Vec<Premise> =
-        premises.equations.iter().map(|&(left, right)| Premise { left, right, derived: false }).collect();
-    let Some(time) = premises.time else { return Ok(all) };
-    let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
-    let highest = |graph: &Graph, pairs: &[(Expr, Expr)]| -> Option<u8> {
-        let sides = pairs.iter().flat_map(|&(l, r)| [l, r]);
-        graph.leaves(sides).into_iter().filter(|l| l.instant.is_none() && moves(*l)).map(|l| l.rate).max()
+) -> Result<(Vec<Premise>, Dynamics), Reason> {
+    let plain = |&(left, right): &(Expr, Expr)| Premise { left, right, derived: false };
+    let mut all: Vec<Premise> = premises.equations.iter().map(plain).collect();
+    let Some(time) = premises.time else {
+        all.extend(premises.only_now.iter().map(plain));
+        return Ok((all, Dynamics::default()));
     };
-    let wanted = highest(graph, equations).max(highest(graph, &premises.equations)).unwrap_or(0);
-    for &(left, right) in &premises.equations {
-        let Some(own) = highest(graph, &[(left, right)]) else { continue };
-        let (mut left, mut right) = (left, right);
-        for _ in own..wanted {
-            left = graph.time_derivative(left, time, moves).map_err(|_| Reason::NoDerivative)?;
-            right = graph.time_derivative(right, time, moves).map_err(|_| Reason::NoDerivative)?;
-            all.push(Premise { left, right, derived: true });
+    let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
+    let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
+    let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
+    let dynamics = Dynamics::of(graph, &premises.equations, &asked, time, &moves)?;
+    for &pair in &dynamics.parts {
+        if !premises.equations.contains(&pair) {
+            all.push(plain(&pair));
         }
     }
-    Ok(all)
+    all.extend(dynamics.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
+    // At the fixed times at which rates occur everything holds, too.
+    let sides = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+    let mut instants: Vec<Expr> =
+        graph.leaves(sides).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
+    instants.sort_unstable();
+    instants.dedup();
+    for instant in instants {
+        for Premise { left, right, derived } in all.clone() {
+            let then = [left, right].map(|e| {
+                graph.substitute(e, |graph, leaf| match leaf {
+                    leaf if leaf == time => Some(instant),
+                    leaf if leaf.instant.is_none() && moves(leaf) => {
+                        Some(graph.leaf(Leaf { instant: Some(instant), ..leaf }))
+                    }
+                    _ => None,
+                })
+            });
+            let one = Premise { left: then[0], right: then[1], derived };
+            if then[0] != then[1] && !all.iter().any(|p| (p.left, p.right) == (one.left, one.right)) {
+                all.push(one);
+            }
+        }
+    }
+    all.extend(premises.only_now.iter().map(plain));
+    Ok((all, dynamics))
 }
 
 /// Leaves that stand in arguments of transcendental functions.

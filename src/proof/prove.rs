@@ -2,6 +2,7 @@
 
 mod cases;
 
+use super::closing::Dynamics;
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
 use super::insertion::Insertion;
@@ -121,12 +122,18 @@ fn decide(
     options: &Options,
 ) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
-    let premises = with_rates(graph, given, equations)?;
+    let (mut premises, dynamics) = with_rates(graph, given, equations)?;
+    // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
+    let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    for p in &mut premises {
+        (p.left, p.right) = (graph.unrestricted(p.left), graph.unrestricted(p.right));
+    }
     let solved = explicit(graph, &premises, equations, given);
-    let premises: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
+    let premises = whole;
     let mut insertion = Insertion::new(&solved.definitions);
     let mut insert = |graph: &mut Graph, e: Expr| insertion.put_into(graph, e);
     let claim: Pairs = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();
+    let claim: Pairs = claim.into_iter().map(|(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
     let nonzero: Vec<Expr> = given.nonzero.iter().map(|&e| insert(graph, e)).collect();
     let positive: Vec<Expr> = given.positive.iter().map(|&e| insert(graph, e)).collect();
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
@@ -160,6 +167,7 @@ fn decide(
         seeded: true,
         limit,
         shortened: false,
+        dynamics: &dynamics,
     };
     let own = examination.lowered.premises.clone();
     let settled = examination.generic(&own);
@@ -249,6 +257,8 @@ struct Examination<'a> {
     limit: usize,
     /// Whether a reason was given that looks at a part of the pivots only.
     shortened: bool,
+    /// Which points belong to motions.
+    dynamics: &'a Dynamics,
 }
 
 impl Examination<'_> {
@@ -424,7 +434,7 @@ impl Examination<'_> {
         };
         match outcome {
             Trials::Vanish(bound) => {
-                let found = look(&scene, &mut self.draws, self.examples, |f| !f.is_empty());
+                let found = look(&scene, &mut self.draws, self.examples, |_| true, |f| !f.is_empty());
                 if let Some(f) = found.iter().find(|f| f.differs.is_some()) {
                     let sides = f.differs.map(|at| format!("{:?}", f.sides[at])).unwrap_or_default();
                     let what = format!("proved over finite fields, but at a real point: {sides}");
@@ -449,8 +459,15 @@ impl Examination<'_> {
                         f.len() > 12 || r.left.exact.is_some() && r.right.exact.is_some() && r.second.is_some()
                     })
                 };
-                match refutation(&look(&scene, &mut self.draws, options.attempts, enough)) {
+                let mut passed_over = false;
+                let on_a_motion = |f: &Found| {
+                    let extends = f.differs.is_none() || self.dynamics.extends(scene.graph, &f.point);
+                    passed_over |= !extends;
+                    extends
+                };
+                match refutation(&look(&scene, &mut self.draws, options.attempts, on_a_motion, enough)) {
                     Some(refutation) => Outcome::Refuted(Box::new(refutation)),
+                    None if passed_over => Outcome::Open(Reason::Unextended),
                     None => {
                         let split = if failing < of { self.split_by_sign(case, options) } else { None };
                         split.unwrap_or(Outcome::Open(Reason::Branches { failing, of }))
@@ -539,11 +556,19 @@ fn leaf_of(graph: &Graph, e: Expr) -> Option<Leaf> {
     }
 }
 
-fn look(scene: &Scene<'_>, draws: &mut Draws, attempts: u32, enough: impl Fn(&[Found]) -> bool) -> Vec<Found> {
+fn look(
+    scene: &Scene<'_>,
+    draws: &mut Draws,
+    attempts: u32,
+    mut counts: impl FnMut(&Found) -> bool,
+    enough: impl Fn(&[Found]) -> bool,
+) -> Vec<Found> {
     let mut found = Vec::new();
     let frame = scene.frame();
     for number in 0..attempts {
-        if let Some(f) = scene.attempt(&frame, number, draws) {
+        if let Some(f) = scene.attempt(&frame, number, draws)
+            && counts(&f)
+        {
             found.push(f);
             if enough(&found) {
                 break;

@@ -577,15 +577,16 @@ pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
 
 /// The first of these expressions that may vanish at a point; what has no value there counts as not vanishing.
 pub(super) fn vanishing(graph: &Graph, exprs: &[Expr], point: &Point) -> Option<Expr> {
-    let values: Values = point
-        .values
-        .iter()
-        .map(|&(leaf, ref v)| {
-            let rounding = v.decimal.abs() * 4.0 * f64::EPSILON;
-            let exact = v.exact.as_ref().and_then(rounded);
-            (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
-        })
-        .collect();
-    let at = decimals(graph, exprs, &values);
+    let at = decimals(graph, exprs, &values_at(point));
     exprs.iter().zip(at).find_map(|(&e, v)| v.is_some_and(|v| v.contains_zero()).then_some(e))
+}
+
+/// The values at a point, with their rounding.
+pub(super) fn values_at(point: &Point) -> Values {
+    let value = |&(leaf, ref v): &(Leaf, PointValue)| {
+        let rounding = v.decimal.abs() * 4.0 * f64::EPSILON;
+        let exact = v.exact.as_ref().and_then(rounded);
+        (leaf, exact.unwrap_or(Bounded { value: v.decimal, error: rounding }))
+    };
+    point.values.iter().map(value).collect()
 }

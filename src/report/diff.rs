@@ -8,7 +8,9 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::markdown::{code, prose};
 use super::numbers::count;
+use diag::shown::{in_one_line, shown};
 
 /// What a change amounts to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -223,9 +225,16 @@ fn line(group: &[&Change], markdown: bool) -> String {
     let on = if names.is_empty() { "as an identity".to_owned() } else { format!("on {}", names.join(", ")) };
     let old = first.old.as_deref().unwrap_or("not tried");
     let new = first.new.as_deref().unwrap_or("not tried any more");
-    let (derivation, claim) = (&first.derivation, &first.claim);
+    let (derivation, claim) = (first.derivation.as_str(), first.claim.as_str());
     match markdown {
-        true => format!("- **{derivation}**, `{claim}` {on}: {old} → **{new}**\n"),
-        false => format!("  {derivation}: {claim} {on}\n    {old} → {new}\n"),
+        // Reports may be written by strangers, too.
+        true => {
+            let [derivation, on, old, new] = [derivation, &on, old, new].map(|text| prose(&shown(text)));
+            format!("- **{derivation}**, {} {on}: {old} → **{new}**\n", code(&in_one_line(claim)))
+        }
+        false => {
+            let [derivation, claim, on, old, new] = [derivation, claim, &on, old, new].map(in_one_line);
+            format!("  {derivation}: {claim} {on}\n    {old} → {new}\n")
+        }
     }
 }

@@ -131,7 +131,7 @@ impl Whole<'_> {
         self.readings
             .iter()
             .filter(of_the_paper)
-            .all(|r| r.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved"))
+            .all(|r| r.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved))
     }
 }
 
@@ -239,7 +239,7 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
     }
     let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
     match reading.standing {
-        Standing::Holds if reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved") => {
+        Standing::Holds if reading.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved) => {
             "Holds, proved for all values".to_owned()
         }
         Standing::Holds => match n("holds") {

@@ -14,6 +14,7 @@ use super::tally::{Group, declared, groups, name, says};
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
+use diag::shown::{in_one_line, shown};
 
 /// How serious a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -284,12 +285,12 @@ pub fn problems(diagnostics: &[Diagnostic]) -> Vec<Finding> {
 
 fn problem(diagnostic: &Diagnostic) -> Finding {
     let place = |span: Option<&Range<usize>>| Place { source: Arc::clone(&diagnostic.source), span: span.cloned() };
-    let mut message = sentence(&diagnostic.message);
+    let mut message = sentence(&shown(&diagnostic.message));
     if let Some(hint) = &diagnostic.hint {
         message.push_str(" Hint: ");
-        message.push_str(&sentence(hint));
+        message.push_str(&sentence(&shown(hint)));
     }
-    let other = diagnostic.other.iter().map(|l| (place(Some(&l.span)), l.text.clone()));
+    let other = diagnostic.other.iter().map(|l| (place(Some(&l.span)), in_one_line(&l.text)));
     Finding {
         rule: diagnostic.code,
         level: Level::Error,

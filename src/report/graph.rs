@@ -79,7 +79,7 @@ impl DerivationGraph {
         for claim in &derivation.claims {
             let id = claim.name();
             graph.nodes.push(Node {
-                verdict: verdicts.get(&id).map(|i| i.verdict),
+                verdict: verdicts.get(&id).map(|i| i.verdict()),
                 id,
                 kind: Kind::Claim,
                 assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),

@@ -10,6 +10,7 @@ use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
 use crate::derivation::Derivation;
 use ::paper::Comparison;
+use diag::shown::in_json;
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
@@ -20,7 +21,7 @@ fn text(value: &Value) -> String {
     let mut out = String::new();
     write(value, 0, &mut out);
     out.push('\n');
-    out
+    in_json(&out)
 }
 
 /// The same with the comparison with the paper, as `paper`.
@@ -103,7 +104,9 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "precision": declared.map(|d| number(d.precision)),
         "remark": claim.remark,
         "identity": claim.identity.as_ref().map(|i| json!({
-            "verdict": i.verdict,
+            "verdict": i.verdict(),
+            "standing": i.standing(),
+            "conditional_on": i.conditional_on.iter().map(|g| json!({ "id": g.name, "standing": g.standing })).collect::<Vec<_>>(),
             "log2_error": i.log2_error.map(number),
             "from": i.from,
             "conditions": i.conditions,

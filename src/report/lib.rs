@@ -3,11 +3,12 @@
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
-//! from [`findings`];
-//! [`write_files`] puts them into a folder, all or none.
+//! from [`findings`].
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
+
+#![forbid(unsafe_code)]
 
 use ::{check, derivation, diag, expr, latex};
 
@@ -40,12 +41,11 @@ mod tex;
 mod text;
 mod units;
 mod wording;
-mod write;
 
 /// The name of the program, as reports give it.
 const PROGRAM: &str = "rederive";
 
-pub use certificates::{CERTIFICATES, certificate_text, certificates};
+pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
@@ -60,7 +60,14 @@ pub use sarif::sarif;
 pub use schema::schema;
 pub use summary::{exceptions, summary};
 pub use tex::tex;
-pub use write::{WriteError, write_files, write_report};
+
+/// The path as the project sees it; nothing outside the project is named.
+fn project_path(path: &str) -> String {
+    let path = path.replace('\\', "/");
+    let path = path.trim_start_matches("./");
+    let outside = path.starts_with('/') || path.split('/').any(|p| p == ".." || p.ends_with(':'));
+    if outside { path.rsplit('/').next().unwrap_or_default().to_owned() } else { path.to_owned() }
+}
 
 #[cfg(all(test, debug_assertions))]
 mod tests {

@@ -3,10 +3,13 @@
 use super::certificates::certificate_note;
 use super::discrimination;
 use super::graph::{DerivationGraph, rests_in_words};
+use super::mathml;
 use super::numbers::{count, size, time, value};
+use super::project_path;
 use super::tally::{Group, declared, glyph, groups, name};
 use crate::check::{Account, ClaimAccount, PairAccount};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
+use crate::latex::printed;
 
 /// The report.
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
@@ -42,7 +45,11 @@ pub(super) fn prose(text: &str) -> String {
         let after = &rest[c.len_utf8()..];
         if let Some(end) = after.find(c).filter(|end| (c == '`' || c == '$') && *end > 0) {
             let inner = &after[..end];
-            out.push_str(&if c == '$' { math(inner) } else { format!("`{}`", inner.replace('|', r"\|")) });
+            out.push_str(&if c == '$' {
+                written_math(inner)
+            } else {
+                code(&printed(inner).unwrap_or_else(|| inner.to_owned()))
+            });
             rest = &after[end + 1..];
             continue;
         }
@@ -54,6 +61,123 @@ pub(super) fn prose(text: &str) -> String {
         rest = after;
     }
     out
+}
+
+/// A formula in a text. What a forge could do more with than set it is shown as it is written.
+fn written_math(formula: &str) -> String {
+    let formula = printed(formula).unwrap_or_else(|| formula.to_owned());
+    let mut commands = formula.split('\\').skip(1).map(|rest| {
+        let name = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        &rest[..name]
+    });
+    let harmless = |name: &str| name.is_empty() || mathml::letter(name).is_some() || SET_ONLY.contains(&name);
+    if commands.all(harmless) && !formula.contains('%') { math(&formula) } else { code(&formula) }
+}
+
+/// Commands of LaTeX, beside those of letters, that set something and do nothing else.
+const SET_ONLY: &[&str] = &[
+    "arccos",
+    "arcsin",
+    "arctan",
+    "array",
+    "bar",
+    "bf",
+    "big",
+    "Big",
+    "boldsymbol",
+    "cal",
+    "cdot",
+    "cdots",
+    "circ",
+    "cos",
+    "cosh",
+    "cot",
+    "coth",
+    "cr",
+    "ddot",
+    "dddot",
+    "det",
+    "dfrac",
+    "displaystyle",
+    "div",
+    "dot",
+    "dots",
+    "ell",
+    "equiv",
+    "exists",
+    "exp",
+    "forall",
+    "frac",
+    "ge",
+    "geq",
+    "gg",
+    "hat",
+    "in",
+    "infty",
+    "int",
+    "it",
+    "langle",
+    "ldots",
+    "le",
+    "left",
+    "leq",
+    "lim",
+    "limits",
+    "ln",
+    "log",
+    "lvert",
+    "mathbb",
+    "mathbf",
+    "mathcal",
+    "mathrm",
+    "mathsf",
+    "max",
+    "min",
+    "mp",
+    "nabla",
+    "ne",
+    "neq",
+    "not",
+    "operatorname",
+    "partial",
+    "perp",
+    "pm",
+    "prime",
+    "prod",
+    "propto",
+    "qquad",
+    "quad",
+    "rangle",
+    "right",
+    "rightarrow",
+    "rm",
+    "rvert",
+    "sf",
+    "sim",
+    "simeq",
+    "sin",
+    "sinh",
+    "sqrt",
+    "sum",
+    "tan",
+    "tanh",
+    "text",
+    "textstyle",
+    "tfrac",
+    "tilde",
+    "times",
+    "to",
+    "top",
+    "Rightarrow",
+    "vec",
+    "vert",
+    "wedge",
+    "approx",
+];
+
+/// A text as it is written.
+pub(super) fn code(text: &str) -> String {
+    format!("`{}`", text.replace('|', r"\|").replace('`', "'"))
 }
 
 /// A formula inside a line.
@@ -223,7 +347,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             notes.push("For comparison: the paper does not say it.".to_owned());
         }
         if let Some(label) = declared.and_then(|d| d.label.as_ref()) {
-            notes.push(format!("Label: `{label}`."));
+            notes.push(format!("Label: {}.", code(label)));
         }
         if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
             notes.push(format!("Follows from: {}.", from.iter().map(|f| prose(f)).collect::<Vec<_>>().join(", ")));
@@ -445,14 +569,6 @@ fn repeat(derivation: &Derivation) -> String {
         derivation.sha256,
         size(DEFAULT_PRECISION),
     )
-}
-
-/// The path as the project sees it; nothing outside the project is named.
-fn project_path(path: &str) -> String {
-    let path = path.replace('\\', "/");
-    let path = path.trim_start_matches("./");
-    let outside = path.starts_with('/') || path.split('/').any(|p| p == ".." || p.ends_with(':'));
-    if outside { path.rsplit('/').next().unwrap_or_default().to_owned() } else { path.to_owned() }
 }
 
 #[cfg(all(test, debug_assertions))]

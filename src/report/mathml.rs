@@ -169,6 +169,8 @@ impl Markup {
         match &node.kind {
             NodeKind::Number(r) => self.number(r),
             NodeKind::Pi => self.put("<mi>π</mi>"),
+            NodeKind::Euler { upright: false } => self.put("<mi>e</mi>"),
+            NodeKind::Euler { upright: true } => self.put("<mi mathvariant=\"normal\">e</mi>"),
             NodeKind::Identity => self.put("<mi mathvariant=\"normal\">𝟙</mi>"),
             NodeKind::Symbol(s) => self.symbol(s),
             NodeKind::Group(inner, bracket) => {
@@ -260,6 +262,24 @@ impl Markup {
                     self.node(of, Least::Factor);
                 }
             }
+            NodeKind::At { of, time, bar: None } => {
+                self.row(of, Least::Factor);
+                self.put(APPLY);
+                self.enclosed("(", time, ")");
+            }
+            NodeKind::At { of, time, bar: Some(name) } => {
+                self.put("<msub><mrow>");
+                self.node(of, Least::Sum);
+                self.put("<mo fence=\"true\" form=\"postfix\">|</mo></mrow><mrow>");
+                self.name(name);
+                self.operator("=");
+                self.node(time, Least::Sum);
+                self.put("</mrow></msub>");
+            }
+            NodeKind::Factorial(inner) => {
+                self.row(inner, Least::Factor);
+                self.put("<mo form=\"postfix\">!</mo>");
+            }
             NodeKind::Tuple(parts) => self.list(parts),
             NodeKind::Matrix(rows) => {
                 let mut inner = Markup("<mtable>".to_owned());
@@ -280,6 +300,13 @@ impl Markup {
     }
 
     fn function(&mut self, function: &str, power: Option<i32>, arguments: &[Node]) {
+        if let ("binom", [n, k]) = (function, arguments) {
+            let mut inner = Markup("<mfrac linethickness=\"0\">".to_owned());
+            inner.row(n, Least::Sum);
+            inner.row(k, Least::Sum);
+            inner.put("</mfrac>");
+            return self.fenced("(", &inner.0, ")");
+        }
         let name = format!("<mi>{}</mi>", escaped(function));
         match power {
             None => self.put(&name),

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use super::certificates::{certificate_text, is_certified};
 use super::json::{number, trials, write};
 use super::text::{Paint, paragraph};
+use crate::check::standing::Decision;
 use crate::check::{Counterexample, IdentityAccount, Place, Proposition, Trials};
 
 /// The answer for a person; with `certificate`, followed by the exact proof as a program. `colour`: with escape codes.
@@ -15,20 +16,24 @@ pub fn proposition_text(
     colour: bool,
 ) -> String {
     let evidence = &account.evidence;
-    let mut out = format!("{}\n", Paint(colour).bold(account.verdict));
+    let mut out = format!("{}\n", Paint(colour).bold(account.standing()));
     out.push_str(&lines(&[proposition.formula.as_str()], 2));
     if !proposition.given.is_empty() {
         out.push_str("  given\n");
         out.push_str(&lines(&proposition.given, 4));
     }
     out.push('\n');
-    match account.verdict {
-        "proved" => {
+    match account.finding.decision() {
+        decision @ (Decision::Proved | Decision::ProvedExcept) => {
             let where_true = if proposition.given.is_empty() { "" } else { " for which the premises hold" };
-            out.push_str(&paragraph(
-                &format!("Holds for all values of the symbols{where_true} and both sides have a value."),
-                2,
-            ));
+            let words = match decision {
+                Decision::ProvedExcept => format!(
+                    "Holds for values of the symbols{where_true} and both sides have a value, but whether it holds in the \
+                     cases that the proof does not reach is open."
+                ),
+                _ => format!("Holds for all values of the symbols{where_true} and both sides have a value."),
+            };
+            out.push_str(&paragraph(&words, 2));
             if let Some(branch) = evidence.branch {
                 out.push_str(&paragraph(&format!("± holds {branch}."), 2));
             }
@@ -40,11 +45,11 @@ pub fn proposition_text(
                 out.push_str(&format!("  {title}\n{}", lines(&list, 4)));
             }
         }
-        "refuted" => match &evidence.counterexample {
+        Decision::Refuted => match &evidence.counterexample {
             Some(found) => out.push_str(&counterexample(found, !proposition.given.is_empty())),
             None => out.push_str(&lines(account.witness.as_slice(), 2)),
         },
-        _ => {
+        Decision::Undecided => {
             let reason = account.reason.as_deref().unwrap_or("no reason is known");
             out.push_str(&paragraph(&format!("Neither proved nor refuted: {reason}."), 2));
         }
@@ -124,7 +129,8 @@ pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) ->
         "formula": proposition.formula,
         "given": proposition.given,
         "branches": if proposition.throughout { "throughout" } else { "pointwise" },
-        "verdict": account.verdict,
+        "verdict": account.verdict(),
+        "standing": account.standing(),
         "log2_error": account.log2_error.map(number),
         "field": evidence.trials.as_ref().map(|_| "GF(p^2)"),
         "trials": evidence.trials.as_ref().map(trials),

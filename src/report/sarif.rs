@@ -11,6 +11,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
+use diag::shown::in_json;
+
 use super::finding::{Finding, Level, Place, rule_says};
 
 /// A log with one run, as text.
@@ -43,7 +45,7 @@ pub fn sarif(findings: &[Finding]) -> String {
     });
     let mut text = serde_json::to_string_pretty(&log).unwrap_or_default();
     text.push('\n');
-    text
+    in_json(&text)
 }
 
 fn descriptor(rule: &str) -> Value {

@@ -82,6 +82,23 @@ pub fn schema() -> Value {
     ]);
     let identity = object(&[
         ("verdict", json!({ "enum": ["proved", "refuted", "undecided"] })),
+        (
+            "standing",
+            json!({
+                "enum": ["proved", "proved except", "proved given", "refuted", "undecided"],
+                "description": "The verdict in full: whether a proof leaves cases out, or follows from what is not proved",
+            }),
+        ),
+        (
+            "conditional_on",
+            list(object(&[
+                ("id", text("A claim that it follows from, through all steps, and that is not proved")),
+                (
+                    "standing",
+                    text_or_null("What that claim's own step came to; null where it is no question for all values"),
+                ),
+            ])),
+        ),
         ("log2_error", number("log2 of the bound for the probability that a proof is wrong")),
         ("from", texts("What was given: ids of claims and systems")),
         ("conditions", texts("What has to hold for the formulas to have values")),

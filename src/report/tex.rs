@@ -46,15 +46,16 @@ pub fn tex(derivation: &Derivation, account: &Account) -> String {
     }
     claims(derivation, account, &mut out);
     trajectories(derivation, account, &mut out);
+    let path = super::project_path(&derivation.file.path);
     out.push_str(&format!(
         "\\subsection*{{How it was made}}\n{} {}, from the file {}, SHA-256\\\\\\texttt{{\\footnotesize {}}}.\\\\\nTo repeat it: \
          \\texttt{{{} check {}}}\n\n\\end{{document}}\n",
         crate::PROGRAM,
         env!("CARGO_PKG_VERSION"),
-        escaped(&derivation.file.path),
+        escaped(&path),
         derivation.sha256,
         crate::PROGRAM,
-        escaped(&derivation.file.path)
+        escaped(&path)
     ));
     out
 }
@@ -331,7 +332,8 @@ fn escaped(text: &str) -> String {
             c => out.push_str(&sign(c)),
         }
     }
-    out
+    // In the log of a workflow a line that begins so is a command.
+    out.replace("::", ":{}:")
 }
 
 /// A sign of the range Latin-1 and Latin Extended-A.

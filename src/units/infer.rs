@@ -148,6 +148,7 @@ impl<'g> Inference<'g> {
                     },
                     Op::Arctan2 => (one(), self.same(a, b, r"are the arguments of \operatorname{atan2}").1),
                     Op::Agm => self.same(a, b, r"are the arguments of \operatorname{agm}"),
+                    Op::Restrict => (x, None),
                     // The table has no other operation of two arguments.
                     _ => (State::Unknown, None),
                 }

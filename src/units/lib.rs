@@ -9,6 +9,8 @@
 //! of sin, exp, ln … and exponents are numbers; a rate has the unit of its symbol over that of the time. A literal is a number;
 //! 0 agrees with every unit. The rules are those of a formula that keeps its truth when the base units are changed.
 
+#![forbid(unsafe_code)]
+
 mod infer;
 
 use std::collections::HashMap;

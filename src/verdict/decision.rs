@@ -126,6 +126,9 @@ impl Finding {
     }
 }
 
+/// More parts than these are not weighed against each other one by one.
+const MANY: usize = 64;
+
 /// The verdict of one claim (in one reading) on one trajectory, or over its ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
@@ -184,8 +187,16 @@ impl Verdict {
         if complete {
             finding.enclosed = known;
             finding.evidence = evidence;
-            self.fold();
+            // One of many that is true decides nothing by itself: that is seen when all are known, see `settle`.
+            if self.findings.len() <= MANY || !known.may_be(Truth::True) {
+                self.fold();
+            }
         }
+    }
+
+    /// Decides again, after all parts of a claim have been enclosed.
+    pub fn settle(&mut self) {
+        self.fold();
     }
 
     /// A proof, or a refutation for certain values, of a part on this motion. A proof of all values says that the part is true wherever it
@@ -208,15 +219,15 @@ impl Verdict {
     /// A proof of all that the claim says, on this motion: given what it presupposes, which is not proved by that.
     pub fn prove_claim(&mut self, proof: &Proof) {
         for part in self.claim.said() {
-            let open = self.findings.get(part).is_some_and(|f| f.known(Strength::Sampled) != Some(Possible::TRUE));
-            self.prove(part, Possible::TRUE_OR_VOID, |e| {
-                e.proof = Some(proof.clone());
-                if open {
-                    // Why it was open is of no interest any more.
-                    e.reason = None;
-                }
-            });
+            let Some(finding) = self.findings.get_mut(part) else { continue };
+            if finding.known(Strength::Sampled) != Some(Possible::TRUE) {
+                // Why it was open is of no interest any more.
+                finding.evidence.reason = None;
+            }
+            finding.evidence.proof = Some(proof.clone());
+            finding.proved = Possible::TRUE_OR_VOID;
         }
+        self.fold();
     }
 
     /// Gives up what samples say, of all parts: the sampled motion is not what its bounds say.
@@ -228,6 +239,15 @@ impl Verdict {
             }
         }
         self.fold();
+    }
+
+    /// Gives up that samples say that a part is true: what is asked of every time is seen to be open at one.
+    pub fn doubt(&mut self, part: usize, reason: String) {
+        if let Some(finding) = self.findings.get_mut(part).filter(|f| f.sampled == Possible::TRUE) {
+            finding.sampled = Possible::OPEN;
+            finding.evidence.reason = Some(reason);
+            self.fold();
+        }
     }
 
     /// Adds to what is said of a verdict, without changing it.
@@ -300,6 +320,9 @@ impl Verdict {
         let now = value(None, None);
         let mut parts = self.claim.atoms();
         parts.retain(|&n| n < self.findings.len());
+        if parts.len() > MANY {
+            return self.told_of_many(&parts, decided, known);
+        }
         let tells: Vec<usize> = match decided {
             Some((Truth::True, _)) => parts.iter().copied().filter(|&n| value(None, Some(n)) != now).collect(),
             Some(_) => parts.iter().copied().filter(|&n| value(Some(n), None) == now).collect(),
@@ -321,6 +344,25 @@ impl Verdict {
         match worst {
             Some(n) => self.findings[n].evidence.clone(),
             None => Evidence::because("the claim says nothing that could be tried"),
+        }
+    }
+
+    /// The same for a claim with very many parts, without asking what each of them does to the whole.
+    fn told_of_many(
+        &self,
+        parts: &[usize],
+        decided: Option<(Truth, Strength)>,
+        known: impl Fn(usize) -> Possible,
+    ) -> Evidence {
+        let tells = |n: &&usize| match decided {
+            Some((Truth::True, _)) => true,
+            Some((Truth::False, _)) => self.has_witness(**n),
+            Some((Truth::Void, _)) => known(**n) == Possible::VOID,
+            None => known(**n).decided().is_none(),
+        };
+        match parts.iter().find(tells) {
+            Some(&n) => self.findings[n].evidence.clone(),
+            None => Evidence::because("no part of it decides alone"),
         }
     }
 

@@ -8,6 +8,8 @@
 //! excluded, `fails` only where the others are; of a strength only with evidence of that strength. The crate imports nothing.
 //! `docs/semantics.md` teaches what is written here.
 
+#![forbid(unsafe_code)]
+
 mod decision;
 mod evidence;
 mod proposition;

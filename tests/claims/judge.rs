@@ -124,8 +124,7 @@ fn proposition(claim: &Claim) -> Said {
     let proposition = Proposition { formula, given, throughout: claim.throughout };
     match caught(|| prove(&mut derivation, &proposition)) {
         Ok(account) => {
-            let word =
-                if account.verdict == "proved" && !account.exceptions.is_empty() { "except" } else { account.verdict };
+            let word = if account.standing() == "proved except" { "except" } else { account.verdict() };
             Said::Verdict(word.to_owned(), String::new(), format!("{:?}", account.reason))
         }
         Err(CheckError::Problems(problems)) => {

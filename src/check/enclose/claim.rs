@@ -176,10 +176,15 @@ pub(super) fn strengthen(
             }
         }
         if let Shown::Nothing(reason) = &shown {
+            if part.is_definedness() {
+                // That there is a value everywhere is what was asked, and somewhere it is open.
+                verdict.doubt(position, format!("whether there is a value everywhere is open: {reason}"));
+            }
             reasons.push(reason.clone());
         }
         learn(verdict, position, shown, (part, beyond));
     }
+    verdict.settle();
     if let (false, Some(reason)) = (is_rigorous(verdict.outcome()), reasons.first()) {
         remark(verdict, reason);
     }

@@ -36,6 +36,7 @@ mod tests;
 use super::Prepared;
 use super::account::ClaimAccount;
 use super::comparison::Comparison;
+use super::limits::Limits;
 use super::stage::{Fields, Stage, setup};
 use crate::derivation::{Derivation, Motion as Given};
 use crate::expr::{Expr, Graph, Leaf};
@@ -62,6 +63,7 @@ pub(super) struct Request<'a> {
     pub prepared: &'a [Vec<Prepared<'a>>],
     pub start_of: &'a [usize],
     pub tried: &'a [usize],
+    pub limits: &'a Limits,
 }
 
 /// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
@@ -121,6 +123,10 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
         );
     }
     if changes.is_empty() {
+        return changes;
+    }
+    if let Some(reached) = request.limits.reached() {
+        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, reached));
         return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);

@@ -94,6 +94,9 @@ pub(super) fn median(mut sizes: Vec<f64>) -> f64 {
     sizes.get(sizes.len() / 2).copied().filter(|x| *x > 0.0).unwrap_or(0.0)
 }
 
+/// Terms below this size are lost among the last numbers before 0.
+const LOST: f64 = 1e-280;
+
 /// Most points at which sizes are taken.
 pub(super) const POINTS: usize = 40;
 
@@ -203,7 +206,10 @@ impl<'a> Ready<'a> {
         let typical = places().map(|at| of(at, 2, Interval::lo)).fold(0.0, f64::max);
         let size = Interval::mignitude;
         self.known = places().map(|at| of(at, 0, size).max(of(at, 1, size))).fold(0.0, f64::max);
-        self.scale = if typical > 0.0 { typical } else { 1.0 };
+        // Terms that are there, but smaller than numbers can tell apart from 0, have no size that anything is small against.
+        let largest = places().map(|at| of(at, 2, Interval::magnitude)).fold(0.0, f64::max);
+        let lost = largest > 0.0 && largest < LOST;
+        self.scale = if typical > 0.0 || lost { typical } else { 1.0 };
     }
 
     /// Where the difference of a comparison stands.

@@ -148,6 +148,9 @@ impl RegionAccount {
             }
         }
         self.cells = division.judged;
+        if division.exhausted {
+            self.remarks.push("work limit: the ranges were not taken apart any further".to_owned());
+        }
         self.map = draw(division);
     }
 

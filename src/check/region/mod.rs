@@ -40,7 +40,7 @@ use question::{Insertion, Question};
 use rayon::prelude::*;
 use signs::{Cell, Scratch, Variable};
 use solutions::Solver;
-use subdivide::{Division, Judge, MOST_CELLS, subdivide};
+use subdivide::{Division, Judge, MOST_CELLS, MOST_WORK, subdivide};
 
 impl Judge for Question {
     type Scratch = Scratch;
@@ -49,7 +49,14 @@ impl Judge for Question {
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         Question::judge(self, cell, scratch)
     }
+
+    fn work(&self, scratch: &mut Scratch) -> u64 {
+        std::mem::take(&mut scratch.work)
+    }
 }
+
+/// The work that all claims of a file may take, in operations on intervals.
+const MOST_WORK_OF_A_FILE: u64 = 4_000_000_000;
 
 /// The accounts of the claims over ranges among those that are asked for, by their positions in the file.
 ///
@@ -66,10 +73,13 @@ pub(super) fn decide_all(
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
+    let most_work = MOST_WORK.min(MOST_WORK_OF_A_FILE / asked.len().max(1) as u64);
     let decided: Vec<Result<(usize, ClaimAccount), Box<Diagnostic>>> = asked
         .par_iter()
         .with_max_len(1)
-        .map(|&(at, claim, region)| Ok((at, ClaimAccount::of_region(claim, decide(derivation, claim, region)?))))
+        .map(|&(at, claim, region)| {
+            Ok((at, ClaimAccount::of_region(claim, decide(derivation, claim, region, most_work)?)))
+        })
         .collect();
     let (mut out, mut problems) = (Vec::new(), Vec::new());
     for one in decided {
@@ -114,7 +124,12 @@ fn variables(derivation: &Derivation, graph: &Graph, ranges: &[Ranged]) -> Resul
     Ok(out)
 }
 
-fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<RegionAccount, Box<Diagnostic>> {
+fn decide(
+    derivation: &Derivation,
+    claim: &Claim,
+    region: &Region,
+    most_work: u64,
+) -> Result<RegionAccount, Box<Diagnostic>> {
     let mut graph = derivation.graph.clone();
     let variables = variables(derivation, &graph, &region.ranges)?;
     let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
@@ -138,13 +153,13 @@ fn decide(derivation: &Derivation, claim: &Claim, region: &Region) -> Result<Reg
             .collect();
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;
-        let division = subdivide(&solver, &variables, solver.most_cells());
+        let division = subdivide(&solver, &variables, solver.most_cells(), most_work);
         account.measure(&division);
         solver.describe(&division, &mut account);
         account.conclude(&division, Strength::Enclosed);
         return Ok(account);
     }
-    let division = subdivide(&question, &variables, MOST_CELLS);
+    let division = subdivide(&question, &variables, MOST_CELLS, most_work);
     account.measure(&division);
     witness(&graph, &question, &variables, &division, &mut account);
     account.identities(&question);

@@ -7,7 +7,7 @@
 
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
 use crate::derivation::{Claim, Ranged, Values};
-use crate::expr::{Expr, FastMap, Graph, Leaf, Rational};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
 use crate::latex::{RelationKind, Scope};
 use crate::verdict::{self, Possible, Proposition};
 
@@ -39,8 +39,8 @@ struct Placed {
     group: Group,
     /// Whether it is about having values: then only the left sides of its equations are looked at.
     definedness: bool,
-    /// `[sign][comparison]`: the relation, and both sides.
-    relations: Vec<Vec<(usize, Expr, Expr)>>,
+    /// `[sign][comparison]`: the relations that must hold at once for it, and both sides.
+    relations: Vec<Vec<(Vec<usize>, Expr, Expr)>>,
 }
 
 /// The two sides of the formula that fails at a point.
@@ -112,6 +112,25 @@ impl<'a> Insertion<'a> {
     }
 }
 
+/// What is compared with 0. |l| ≤ r says that l ≤ r and −l ≤ r, which have slopes where |l| has none; the same for <, and for
+/// a size on the right that is not exceeded.
+fn without_absolute(graph: &mut Graph, kind: RelationKind, left: Expr, right: Expr) -> Vec<Expr> {
+    let size = |graph: &Graph, e: Expr| match *graph.node(e) {
+        Node::Unary(Op::Abs, inner) => Some(inner),
+        _ => None,
+    };
+    let inner = match kind {
+        RelationKind::Less | RelationKind::LessEqual => size(graph, left),
+        RelationKind::Greater | RelationKind::GreaterEqual => size(graph, right),
+        RelationKind::Equal | RelationKind::NotEqual => None,
+    };
+    let Some(inner) = inner else { return vec![graph.sub(left, right)] };
+    let opposite = graph.neg(inner);
+    let on_the_left = matches!(kind, RelationKind::Less | RelationKind::LessEqual);
+    let one = |graph: &mut Graph, e: Expr| if on_the_left { graph.sub(e, right) } else { graph.sub(left, e) };
+    vec![one(graph, inner), one(graph, opposite)]
+}
+
 impl Question {
     /// Compiles what a claim assumes and says; what it says of solutions is not looked at.
     ///
@@ -166,14 +185,15 @@ impl Question {
                     graph.substitute(e, |g, leaf| (leaf == sign).then(|| g.integer(value)))
                 };
                 let (left, right) = (one(c.left), one(c.right));
-                let relation = match definedness {
-                    true => self.signs.add(graph, left, RelationKind::NotEqual)?,
-                    false => {
-                        let d = graph.sub(left, right);
-                        self.signs.add(graph, d, c.kind)?
-                    }
+                let (kind, terms) = match definedness {
+                    true => (RelationKind::NotEqual, vec![left]),
+                    false => (c.kind, without_absolute(graph, c.kind, left, right)),
                 };
-                all.push((relation, left, right));
+                let mut of = Vec::new();
+                for d in terms {
+                    of.push(self.signs.add(graph, d, kind)?);
+                }
+                all.push((of, left, right));
             }
             relations.push(all);
         }
@@ -183,12 +203,16 @@ impl Question {
     /// Whether all that is said is equations that are identities, wherever they have values: then no interval has to see it.
     fn prove(&mut self, graph: &mut Graph, placed: &Placed) -> bool {
         let mut all = !placed.definedness && placed.group.formula.is_none();
-        for (relation, left, right, label) in placed.relations.iter().flat_map(|of| {
-            of.iter().zip(&placed.group.comparisons).map(|((relation, l, r), c)| (*relation, *l, *r, &c.label))
+        for (relations, left, right, label) in placed.relations.iter().flat_map(|of| {
+            of.iter().zip(&placed.group.comparisons).map(|((relations, l, r), c)| (relations, *l, *r, &c.label))
         }) {
             if placed.definedness {
                 continue;
             }
+            let [relation] = relations[..] else {
+                all = false;
+                continue;
+            };
             if self.signs.kind(relation) != RelationKind::Equal {
                 all = false;
                 continue;
@@ -214,14 +238,19 @@ impl Question {
     fn value(&self, placed: &Placed, cell: &Cell, scratch: &mut Scratch) -> Possible {
         let mut signs = Vec::new();
         for of in &placed.relations {
-            let known: Vec<Possible> = of.iter().map(|(r, ..)| self.known(placed, *r, cell, scratch)).collect();
+            let known: Vec<Possible> = of.iter().map(|(r, ..)| self.known(placed, r, cell, scratch)).collect();
             signs.push(placed.group.value(|c| known[c]));
         }
         placed.group.over_signs(signs.into_iter())
     }
 
     /// What is left possible of one comparison on a cell.
-    fn known(&self, placed: &Placed, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
+    fn known(&self, placed: &Placed, relations: &[usize], cell: &Cell, scratch: &mut Scratch) -> Possible {
+        let each = relations.iter().map(|r| self.known_of(placed, *r, cell, scratch));
+        each.fold(Possible::TRUE, Possible::and)
+    }
+
+    fn known_of(&self, placed: &Placed, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
         let domain = self.signs.domain(relation, cell, scratch);
         let truth = if placed.definedness { Truth::True } else { self.signs.truth(relation, cell, scratch) };
         match (domain, truth) {
@@ -279,11 +308,11 @@ impl Question {
             let each = placed.relations.iter().flat_map(|of| of.iter().zip(&placed.group.comparisons));
             let each: Vec<_> = each.collect();
             let found = each.iter().find(|((r, ..), _)| {
-                let known = self.known(placed, *r, cell, scratch);
+                let known = self.known(placed, r, cell, scratch);
                 known == Possible::FALSE || placed.group.asserted && known == Possible::VOID
             });
-            let ((relation, left, right), comparison) = found.or(each.first())?;
-            let void = self.known(placed, *relation, cell, scratch) == Possible::VOID;
+            let ((relations, left, right), comparison) = found.or(each.first())?;
+            let void = self.known(placed, relations, cell, scratch) == Possible::VOID;
             let label = comparison.label.split("   [").next().unwrap_or_default();
             let formula = label.strip_suffix(" has a value").unwrap_or(label).to_owned();
             return Some(Failing { formula, sides: (!void).then_some((*left, *right)) });

@@ -20,8 +20,9 @@
 //! [the same, §6.4]: https://doi.org/10.1137/1.9780898717716
 
 use super::faults;
+use crate::check::denote::relation;
 use crate::expr::tape::{Slots, Tape};
-use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op};
+use crate::expr::{Expr, FastMap, Graph, Leaf};
 use crate::latex::RelationKind;
 use crate::number::{Decorated, Interval, NoValue};
 
@@ -76,8 +77,8 @@ struct Compiled {
     slopes: Option<Tape>,
     /// D with some variables at an end of their ranges, by [`pattern`].
     exact: FastMap<usize, Tape>,
-    /// What the operations of D need, by number; `None` where that is not known of all of them.
-    needs: Option<Vec<usize>>,
+    /// What the operations of D need, by number, and whether there is no value where it is not met.
+    needs: Vec<(usize, bool)>,
 }
 
 /// Relations `D ? 0` over some variables.
@@ -94,6 +95,8 @@ pub(super) struct Signs {
 pub(super) struct Scratch {
     slots: FastMap<(usize, usize), Slots<Decorated>>,
     found: Vec<Option<(Range, Truth)>>,
+    /// Operations since this was last asked.
+    pub work: u64,
 }
 
 /// A cell: an interval for each variable, and whether it is the exact lower (`false`) or upper end of the range.
@@ -137,9 +140,8 @@ impl Signs {
         let inputs = leaves(&self.variables);
         let value = Tape::compile(graph, &inputs, &[d])?;
         let mut needs = Vec::new();
-        let mut complete = true;
-        for (need, kind) in domain(graph, d, &mut complete) {
-            needs.push(self.add(graph, need, kind)?);
+        for need in graph.needs_below([d]) {
+            needs.push((self.add(graph, need.value, relation(need.sign))?, need.certain));
         }
         let slopes: Result<Vec<Expr>, _> = inputs.iter().map(|&l| graph.partial_derivative(d, l)).collect();
         let slopes = slopes.ok().and_then(|roots| Tape::compile(graph, &inputs, &roots).ok());
@@ -161,7 +163,7 @@ impl Signs {
                 exact.insert(number, Tape::compile(graph, &inputs, &[at])?);
             }
         }
-        self.all.push(Compiled { kind, vanishes: false, value, used, slopes, exact, needs: complete.then_some(needs) });
+        self.all.push(Compiled { kind, vanishes: false, value, used, slopes, exact, needs });
         let number = self.all.len() - 1;
         self.known.insert((d, kind), number);
         Ok(number)
@@ -199,11 +201,10 @@ impl Signs {
             Some(range) if range.is_defined() => return Domain::Everywhere,
             _ => {}
         }
-        let Some(needs) = &self.all[relation].needs else { return Domain::Open };
         let mut all = true;
-        for &need in needs {
+        for &(need, certain) in &self.all[relation].needs {
             match self.look(need, cell, scratch) {
-                (None, _) | (_, Truth::False) => return Domain::Nowhere,
+                (None, _) | (_, Truth::False) if certain => return Domain::Nowhere,
                 (_, truth) => all &= truth == Truth::True,
             }
         }
@@ -297,6 +298,7 @@ impl Signs {
 
 /// Runs a tape on a cell: a range for each output, `None` where it has a value nowhere.
 fn run(tape: &Tape, key: (usize, usize), cell: &Cell, scratch: &mut Scratch) -> Vec<Range> {
+    scratch.work += tape.instructions().len() as u64;
     let slots = scratch.slots.entry(key).or_insert_with(|| tape.slots::<Decorated>(&()));
     ranges(tape, cell.sides.iter(), slots).collect()
 }
@@ -346,35 +348,6 @@ fn judged(kind: RelationKind, d: Interval) -> Truth {
         (_, true) => Truth::False,
         _ => Truth::Open,
     }
-}
-
-/// What the operations of an expression need to have a value, as relations to 0; `complete` becomes false where an operation
-/// needs something else.
-fn domain(graph: &mut Graph, e: Expr, complete: &mut bool) -> Vec<(Expr, RelationKind)> {
-    let one = graph.integer(1);
-    let mut out = Vec::new();
-    for node in graph.reachable([e]) {
-        match *graph.node(node) {
-            Node::Unary(Op::Sqrt, a) => out.push((a, RelationKind::GreaterEqual)),
-            Node::Unary(Op::Ln, a) => out.push((a, RelationKind::Greater)),
-            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
-                let (low, high) = (graph.add(a, one), graph.sub(a, one));
-                out.extend([(low, RelationKind::GreaterEqual), (high, RelationKind::LessEqual)]);
-            }
-            Node::Binary(Op::Div, _, b) => out.push((b, RelationKind::NotEqual)),
-            Node::Unary(Op::Powi(n), a) if n < 0 => out.push((a, RelationKind::NotEqual)),
-            Node::Binary(Op::Arctan2, a, b) => {
-                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
-                let length = graph.add(aa, bb);
-                out.push((length, RelationKind::NotEqual));
-            }
-            Node::Binary(Op::Agm, a, b) => out.extend([a, b].map(|e| (e, RelationKind::GreaterEqual))),
-            // A power of 0 has a value for some exponents, a tangent lacks it at many places: the operation itself must do.
-            Node::Binary(Op::Pow, ..) | Node::Unary(Op::Tan, _) => *complete = false,
-            _ => {}
-        }
-    }
-    out
 }
 
 /// The interval between two numbers in any order.

@@ -135,6 +135,8 @@ pub(super) struct Scratch {
     conditions: SignScratch,
     values: Option<Slots<Decorated>>,
     slopes: Option<Slots<Decorated>>,
+    /// Operations since this was last asked.
+    work: u64,
 }
 
 /// A verified zero.
@@ -225,6 +227,7 @@ impl Solver {
 
     /// F on a box; `None` where it has a value nowhere on it.
     fn value(&self, x: &[Interval], scratch: &mut Scratch) -> Option<Value> {
+        scratch.work += self.values.moving.len() as u64;
         let found = self.values.on(x, &mut scratch.values)?;
         let continuous = found.iter().all(Decorated::is_continuous);
         Some(Value { ranges: found.iter().map(Decorated::range).collect(), continuous })
@@ -253,6 +256,8 @@ impl Solver {
         if !self.value_on(look, scratch)?.continuous {
             return None;
         }
+        let slopes_work = self.slopes.as_ref().map_or(0, |slopes| slopes.moving.len());
+        scratch.work += (slopes_work + 4 * n * n * n) as u64;
         let slopes = self.slopes_on(look, scratch)?;
         if !slopes.iter().all(Decorated::is_continuous) {
             return None;
@@ -592,6 +597,11 @@ impl Judge for Solver {
     type Scratch = Scratch;
     // A search in itself.
     const TOGETHER: usize = 1;
+
+    fn work(&self, scratch: &mut Scratch) -> u64 {
+        let signs = std::mem::take(&mut scratch.signs.work) + std::mem::take(&mut scratch.conditions.work);
+        std::mem::take(&mut scratch.work) + signs
+    }
 
     fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.question.signs.begin(&mut scratch.signs);

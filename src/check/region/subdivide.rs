@@ -16,6 +16,10 @@ use crate::number::Interval;
 
 /// Most cells that are judged.
 pub(super) const MOST_CELLS: usize = 20_000;
+/// The work that is allowed, in operations on intervals.
+pub(super) const MOST_WORK: u64 = 1_000_000_000;
+/// Cells after which it is asked whether that is used up.
+const BETWEEN: usize = 64;
 /// Most bisections of one cell.
 const MOST_BISECTIONS: u32 = 60;
 /// Bisections of each range for a picture of two.
@@ -33,6 +37,8 @@ pub(super) trait Judge: Sync {
     const TOGETHER: usize;
     /// What is known of a cell.
     fn judge(&self, cell: &Cell, scratch: &mut Self::Scratch) -> Part;
+    /// The work since this was last asked, in operations on intervals.
+    fn work(&self, scratch: &mut Self::Scratch) -> u64;
 }
 
 /// A part of the ranges.
@@ -67,6 +73,8 @@ pub(super) struct Division {
     pub refuted_at: Option<Cell>,
     /// Whether a point was met at which the claim holds and applies.
     pub met: bool,
+    /// Whether the work was used up before all cells were judged.
+    pub exhausted: bool,
 }
 
 /// The point of the ranges that is nearest to the middle of a cell.
@@ -121,7 +129,9 @@ fn halves(piece: &Piece) -> Option<[Piece; 2]> {
 }
 
 /// Takes the ranges apart.
-pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells: usize) -> Division {
+///
+/// `most_work`: after so much no cell is taken apart any more.
+pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells: usize, most_work: u64) -> Division {
     let mut out = Division::default();
     let see = |out: &mut Division, cell: Cell, part: Part| match part {
         Part::Refuted if out.refuted_at.is_none() => out.refuted_at = Some(cell),
@@ -150,12 +160,15 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
     let mut generation = vec![whole];
     let mut depth = 0;
     let picture = PICTURE_BISECTIONS * variables.len() as u32;
+    let mut work = 0;
     while !generation.is_empty() {
         let looked = depth <= POINTS_UNTIL;
-        let judged: Vec<(Part, Option<(Cell, Part)>)> = generation
-            .par_iter()
-            .with_min_len(J::TOGETHER)
-            .map_init(J::Scratch::default, |scratch, piece| {
+        let mut judged: Vec<(Part, Option<(Cell, Part)>)> = Vec::with_capacity(generation.len());
+        for some in generation.chunks(BETWEEN.max(generation.len() / 16)) {
+            if work > most_work {
+                break;
+            }
+            let found = some.par_iter().with_min_len(J::TOGETHER).map_init(J::Scratch::default, |scratch, piece| {
                 let part = judge.judge(&Cell::inside(piece.sides.clone()), scratch);
                 let wanted = match part {
                     Part::Undecided | Part::Border => looked,
@@ -168,12 +181,18 @@ pub(super) fn subdivide<J: Judge>(judge: &J, variables: &[Variable], most_cells:
                     let part = judge.judge(&cell, scratch);
                     (cell, part)
                 });
-                (part, seen)
-            })
-            .collect();
-        out.judged += generation.len();
+                ((part, seen), judge.work(scratch))
+            });
+            let found: Vec<_> = found.collect();
+            work += found.iter().map(|(_, work)| work).sum::<u64>();
+            judged.extend(found.into_iter().map(|(judged, _)| judged));
+        }
+        out.judged += judged.len();
+        out.exhausted |= work > most_work || judged.len() < generation.len();
+        // What was not looked at is not known.
+        judged.resize_with(generation.len(), || (Part::Undecided, None));
         let mut next = Vec::new();
-        let room = most_cells.saturating_sub(out.judged);
+        let room = if out.exhausted { 0 } else { most_cells.saturating_sub(out.judged) };
         for (mut piece, (part, seen)) in generation.into_iter().zip(judged) {
             piece.part = part;
             if let Some((cell, part)) = seen {

@@ -28,6 +28,16 @@ impl Definitions {
         [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now, Definitions::All];
 }
 
+/// What an angle has of its formula.
+enum Continued {
+    /// It is its formula.
+    No,
+    /// It has its rate.
+    Rate(Expr),
+    /// That cannot be said.
+    Unknown,
+}
+
 /// Everything that is named.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gathered {
@@ -80,17 +90,32 @@ impl Step<'_> {
                     let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
                     out.extend(relations.flat_map(pairs));
                 }
-                _ => return None,
+                Form::Never(_)
+                | Form::Eventually(_)
+                | Form::Defined(_)
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. } => return None,
             }
         }
-        Some(out)
+        match self.sign {
+            Some(value) if std::ptr::eq(claim, self.claim) => Some(self.branch(&out, value)),
+            _ => Some(out),
+        }
     }
 
     /// Adds the assumptions of a claim but those with the given numbers.
-    fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) {
+    ///
+    /// Whether all of them could be used: a limit says nothing of present values, and a sign of another claim is not known.
+    fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) -> bool {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        let mut complete = true;
         for relation in used.flat_map(|(_, w)| &w.value.relations) {
-            for (l, r) in pairs(relation) {
+            if relation.limit.is_some() || relation.has_branches && self.sign.is_none() {
+                complete = false;
+                continue;
+            }
+            for (l, r) in self.scalars(relation) {
                 match relation.kind {
                     RelationKind::Equal => premises.equations.push((l, r)),
                     RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
@@ -101,6 +126,7 @@ impl Step<'_> {
                 }
             }
         }
+        complete
     }
 
     /// What `follows-from` and the assumptions give; `without` some assumptions.
@@ -109,7 +135,7 @@ impl Step<'_> {
         let mut out = Gathered { complete: true, ..Gathered::default() };
         let mut premises = Premises::default();
         self.roles(&mut premises);
-        self.assume(claim, without.unwrap_or(&[]), &mut premises);
+        out.complete &= self.assume(claim, without.unwrap_or(&[]), &mut premises);
         // Each with the scope that says what moves in it.
         let mut always: Vec<(&Scope, Pairs)> = vec![(&claim.scope, premises.equations.clone())];
         let mut constant: Vec<(&Scope, Expr)> = Vec::new();
@@ -142,7 +168,7 @@ impl Step<'_> {
             let dropped = |text: &str| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].text == text));
             let numbers: Vec<usize> =
                 (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].text)).collect();
-            self.assume(premise, &numbers, &mut premises);
+            out.complete &= self.assume(premise, &numbers, &mut premises);
             always.push((&premise.scope, premises.equations[before..].to_vec()));
             // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
             let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
@@ -296,8 +322,19 @@ impl Step<'_> {
                 }
                 seen.push(value);
                 if let Some(e) = self.definition(value, which) {
-                    let node = self.graph.leaf(value);
-                    premises.equations.push((node, e));
+                    match self.continued(value, e, equations, premises) {
+                        Continued::No => {
+                            let node = self.graph.leaf(value);
+                            premises.equations.push((node, e));
+                        }
+                        // Whole turns may lie between it and its formula: only its rate is that of the formula.
+                        Continued::Rate(rate) => {
+                            let node = self.graph.leaf(Leaf { rate: 1, ..value });
+                            premises.equations.push((node, rate));
+                            (moving, self.loosened) = (true, true);
+                        }
+                        Continued::Unknown => self.loosened = true,
+                    }
                     open.extend(self.graph.leaves([e]));
                 }
             }
@@ -307,6 +344,45 @@ impl Step<'_> {
             premises.equations.extend(systems);
             open.extend(self.graph.leaves(sides(systems)));
         }
+    }
+
+    fn is_angle(&self, leaf: Leaf) -> bool {
+        let Derivation { symbols, claims, .. } = self.derivation;
+        let mut all = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols));
+        all.any(|s| s.symbol == leaf.symbol && s.angle)
+    }
+
+    /// Whether the value of a formula may leap along a motion.
+    fn may_leap(&self, e: Expr) -> bool {
+        self.graph.reachable([e]).into_iter().any(|e| match *self.graph.node(e) {
+            Node::Unary(op, _) => {
+                matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
+                    || matches!(op, Op::Powi(n) if n < 0)
+            }
+            Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
+        })
+    }
+
+    /// What an angle that is continued along motions has of its formula, where more of it occurs than its sine and cosine.
+    fn continued(&mut self, leaf: Leaf, e: Expr, equations: &Pairs, premises: &Premises) -> Continued {
+        if !self.is_angle(leaf) || !self.may_leap(e) {
+            return Continued::No;
+        }
+        let node = self.graph.leaf(leaf);
+        let roots: Vec<Expr> = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
+            .collect();
+        let bare = roots.contains(&node)
+            || self.graph.reachable(roots).into_iter().any(|parent| {
+                let periodic = matches!(self.graph.node(parent), Node::Unary(Op::Sin | Op::Cos | Op::Tan, _));
+                !periodic && self.graph.node(parent).children().any(|child| child == node)
+            });
+        let scope = &self.claim.scope;
+        let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        self.graph.time_derivative(e, time, moves).map_or(Continued::Unknown, Continued::Rate)
     }
 
     /// The values at fixed times that occur obey the definitions at these times.
@@ -331,6 +407,10 @@ impl Step<'_> {
                 continue;
             }
             if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
+                if self.is_angle(leaf) && self.may_leap(e) {
+                    self.loosened = true;
+                    continue;
+                }
                 let then = at_instant(&mut self.graph, scope, e, instant);
                 open.extend(self.graph.leaves([then]));
                 let node = self.graph.leaf(leaf);

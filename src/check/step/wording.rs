@@ -3,9 +3,11 @@
 use super::super::account::IdentityAccount;
 use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
 use super::super::second_route::IdentityEvidence;
+use super::super::standing::{Exception, Finding, Void};
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
-use crate::expr::{Expr, Leaf, Node, Op, Rational, Symbol};
+use crate::expr::domain::{Change, EdgeOf};
+use crate::expr::{Expr, Leaf, Node, Op, Symbol};
 use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
 
@@ -18,31 +20,17 @@ const MOST_NAMES: usize = 6;
 const UNSEEN: &str = "it was proved outside of special cases only, and no real point was found outside of them";
 
 impl Step<'_> {
-    /// Whether something that is shown to be locally constant may still jump: it contains a function with several
-    /// branches, and the motion may pass from one to another. Quotients, sines and exponentials have one branch: what is
-    /// constant on one side of a pole is the same constant on the other, since motions are analytic.
-    pub(super) fn jumps(&self, equations: &Pairs) -> bool {
-        !self.leaps(equations).is_empty()
-    }
-
-    /// What a proof that goes along a motion does not reach, in words.
-    pub(super) fn continuation(&self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<String> {
+    /// What a proof that goes along a motion does not reach.
+    pub(super) fn continuation(&mut self, equations: &Pairs, moved: bool, leaping: &[Expr]) -> Vec<Exception> {
         let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
         if !(moved || integral) {
             return Vec::new();
         }
-        let mut out: Vec<String> =
-            leaping.iter().map(|&e| format!("beyond a time at which {} leaps", self.shown(e))).collect();
+        let mut out: Vec<Exception> = leaping.iter().map(|&e| Exception::Leaps(e)).collect();
         let divided = self.divided_by_systems();
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
-        for e in self.graph.reachable(roots) {
-            let under = match *self.graph.node(e) {
-                Node::Binary(Op::Div, _, a) => a,
-                Node::Unary(Op::Powi(n), a) if n < 0 => a,
-                Node::Unary(Op::Tan, _) => e,
-                _ => continue,
-            };
+        for under in self.poles(roots) {
             let mut base = under;
             while let Node::Unary(Op::Powi(_) | Op::Sqrt | Op::Abs, a) = *self.graph.node(base) {
                 base = a;
@@ -50,11 +38,24 @@ impl Step<'_> {
             if divided.contains(&under) || divided.contains(&base) || !self.moves(base) {
                 continue;
             }
-            let line = match under == e {
-                true => format!("beyond a pole of {}, unless the motion is analytic there", self.shown(e)),
-                false => {
-                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(base))
+            let one = Exception::Divides(base);
+            if !out.contains(&one) {
+                out.push(one);
+            }
+        }
+        out
+    }
+
+    /// What lies beyond something, in words.
+    fn beyond_in_words(&self, exceptions: &[Exception]) -> Vec<String> {
+        let mut out: Vec<String> = Vec::new();
+        for exception in exceptions {
+            let line = match *exception {
+                Exception::Leaps(e) => format!("beyond a time at which {} leaps", self.shown(e)),
+                Exception::Divides(e) => {
+                    format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(e))
                 }
+                Exception::Vanishes(_) | Exception::Unseen => continue,
             };
             if !out.contains(&line) {
                 out.push(line);
@@ -73,23 +74,44 @@ impl Step<'_> {
     }
 
     /// The functions with several branches in what is claimed along a motion.
-    pub(super) fn leaps(&self, equations: &Pairs) -> Vec<Expr> {
+    pub(super) fn leaps(&mut self, equations: &Pairs) -> Vec<Expr> {
         let mut roots = self.along(equations);
         self.add_definitions(&mut roots);
         let divided = self.divided_by_systems();
-        let branching = |&e: &Expr| match *self.graph.node(e) {
+        let mut out = self.graph.reachable(roots);
+        out.retain(|&e| {
             // A motion of a system that divides by a root does not pass its zero.
-            Node::Unary(Op::Sqrt, _) if divided.contains(&e) => false,
-            Node::Unary(Op::Abs | Op::Sqrt | Op::Ln | Op::Arcsin | Op::Arccos, a) => self.moves(a),
-            Node::Unary(Op::Arctan, a) => self.has_poles(a),
-            Node::Binary(Op::Arctan2 | Op::Pow | Op::Agm, a, b) => self.moves(a) || self.moves(b),
-            _ => false,
-        };
-        self.graph.reachable(roots).into_iter().filter(branching).collect()
+            let root = matches!(self.graph.node(e), Node::Unary(Op::Sqrt, _)) && divided.contains(&e);
+            !root && self.is_branching(e)
+        });
+        out
+    }
+
+    /// Whether an operation passes from one of its branches to another, if its arguments move so: at an edge that is no pole.
+    fn is_branching(&mut self, e: Expr) -> bool {
+        let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+        self.graph.edges(e).into_iter().any(|edge| match edge.change {
+            // Both sides of a pole belong to the same function; a pole with one side comes with the base of a power.
+            Change::Pole(..) => false,
+            Change::Log | Change::Jump(_) | Change::Kink | Change::Steep => match edge.vanishing {
+                Some(_) => arguments.iter().any(|&a| self.moves(a)),
+                None => arguments.iter().any(|&a| self.has_poles(a)),
+            },
+        })
+    }
+
+    /// What vanishes where something below is infinite.
+    fn poles(&mut self, roots: Vec<Expr>) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for e in self.graph.reachable(roots) {
+            let poles = self.graph.edges(e).into_iter().filter(EdgeOf::is_pole);
+            out.extend(poles.filter_map(|edge| edge.vanishing));
+        }
+        out
     }
 
     /// Everything that the systems among the premises divide by, as it stands and by its definition.
-    fn divided_by_systems(&self) -> Vec<Expr> {
+    fn divided_by_systems(&mut self) -> Vec<Expr> {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
             Premise::System(system) => Some(&self.derivation.systems[system]),
@@ -98,16 +120,7 @@ impl Step<'_> {
         let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
         let mut roots: Vec<Expr> = relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
         self.add_definitions(&mut roots);
-        let mut open: Vec<Expr> = self
-            .graph
-            .reachable(roots)
-            .iter()
-            .filter_map(|&e| match *self.graph.node(e) {
-                Node::Binary(Op::Div, _, a) => Some(a),
-                Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
-                _ => None,
-            })
-            .collect();
+        let mut open = self.poles(roots);
         let mut out = Vec::new();
         while let Some(e) = open.pop() {
             if out.contains(&e) {
@@ -127,24 +140,45 @@ impl Step<'_> {
         out
     }
 
-    /// Adds the definitions of the observables that occur; not of angles, which are continued along the motion.
-    fn add_definitions(&self, roots: &mut Vec<Expr>) {
-        let symbols = self.derivation.symbols.iter().chain(self.derivation.claims.iter().flat_map(|c| &c.symbols));
-        let angles: Vec<Symbol> = symbols.filter(|s| s.angle).map(|s| s.symbol).collect();
+    /// Adds the definitions of the observables that occur; of angles, which are continued along the motion, without the
+    /// leaps by whole turns that the continuation heals.
+    pub(super) fn add_definitions(&self, roots: &mut Vec<Expr>) {
         let mut seen: Vec<Symbol> = Vec::new();
         let mut open = roots.clone();
         while !open.is_empty() {
             let mut found: Vec<Expr> = Vec::new();
             for leaf in self.graph.leaves(open) {
-                if seen.contains(&leaf.symbol) || angles.contains(&leaf.symbol) {
+                if seen.contains(&leaf.symbol) {
                     continue;
                 }
                 seen.push(leaf.symbol);
                 let definition = self.claim.scope.definition(leaf.symbol);
-                found.extend(definition.into_iter().flat_map(|d| d.components.iter().copied()));
+                for &e in definition.into_iter().flat_map(|d| &d.components) {
+                    match self.derivation.is_angle(leaf.symbol) {
+                        true => self.healed(e, &mut found),
+                        false => found.push(e),
+                    }
+                }
             }
             roots.extend(&found);
             open = found;
+        }
+    }
+
+    /// What an angle is made of, but arguments in place of atan2 that stands in it with a whole factor: its leaps by 2π are
+    /// healed.
+    fn healed(&self, e: Expr, out: &mut Vec<Expr>) {
+        let whole = |e: Expr| self.graph.as_constant(e).is_some_and(|r| r.denominator().is_one());
+        match *self.graph.node(e) {
+            Node::Binary(Op::Arctan2, y, x) => out.extend([y, x]),
+            Node::Unary(Op::Neg, a) => self.healed(a, out),
+            Node::Binary(Op::Add | Op::Sub, a, b) => {
+                self.healed(a, out);
+                self.healed(b, out);
+            }
+            Node::Binary(Op::Mul, a, b) if whole(a) => self.healed(b, out),
+            Node::Binary(Op::Mul, a, b) if whole(b) => self.healed(a, out),
+            _ => out.push(e),
         }
     }
 
@@ -159,27 +193,10 @@ impl Step<'_> {
     }
 
     /// Whether something may be infinite at some time.
-    fn has_poles(&self, e: Expr) -> bool {
+    fn has_poles(&mut self, e: Expr) -> bool {
         let mut roots = vec![e];
         self.add_definitions(&mut roots);
-        let pole = |&e: &Expr| match *self.graph.node(e) {
-            Node::Binary(Op::Div, _, a) | Node::Unary(Op::Tan, a) => self.moves(a),
-            Node::Unary(Op::Powi(n), a) => n < 0 && self.moves(a),
-            _ => false,
-        };
-        self.graph.reachable(roots).iter().any(pole)
-    }
-
-    /// Whether a condition is a false statement about a number.
-    fn is_impossible(&self, condition: &Condition) -> bool {
-        let number = |e: Expr| self.graph.as_constant(e).cloned();
-        let (zero, one) = (Rational::ZERO, Rational::ONE);
-        match condition {
-            Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
-            Condition::Radicand(e) | Condition::Discriminant(e) => number(*e).is_some_and(|r| r < zero),
-            Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
-            Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
-        }
+        self.poles(roots).into_iter().any(|under| self.moves(under))
     }
 
     pub(super) fn shown(&self, e: Expr) -> String {
@@ -219,14 +236,23 @@ impl Step<'_> {
         IdentityAccount { evidence, ..self.account(identity, Vec::new(), true) }
     }
 
-    /// The account of an answer.
+    /// The account of an answer, in the words of the finding.
     pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
-        let integrals: Pairs = Vec::new();
-        let jumps = self.jumps(&integrals);
-        let mut out = IdentityAccount { verdict: identity.word(), from, ..IdentityAccount::default() };
+        self.account_along(identity, from, complete, Vec::new())
+    }
+
+    /// The same; `along` is what a proof along motions does not reach.
+    pub(super) fn account_along(
+        &mut self,
+        identity: Identity,
+        from: Vec<String>,
+        complete: bool,
+        along: Vec<Exception>,
+    ) -> IdentityAccount {
+        let finding = Finding::weigh(&self.graph, &identity, complete, along);
+        let mut out = IdentityAccount { finding, from, ..IdentityAccount::default() };
         match identity {
             Identity::Proved(proof) => {
-                out.log2_error = Some(proof.log2_error);
                 for condition in &proof.conditions {
                     let (list, line) = match condition {
                         Condition::Denominator(e) => (&mut out.conditions, format!("{} ≠ 0", self.shown(*e))),
@@ -239,7 +265,6 @@ impl Step<'_> {
                     if !list.contains(&line) {
                         list.push(line);
                     }
-                    out.generic |= matches!(condition, Condition::Pivot(_));
                 }
                 // The short ones first; not in the order of the graph, which depends on what was written before.
                 for list in [&mut out.conditions, &mut out.exceptions, &mut out.given_only_where] {
@@ -254,23 +279,18 @@ impl Step<'_> {
                     };
                     list.push(words);
                 }
-                out.generic |= jumps;
-                if proof.conditions.iter().any(|c| self.is_impossible(c)) {
-                    out.verdict = "undecided";
-                    out.log2_error = None;
-                    out.reason = Some("what is given makes a formula have no value".to_owned());
-                }
-                if proof.example.is_none() {
+                let lines = self.beyond_in_words(out.finding.exceptions());
+                out.exceptions.extend(lines);
+                out.generic = !out.finding.exceptions().is_empty();
+                out.log2_error = out.finding.is_proved_in_part().then_some(proof.log2_error);
+                if out.finding.exceptions().contains(&Exception::Unseen) {
                     out.reason = Some("no real point was found that satisfies what is given".to_owned());
-                    out.generic = true;
                 }
-                let left_out = |c: &Condition| matches!(c, Condition::Pivot(_));
-                if proof.example.is_none() && proof.conditions.iter().any(left_out) {
-                    // All real points may be among those that are left out.
-                    out.verdict = "undecided";
-                    out.log2_error = None;
-                    out.reason = Some(UNSEEN.to_owned());
-                }
+                out.reason = match out.finding.void() {
+                    Some(Void::NoValue) => Some("what is given makes a formula have no value".to_owned()),
+                    Some(Void::OnlySpecial) => Some(UNSEEN.to_owned()),
+                    Some(Void::Incomplete) | None => out.reason,
+                };
             }
             Identity::Refuted(refutation) if complete => {
                 let side = |s: &Side| match &s.exact {
@@ -294,7 +314,6 @@ impl Step<'_> {
                 out.witness = Some(text);
             }
             Identity::Refuted(_) => {
-                out.verdict = "undecided";
                 out.reason = Some("refuted without something given that could not be used".to_owned());
             }
             Identity::Undecided(Reason::OnlyWhere(e)) => {
@@ -334,7 +353,7 @@ impl Step<'_> {
             return None;
         }
         let (claimed, assumed) = (all, Vec::new());
-        let words = self.words_of(&Question { parameters, assumed, claimed });
+        let words = self.words_of(&Question { parameters, assumed, claimed, asserted: true });
         Some(format!("for positive {}, so far as it is about them, that is so {}", words.0, words.1))
     }
 
@@ -358,7 +377,7 @@ impl Step<'_> {
             RelationKind::LessEqual => (Requirement::NotNegative, this.graph.sub(r, l)),
         };
         for relation in claim.assuming.iter().flat_map(|w| &w.value.relations) {
-            for (l, r) in pairs(relation) {
+            for (l, r) in self.scalars(relation) {
                 let one = requirements(self, relation.kind, l, r);
                 out.assumed.push(one);
             }
@@ -367,13 +386,14 @@ impl Step<'_> {
             match form {
                 Form::Always(w) => {
                     for relation in &w.value.relations {
-                        for (l, r) in pairs(relation) {
+                        for (l, r) in self.scalars(relation) {
                             let one = requirements(self, relation.kind, l, r);
                             out.claimed.push(one);
                         }
                     }
                 }
                 Form::Defined(w) => {
+                    out.asserted = true;
                     let leaves = self.graph.leaves(w.value.components.iter().copied());
                     let domains = super::super::identity::domains(&mut self.graph, &w.value.components);
                     out.claimed.extend(order::of_conditions(&mut self.graph, &domains, &leaves));
@@ -399,14 +419,13 @@ impl Step<'_> {
         let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
         let words = found.words(&names);
         let mut out = IdentityAccount {
-            verdict: "undecided",
+            finding: Finding::of_signs(&found),
             conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
             ..IdentityAccount::default()
         };
         if found.is_proved() {
-            out.verdict = "proved";
+            out.reason = None;
         } else if let Some(values) = found.refuting() {
-            out.verdict = "refuted";
             let values: Vec<String> = names.iter().zip(&values).map(|(n, v)| format!("{n} = {v}")).collect();
             out.witness = Some(format!("it does not hold for {}", values.join("; ")));
         } else {

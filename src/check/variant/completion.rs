@@ -10,8 +10,8 @@
 
 use super::battery::{Battery, Value};
 use super::edit::EditClass;
-use super::gap::{Gap, filled, monomial};
-use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
+use super::gap::{Gap, holes, monomial};
+use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Source, Variant, drawn};
 use super::vocabulary::Vocabulary;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, Rational};
@@ -208,7 +208,7 @@ fn valued_atoms(graph: &mut Graph, setting: &Setting, all: &[Node], points: &Poi
     (at.iter().map(|&i| nodes[i].clone()).collect(), at.iter().map(|&i| values[i].clone()).collect())
 }
 
-/// Formulas with one factor or one term more that vanish at the points.
+/// Formulas with one factor or one term more that vanish at the points, looked for at so many places at most for each of the two.
 pub(super) fn completions(
     graph: &mut Graph,
     setting: &Setting,
@@ -216,21 +216,22 @@ pub(super) fn completions(
     formula: &Formula,
     atoms: &[Node],
     points: &Points,
+    most: usize,
 ) -> Vec<Chain> {
     let (nodes, values) = valued_atoms(graph, setting, atoms, points);
     let constant = |n: i64| Node::new(NodeKind::Number(Rational::from(n)), 0..0);
     let mut out: Vec<(i32, Chain)> = Vec::new();
     for (gap, probe, instead) in [(Gap::Factor, constant(0), true), (Gap::Term, constant(1), false)] {
-        let trees = filled(&formula.tree, gap, &probe, instead, vocabulary);
-        // The residuals with the probe, and with it doubled, to see whether they depend on it in this simple way.
-        let doubled = filled(&formula.tree, gap, &constant(2), false, vocabulary);
-        for (site, (tree, doubled)) in trees.iter().zip(&doubled).enumerate() {
-            let Some(line) = line(graph, setting, formula, points, (tree, doubled), gap) else { continue };
+        let all = holes(&formula.tree, gap, vocabulary);
+        for hole in drawn(all.len(), most).filter_map(|at| all.get(at)) {
+            // The residuals with the probe, and with it doubled, to see whether they depend on it in this simple way.
+            let tree = hole.filled(&formula.tree, &probe, instead);
+            let doubled = hole.filled(&formula.tree, &constant(2), false);
+            let Some(line) = line(graph, setting, formula, points, (&tree, &doubled), gap) else { continue };
             for found in monomials(&values, &line) {
                 let factors: Vec<(&Node, i32)> = found.powers.iter().map(|&(a, n)| (&nodes[a], n)).collect();
                 let filling = monomial(&found.coefficient, &factors);
-                let made = filled(&formula.tree, gap, &filling, false, vocabulary);
-                out.extend(made.into_iter().nth(site).map(|tree| (found.weight(), tree)));
+                out.push((found.weight(), hole.filled(&formula.tree, &filling, false)));
             }
         }
     }
@@ -260,7 +261,7 @@ fn line(
     let variant = |graph: &mut Graph, tree: &Chain| {
         let parts = setting.parts(graph, tree, formula.manner, formula.parts.len())?;
         let altered = parts.into_iter().map(plain).enumerate().collect();
-        Some(Variant { class: EditClass::Missing, formula: 0, tree: tree.clone(), altered })
+        Some(Variant { class: EditClass::Missing, formula: 0, source: Source::Tree(Box::new(tree.clone())), altered })
     };
     let variants = vec![variant(graph, probe)?, variant(graph, doubled)?];
     let print = Formula { parts: formula.parts.iter().cloned().map(plain).collect(), ..formula.clone() };

@@ -7,6 +7,7 @@ use super::tree::{negated, parts_mut, scripted};
 use crate::latex::syntax::{Bracket, Name, Node, NodeKind, SubItem, SymbolNode};
 
 /// A rule that is applied to the whole formula.
+#[derive(Clone, Debug)]
 pub(super) enum Convention {
     /// Two symbols change places.
     Exchange(SymbolKey, SymbolKey),
@@ -17,7 +18,7 @@ pub(super) enum Convention {
 }
 
 /// A symbol without its indices and other attachments.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct SymbolKey {
     /// Its name.
     pub name: Name,

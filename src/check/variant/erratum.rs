@@ -16,15 +16,16 @@ use super::account::{Correction, Erratum};
 use super::atom::atoms;
 use super::completion::{Points, completions};
 use super::difference::difference;
-use super::edit::{EditClass, edits};
+use super::edit::EditClass;
 use super::equivalence::Sight;
-use super::gap::insertions;
-use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Variant};
+use super::gap::Insertions;
+use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Source, Variant, drawn};
 use super::nearness::{Nearness, edits_between};
 use super::rejection::{self, Evidence, Placed};
+use super::sites::Sites;
 use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
-use super::{Altered, Battery, Memory, TOGETHER, Weighed};
+use super::{Altered, Battery, Memory, Weighed};
 use crate::check::account::{ClaimAccount, PairAccount};
 use crate::check::program::Program;
 use crate::check::step::Step;
@@ -43,6 +44,14 @@ const MOST_CANDIDATES: usize = 12;
 const MOST_PAIRS: usize = 4_000;
 /// Pairs of edits that are evaluated together.
 const PAIRS_TOGETHER: usize = 300;
+/// Nodes of trees that are evaluated together.
+const NODES_TOGETHER: usize = 200_000;
+/// The work that formulas with something more, and pairs of edits, may take, in nodes.
+const MOST_INSERTED_NODES: usize = 8_000_000;
+/// The work that the fit of completions may take, in nodes.
+const MOST_FITTED_NODES: usize = 200_000;
+/// Most claims that are corrected.
+const MOST_CORRECTED: usize = 200;
 /// Most points at which completions are fitted.
 const FITTED: usize = 12;
 /// Most corrections that are offered for a claim.
@@ -72,6 +81,9 @@ struct Candidate {
     difference: String,
     nearness: Nearness,
 }
+
+/// An altered formula, with the edits that lead to it.
+type Made = (Vec<EditClass>, Chain);
 
 /// The motions on which a correction must hold.
 struct Asked {
@@ -104,17 +116,20 @@ fn is_absent(pair: &PairAccount) -> bool {
 impl Search<'_> {
     /// Looks for corrections of all claims that need one.
     pub fn offer(&self, accounts: &mut [ClaimAccount], courses: &[Course]) -> Result<(), CheckError> {
+        let wanted: Vec<Vec<bool>> = accounts.iter().map(asked).collect();
+        let corrected: Vec<usize> = (0..wanted.len()).filter(|&k| wanted[k].contains(&true)).collect();
+        let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
         let of_claim = |(k, account): (usize, &mut ClaimAccount)| {
-            let asked = asked(account);
+            let asked = &wanted[k];
             let column = |id: &str| self.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
             let on: Vec<usize> = account
                 .results
                 .iter()
                 .zip(asked)
-                .filter_map(|(p, asked)| column(&p.trajectory).filter(|_| asked))
+                .filter_map(|(p, asked)| column(&p.trajectory).filter(|_| *asked))
                 .collect();
             let mut candidates = Vec::new();
-            if !on.is_empty() {
+            if !on.is_empty() && k <= last {
                 let mut erratum = Erratum::default();
                 let absent = account.results.iter().any(is_absent);
                 candidates = self.candidates(k, &Asked { on: on.clone(), absent }, &mut erratum);
@@ -133,7 +148,7 @@ impl Search<'_> {
     fn candidates(&self, k: usize, asked: &Asked, erratum: &mut Erratum) -> Vec<Candidate> {
         let claim = &self.derivation.claims[self.claimed[k]];
         let variants = &self.altered.claims[k];
-        let mut graph = self.altered.graphs[k / TOGETHER].clone();
+        let mut graph = self.altered.graph(k).clone();
         let setting = Setting { claim, starts: self.starts, shared: self.derivation.graph.len() };
         let vocabulary = Vocabulary::new(self.derivation, claim);
         let near = phrases(self.derivation, claim);
@@ -146,29 +161,37 @@ impl Search<'_> {
             }
             // Where the print has no value, what is tried instead must have one.
             let formula = &if absent { without_print(&mut graph, formula) } else { formula.clone() };
-            let screened = |graph: &mut Graph, trees| self.screened(k, asked, graph, &setting, formula, trees);
-            let mut made: Vec<(Vec<EditClass>, Chain)> = Vec::new();
+            let size = formula.size(&graph);
+            let screened = |graph: &mut Graph, trees: &mut dyn Iterator<Item = Made>| {
+                self.screened(k, asked, graph, &setting, (formula, size), trees)
+            };
+            let mut made: Vec<Made> = Vec::new();
             for (v, variant) in variants.variants.iter().enumerate().filter(|(_, v)| v.formula == f) {
                 erratum.tried.0 += 1;
                 if rejections.iter().all(|r| !r.variants[v]) {
-                    made.push((vec![variant.class], variant.tree.clone()));
+                    made.push((vec![variant.class], variant.tree(&variants.formulas)));
                 }
             }
             let empty = variants.empty.iter().filter(|v| v.formula == f);
-            made.extend(empty.map(|v| (vec![v.class], v.tree.clone())));
+            made.extend(empty.map(|v| (vec![v.class], v.tree(&variants.formulas))));
             if absent {
-                made = screened(&mut graph, made);
+                made = screened(&mut graph, &mut made.into_iter());
             }
             let atoms = atoms(&formula.tree, &vocabulary, &near);
-            let mut complete = insertions(&formula.tree, &vocabulary, &atoms);
-            complete.extend(self.completed(k, asked, &mut graph, &setting, &vocabulary, formula, &atoms));
-            erratum.tried.1 += complete.len();
-            let complete = complete.into_iter().map(|tree| (vec![EditClass::Missing], tree)).collect();
-            made.extend(screened(&mut graph, complete));
+            let insertions = Insertions::new(&formula.tree, &vocabulary, &atoms);
+            let inserted = insertions.count().min(MOST_INSERTED_NODES / size);
+            let places = MOST_FITTED_NODES / size;
+            let complete = self.completed(k, asked, &mut graph, &setting, &vocabulary, formula, (&atoms, places));
+            erratum.tried.1 += inserted + complete.len();
+            let count = insertions.count();
+            let mut complete = insertions.at(drawn(count, inserted)).chain(complete);
+            let mut complete = complete.by_ref().map(|tree| (vec![EditClass::Missing], tree));
+            made.extend(screened(&mut graph, &mut complete));
             if made.is_empty() {
-                let pairs = pairs(variants, f, &vocabulary);
-                erratum.tried.2 += pairs.len();
-                made.extend(screened(&mut graph, pairs));
+                let pairs = Pairs::new(variants, f, &vocabulary, MOST_PAIRS.min(MOST_INSERTED_NODES / size));
+                let mut tried = 0;
+                made.extend(screened(&mut graph, &mut pairs.inspect(|_| tried += 1)));
+                erratum.tried.2 += tried;
             }
             out.extend(self.ranked(k, f, &mut graph, &setting, &variants.formulas[f], &vocabulary, made));
         }
@@ -209,7 +232,7 @@ impl Search<'_> {
         setting: &Setting,
         vocabulary: &Vocabulary,
         formula: &Formula,
-        atoms: &[Node],
+        (atoms, places): (&[Node], usize),
     ) -> Vec<Chain> {
         let each = FITTED.div_ceil(asked.on.len()).max(4);
         // A few motions, three points or more of each: with all of them for one initial time.
@@ -228,7 +251,7 @@ impl Search<'_> {
             return Vec::new();
         }
         let points = Points { start, points, motions, known: &self.altered.known };
-        completions(graph, setting, vocabulary, formula, atoms, &points)
+        completions(graph, setting, vocabulary, formula, atoms, &points, places)
     }
 
     /// Those of the trees that no point refutes.
@@ -238,17 +261,17 @@ impl Search<'_> {
         asked: &Asked,
         graph: &mut Graph,
         setting: &Setting,
-        formula: &Formula,
-        trees: Vec<(Vec<EditClass>, Chain)>,
-    ) -> Vec<(Vec<EditClass>, Chain)> {
+        (formula, size): (&Formula, usize),
+        trees: &mut dyn Iterator<Item = Made>,
+    ) -> Vec<Made> {
         let claim = setting.claim;
         let sign = claim.scope.branch_sign();
         let known: &[Leaf] = &self.altered.known;
         let points = self.points(k, asked, 6);
         let mut out = Vec::new();
-        let mut trees = trees.into_iter();
+        let together = (NODES_TOGETHER / size).clamp(1, PAIRS_TOGETHER);
         loop {
-            let some: Vec<_> = trees.by_ref().take(PAIRS_TOGETHER).collect();
+            let some: Vec<_> = (0..together).map_while(|_| trees.next()).collect();
             if some.is_empty() {
                 return out;
             }
@@ -257,7 +280,7 @@ impl Search<'_> {
             for (of, tree) in some {
                 if let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) {
                     let class = of.first().copied().unwrap_or(EditClass::Missing);
-                    group.variants.push(Variant { class, formula: 0, tree, altered });
+                    group.variants.push(Variant { class, formula: 0, source: Source::Tree(Box::new(tree)), altered });
                     classes.push(of);
                 }
             }
@@ -276,7 +299,7 @@ impl Search<'_> {
                 let found = rejection::rejected(&group, &placed, &evidence, &mut Memory::default());
                 left.retain(|&v| !found.variants[v]);
             }
-            out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree.clone())));
+            out.extend(left.into_iter().map(|v| (classes[v].clone(), group.variants[v].tree(&group.formulas))));
         }
     }
 
@@ -290,7 +313,7 @@ impl Search<'_> {
         setting: &Setting,
         formula: &Formula,
         vocabulary: &Vocabulary,
-        made: Vec<(Vec<EditClass>, Chain)>,
+        made: Vec<Made>,
     ) -> Vec<Candidate> {
         let print = to_latex(&formula.tree);
         let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
@@ -312,7 +335,7 @@ impl Search<'_> {
             }
             let (difference, changed) = difference(&print, &to_latex(&tree));
             let class = classes.first().copied().unwrap_or(EditClass::Missing);
-            let variant = Variant { class, formula: 0, tree, altered };
+            let variant = Variant { class, formula: 0, source: Source::Tree(Box::new(tree)), altered };
             kept.push((variant, classes, difference, changed));
         }
         let nearness = Nearness::of_all(self.derivation, setting.claim, graph, formula, vocabulary, &kept);
@@ -333,7 +356,7 @@ impl Search<'_> {
         let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
         let mut out: Vec<Candidate> = Vec::new();
         for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
-            group.variants.into_iter().zip(sights).zip(rest)
+            std::mem::take(&mut group.variants).into_iter().zip(sights).zip(rest)
         {
             if matches!(sight, Sight::Same | Sight::Repeated | Sight::Said) {
                 continue;
@@ -345,9 +368,10 @@ impl Search<'_> {
             if trivial || made_up {
                 continue;
             }
-            let text = to_latex(&variant.tree);
+            let tree = variant.tree(&group.formulas);
+            let text = to_latex(&tree);
             nearness.empty = sight == Sight::Empty;
-            out.push(Candidate { claim: k, formula: f, tree: variant.tree, text, classes, difference, nearness });
+            out.push(Candidate { claim: k, formula: f, tree, text, classes, difference, nearness });
         }
         out.sort_by(|a, b| a.nearness.cmp(&b.nearness));
         out.truncate(MOST_CANDIDATES);
@@ -408,7 +432,7 @@ impl Search<'_> {
             .par_iter()
             .with_max_len(1)
             .map(|(_, at)| match Step::of(scratch, &scratch.claims[*at]).and_then(Step::decide).transpose() {
-                Ok(identity) => Ok(identity.is_some_and(|i| i.verdict == "proved")),
+                Ok(identity) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
                 Err(defect) => Err(CheckError::Defect(defect)),
             })
             .collect::<Result<_, _>>()?;
@@ -501,15 +525,42 @@ fn as_claim(
 }
 
 /// Pairs of edits of a formula: every edit of every variant of it, thinned evenly where there are too many.
-fn pairs(variants: &ClaimVariants, f: usize, vocabulary: &Vocabulary) -> Vec<(Vec<EditClass>, Chain)> {
-    let mut all: Vec<(Vec<EditClass>, Chain)> = Vec::new();
-    let of: Vec<&Variant> = variants.variants.iter().filter(|v| v.formula == f).collect();
-    for (n, variant) in of.iter().enumerate() {
-        // The same share of each variant's edits.
-        let room = (MOST_PAIRS - all.len()) / (of.len() - n);
-        let next = edits(&variant.tree, vocabulary);
-        let step = next.len().div_ceil(room.max(1)).max(1);
-        all.extend(next.into_iter().step_by(step).map(|(class, tree)| (vec![variant.class, class], tree)));
+struct Pairs<'a> {
+    formulas: &'a [Formula],
+    vocabulary: &'a Vocabulary,
+    /// The variants that are left.
+    of: std::vec::IntoIter<&'a Variant>,
+    /// Pairs that may still be made of them.
+    room: usize,
+    /// Those of one variant.
+    made: std::vec::IntoIter<Made>,
+}
+
+impl<'a> Pairs<'a> {
+    fn new(variants: &'a ClaimVariants, f: usize, vocabulary: &'a Vocabulary, room: usize) -> Pairs<'a> {
+        let of: Vec<&Variant> = variants.variants.iter().filter(|v| v.formula == f).collect();
+        Pairs { formulas: &variants.formulas, vocabulary, of: of.into_iter(), room, made: Vec::new().into_iter() }
     }
-    all
+}
+
+impl Iterator for Pairs<'_> {
+    type Item = Made;
+
+    fn next(&mut self) -> Option<Made> {
+        loop {
+            if let Some(made) = self.made.next() {
+                return Some(made);
+            }
+            // The same share of each variant's edits.
+            let share = self.room / self.of.len().max(1);
+            let variant = self.of.next()?;
+            let tree = variant.tree(self.formulas);
+            let sites = Sites::new(&tree, self.vocabulary);
+            let step = sites.count().div_ceil(share.max(1)).max(1);
+            let edits = sites.at(&mut (0..sites.count()).step_by(step).take(self.room));
+            self.room -= edits.len();
+            let made = edits.into_iter().map(|edit| (vec![variant.class, edit.class], edit.apply(&tree)));
+            self.made = made.collect::<Vec<Made>>().into_iter();
+        }
+    }
 }

@@ -1,14 +1,12 @@
 //! Where something may be missing in a formula, and what may be put there.
 //!
-//! **In:** a syntax tree. **Out:** the trees with one factor or term more, at every place. What such a factor or term may be
-//! made of is the business of `atom`.
+//! **In:** a syntax tree. **Out:** its [`Hole`]s, and the [`Insertions`]: trees with one factor or term more, at every place, made
+//! when they are asked for. What such a factor or term may be made of is the business of `atom`.
 
 use std::ops::Range;
 
-use super::edit::{Place, place_of};
-use super::tree::{
-    anywhere, as_number, negated, number, product, raised, scaled, scripted, sum, transpose, walk, with_part,
-};
+use super::sites::{Place, place_of};
+use super::tree::{as_number, negated, number, parts_mut, product, raised, scaled, scripted, sum, transpose, walk};
 use super::vocabulary::Vocabulary;
 use crate::expr::Rational;
 use crate::latex::syntax::{Bracket, Chain, Name, Node, NodeKind, Sign, SubItem, SymbolNode};
@@ -22,57 +20,88 @@ pub(super) enum Gap {
     Term,
 }
 
-/// Every tree that comes from putting `filling` into one gap of a chain; in an order that does not depend on the filling. A
-/// factor is put before what is there, unless `instead`, when it takes its place.
-pub(super) fn filled(chain: &Chain, gap: Gap, filling: &Node, instead: bool, vocabulary: &Vocabulary) -> Vec<Chain> {
-    let filler = Filler { gap, filling, instead, vocabulary };
-    let mut out = Vec::new();
-    for (k, side) in chain.sides.iter().enumerate() {
-        for side in filler.within(side, Place::Whole) {
-            let mut edited = chain.clone();
-            edited.sides[k] = side;
-            out.push(edited);
-        }
-    }
-    out
-}
-
-struct Filler<'a> {
+/// A place in a chain where something may be missing.
+#[derive(Clone, Debug)]
+pub(super) struct Hole {
+    side: usize,
+    /// From the side to the node: positions among the parts of each node.
+    path: Box<[u32]>,
+    /// The term of a sum that may lack a factor; none where it is the node itself.
+    term: Option<usize>,
     gap: Gap,
-    filling: &'a Node,
-    instead: bool,
-    vocabulary: &'a Vocabulary,
 }
 
-impl Filler<'_> {
-    fn times(&self, node: &Node) -> Node {
-        if self.instead { self.filling.clone() } else { multiplied(self.filling, node) }
+/// The places of a chain where a factor, or a term, may be missing.
+pub(super) fn holes(chain: &Chain, gap: Gap, vocabulary: &Vocabulary) -> Vec<Hole> {
+    let mut search = Holes { gap, vocabulary, side: 0, path: Vec::new(), out: Vec::new() };
+    for (side, node) in chain.sides.iter().enumerate() {
+        search.side = side;
+        search.within(node, Place::Whole);
+    }
+    search.out
+}
+
+/// A node of a chain, to be replaced.
+fn node_at<'n>(chain: &'n mut Chain, side: usize, path: &[u32]) -> Option<&'n mut Node> {
+    let mut place = chain.sides.get_mut(side);
+    for &at in path {
+        place = place.and_then(|node| parts_mut(node).into_iter().nth(at as usize));
+    }
+    place
+}
+
+impl Hole {
+    /// The chain with something put there. A factor is put before what is there, unless `instead`, when it takes its place.
+    pub fn filled(&self, chain: &Chain, filling: &Node, instead: bool) -> Chain {
+        let mut out = chain.clone();
+        let Some(node) = node_at(&mut out, self.side, &self.path) else { return out };
+        let times = |node: &Node| if instead { filling.clone() } else { multiplied(filling, node) };
+        let new = match (&node.kind, self.gap, self.term) {
+            (NodeKind::Sum(terms), Gap::Factor, Some(i)) => {
+                let mut terms = terms.clone();
+                terms[i].1 = times(&terms[i].1);
+                sum(terms, &node.span)
+            }
+            (_, Gap::Factor, _) => times(node),
+            (NodeKind::Sum(terms), Gap::Term, _) => added(terms.clone(), filling, &node.span),
+            (_, Gap::Term, _) => {
+                let terms = if node.is_zero() { Vec::new() } else { vec![(Sign::Plus, node.clone())] };
+                added(terms, filling, &node.span)
+            }
+        };
+        *node = new;
+        out
+    }
+}
+
+struct Holes<'a> {
+    gap: Gap,
+    vocabulary: &'a Vocabulary,
+    side: usize,
+    path: Vec<u32>,
+    out: Vec<Hole>,
+}
+
+impl Holes<'_> {
+    fn put(&mut self, term: Option<usize>) {
+        let path = self.path.clone().into_boxed_slice();
+        self.out.push(Hole { side: self.side, path, term, gap: self.gap });
     }
 
-    fn within(&self, node: &Node, place: Place) -> Vec<Node> {
-        let mut out = Vec::new();
+    fn within(&mut self, node: &Node, place: Place) {
         if place == Place::Fixed {
-            return out;
+            return;
         }
         let fillable = !matches!(node.kind, NodeKind::Tuple(_) | NodeKind::Matrix(_) | NodeKind::Identity);
         match (&node.kind, self.gap) {
-            (NodeKind::Sum(terms), Gap::Factor) => {
-                for (i, (_, term)) in terms.iter().enumerate() {
-                    let mut terms = terms.clone();
-                    terms[i].1 = self.times(term);
-                    out.push(sum(terms, &node.span));
-                }
-            }
-            (NodeKind::Sum(terms), Gap::Term) => out.push(added(terms.clone(), self.filling, &node.span)),
-            (_, Gap::Factor) if place == Place::Whole && fillable && !node.is_zero() => out.push(self.times(node)),
-            (_, Gap::Term) if place == Place::Whole && fillable => {
-                let terms = if node.is_zero() { Vec::new() } else { vec![(Sign::Plus, node.clone())] };
-                out.push(added(terms, self.filling, &node.span));
-            }
+            (NodeKind::Sum(terms), Gap::Factor) => (0..terms.len()).for_each(|i| self.put(Some(i))),
+            (NodeKind::Sum(_), Gap::Term) => self.put(None),
+            (_, Gap::Factor) if place == Place::Whole && fillable && !node.is_zero() => self.put(None),
+            (_, Gap::Term) if place == Place::Whole && fillable => self.put(None),
             _ => {}
         }
         if as_number(node).is_some() {
-            return out;
+            return;
         }
         for (at, child) in node.children().into_iter().enumerate() {
             let place = match &node.kind {
@@ -80,11 +109,10 @@ impl Filler<'_> {
                 NodeKind::Group(..) if self.gap == Gap::Term && !matches!(child.kind, NodeKind::Sum(_)) => Place::Whole,
                 _ => place_of(node, at, child, self.vocabulary),
             };
-            for child in self.within(child, place) {
-                out.push(with_part(node, at, child));
-            }
+            self.path.push(at as u32);
+            self.within(child, place);
+            self.path.pop();
         }
-        out
     }
 }
 
@@ -189,69 +217,128 @@ pub(super) fn power(atom: &Node, n: i32) -> Node {
 /// Most atoms that are put into a formula one by one.
 const MOST_INSERTED: usize = 20;
 
-/// A formula with one quantity more, as a factor or as a term, at every place: nested ones, and matrices and vectors, too.
-pub(super) fn insertions(chain: &Chain, vocabulary: &Vocabulary, atoms: &[Node]) -> Vec<Chain> {
-    let mut out = Vec::new();
-    for atom in atoms.iter().take(MOST_INSERTED) {
-        for n in [1, 2] {
-            out.extend(filled(chain, Gap::Factor, &power(atom, n), false, vocabulary));
-            let term = power(atom, n);
-            out.extend(filled(chain, Gap::Term, &term, false, vocabulary));
-            out.extend(filled(chain, Gap::Term, &negated(&term), false, vocabulary));
-        }
-    }
-    let letters = letters(chain, vocabulary);
-    for word in vocabulary.tensors() {
-        let span = 0..0;
-        let plain = word.symbol();
-        let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
-        let mut all = vec![symbol(plain.clone())];
-        if word.rank == 2 {
-            let turned = |s: &SymbolNode| SymbolNode { sup: Some(Box::new(transpose(&span))), ..s.clone() };
-            all.push(symbol(turned(&plain)));
-            all.push(symbol(SymbolNode { sup: raised(-1, &span), ..plain.clone() }));
-            if word.moves {
-                let dotted = SymbolNode { dots: 1, ..plain.clone() };
-                all.extend([symbol(turned(&dotted)), symbol(dotted)]);
-            }
-        }
-        for factor in &all {
-            out.extend(filled(chain, Gap::Factor, factor, false, vocabulary));
-            // Matrices do not commute: behind each factor, too.
-            for (k, side) in chain.sides.iter().enumerate() {
-                for side in anywhere(side, &|node| behind_each(node, factor)) {
-                    let mut edited = chain.clone();
-                    edited.sides[k] = side;
-                    out.push(edited);
-                }
-            }
-        }
-        // One component for each value of an index of the formula; of a diagonal matrix there is one for each, too.
-        if word.rank == 1 || word.is_diagonal() {
-            for letter in &letters {
-                let mut sub = plain.sub.clone().unwrap_or_default();
-                sub.push(SubItem::Name(letter.clone()));
-                let component = symbol(SymbolNode { sub: Some(sub), ..plain.clone() });
-                let one = Box::new(number(Rational::ONE, &span));
-                let under = NodeKind::Quotient { top: one, bottom: Box::new(component.clone()), slash: false };
-                for factor in [component, Node::new(under, span.clone())] {
-                    out.extend(filled(chain, Gap::Factor, &factor, false, vocabulary));
-                }
-            }
-        }
-    }
-    out
+/// All formulas with one quantity more, as a factor or as a term, at every place: nested ones, and matrices and vectors, too.
+/// They are made when they are asked for.
+pub(super) struct Insertions<'a> {
+    chain: &'a Chain,
+    factors: Vec<Hole>,
+    terms: Vec<Hole>,
+    /// Side and path of every product, and a place behind one of its factors.
+    behind: Vec<(usize, Box<[u32]>, usize)>,
+    /// What is put, and where: each at all places of a kind.
+    rounds: Vec<(Where, Node)>,
 }
 
-/// Products with one factor more behind each of their factors.
-fn behind_each(node: &Node, factor: &Node) -> Vec<Node> {
-    let NodeKind::Product(parts) = &node.kind else { return Vec::new() };
-    let with = |at: usize| {
-        let mut parts = parts.clone();
-        parts.insert(at, factor.clone());
-        Node::new(NodeKind::Product(parts), node.span.clone())
-    };
-    (1..=parts.len()).map(with).collect()
+/// Places of one kind.
+#[derive(Clone, Copy)]
+enum Where {
+    Factor,
+    Term,
+    Behind,
+}
+
+impl<'a> Insertions<'a> {
+    /// Those of some atoms, and of the vectors and matrices of a vocabulary.
+    pub fn new(chain: &'a Chain, vocabulary: &Vocabulary, atoms: &[Node]) -> Insertions<'a> {
+        let mut rounds = Vec::new();
+        for atom in atoms.iter().take(MOST_INSERTED) {
+            for n in [1, 2] {
+                let term = power(atom, n);
+                let minus = negated(&term);
+                rounds.extend([(Where::Factor, term.clone()), (Where::Term, term), (Where::Term, minus)]);
+            }
+        }
+        let letters = letters(chain, vocabulary);
+        for word in vocabulary.tensors() {
+            let span = 0..0;
+            let plain = word.symbol();
+            let symbol = |s: SymbolNode| Node::new(NodeKind::Symbol(s), span.clone());
+            let mut all = vec![symbol(plain.clone())];
+            if word.rank == 2 {
+                let turned = |s: &SymbolNode| SymbolNode { sup: Some(Box::new(transpose(&span))), ..s.clone() };
+                all.push(symbol(turned(&plain)));
+                all.push(symbol(SymbolNode { sup: raised(-1, &span), ..plain.clone() }));
+                if word.moves {
+                    let dotted = SymbolNode { dots: 1, ..plain.clone() };
+                    all.extend([symbol(turned(&dotted)), symbol(dotted)]);
+                }
+            }
+            // Matrices do not commute: behind each factor, too.
+            rounds.extend(all.into_iter().flat_map(|f| [(Where::Factor, f.clone()), (Where::Behind, f)]));
+            // One component for each value of an index of the formula; of a diagonal matrix there is one for each, too.
+            if word.rank == 1 || word.is_diagonal() {
+                for letter in &letters {
+                    let mut sub = plain.sub.clone().unwrap_or_default();
+                    sub.push(SubItem::Name(letter.clone()));
+                    let component = symbol(SymbolNode { sub: Some(sub), ..plain.clone() });
+                    let one = Box::new(number(Rational::ONE, &span));
+                    let under = NodeKind::Quotient { top: one, bottom: Box::new(component.clone()), slash: false };
+                    rounds.extend([(Where::Factor, component), (Where::Factor, Node::new(under, span.clone()))]);
+                }
+            }
+        }
+        let mut behind = Vec::new();
+        for (side, node) in chain.sides.iter().enumerate() {
+            products(node, side, &mut Vec::new(), &mut behind);
+        }
+        let [factors, terms] = [Gap::Factor, Gap::Term].map(|gap| holes(chain, gap, vocabulary));
+        Insertions { chain, factors, terms, behind, rounds }
+    }
+
+    fn places(&self, of: Where) -> usize {
+        match of {
+            Where::Factor => self.factors.len(),
+            Where::Term => self.terms.len(),
+            Where::Behind => self.behind.len(),
+        }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.rounds.iter().map(|(of, _)| self.places(*of)).sum()
+    }
+
+    /// Those at some positions, which ascend.
+    pub fn at(self, positions: impl Iterator<Item = usize>) -> impl Iterator<Item = Chain> {
+        let (mut round, mut first) = (0, 0);
+        positions.map_while(move |at| {
+            loop {
+                let (of, filling) = self.rounds.get(round)?;
+                let here = self.places(*of);
+                if at < first + here {
+                    return Some(self.one(*of, filling, at - first));
+                }
+                (round, first) = (round + 1, first + here);
+            }
+        })
+    }
+
+    fn one(&self, of: Where, filling: &Node, at: usize) -> Chain {
+        match of {
+            Where::Factor => self.factors[at].filled(self.chain, filling, false),
+            Where::Term => self.terms[at].filled(self.chain, filling, false),
+            Where::Behind => {
+                let (side, path, behind) = &self.behind[at];
+                let mut out = self.chain.clone();
+                if let Some(Node { kind: NodeKind::Product(parts), .. }) = node_at(&mut out, *side, path) {
+                    parts.insert(*behind, filling.clone());
+                }
+                out
+            }
+        }
+    }
+}
+
+/// The places behind each factor of each product.
+fn products(node: &Node, side: usize, path: &mut Vec<u32>, out: &mut Vec<(usize, Box<[u32]>, usize)>) {
+    if let NodeKind::Product(parts) = &node.kind {
+        out.extend((1..=parts.len()).map(|at| (side, path.clone().into_boxed_slice(), at)));
+    }
+    for (at, child) in node.children().into_iter().enumerate() {
+        path.push(at as u32);
+        products(child, side, path, out);
+        path.pop();
+    }
 }
 
 /// The letters that stand as indices in a formula.

@@ -11,7 +11,10 @@ use std::ops::Range;
 
 use super::super::comparison::{at_instant, magnitude_of};
 use super::account::ClassCount;
-use super::edit::{EditClass, edits};
+use super::edit::{Edit, EditClass};
+use super::equivalence::SEED;
+use super::sites::Sites;
+use super::tree::walk;
 use super::vocabulary::Vocabulary;
 use crate::derivation::{Claim, Derivation, Form};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Tensor};
@@ -64,16 +67,36 @@ pub(super) struct Variant {
     pub class: EditClass,
     /// Which formula.
     pub formula: usize,
-    /// The altered tree.
-    pub tree: Chain,
+    /// How the altered tree is made.
+    pub source: Source,
     /// The parts that are not those of the formula: position, and the part.
     pub altered: Vec<(usize, Part)>,
 }
 
+/// Where the tree of an altered formula comes from. Most are never looked at again, so that a description is kept.
+#[derive(Clone, Debug)]
+pub(super) enum Source {
+    /// An edit of the formula.
+    Edit(Edit),
+    /// The tree itself.
+    Tree(Box<Chain>),
+}
+
 impl Variant {
-    /// The altered formula.
-    pub fn text(&self) -> String {
-        to_latex(&self.tree)
+    /// The altered tree of one of these formulas.
+    pub fn tree(&self, formulas: &[Formula]) -> Chain {
+        match &self.source {
+            Source::Edit(edit) => edit.apply(&formulas[self.formula].tree),
+            Source::Tree(tree) => (**tree).clone(),
+        }
+    }
+
+    /// The altered formula, of one of these.
+    pub fn text(&self, formulas: &[Formula]) -> String {
+        match &self.source {
+            Source::Edit(_) => to_latex(&self.tree(formulas)),
+            Source::Tree(tree) => to_latex(tree),
+        }
     }
 }
 
@@ -283,12 +306,42 @@ fn is_power(graph: &mut Graph, formula: &Formula, altered: &[(usize, Part)]) -> 
     (-3..=3).any(|n| n != 0 && graph.powi(old.sides.0, n) == new.sides.0)
 }
 
-/// Most edits of a formula that are looked at; a larger formula has its later edits left out, and says so.
+/// Most edits of a formula that are looked at; of a formula that has more, they are drawn, and it says so.
 const MOST_EDITS: usize = 1500;
+/// Fewest edits that are looked at where there are more, however large a formula is.
+const FEWEST_EDITS: usize = 16;
+/// The work that the edits of a claim may take, in nodes: of the trees that are built, and of what they mean.
+pub(super) const MOST_NODES: usize = 400_000;
+
+impl Formula {
+    /// What one altered formula takes, in nodes: a tree that is read, and at worst all of what it means.
+    pub fn size(&self, graph: &Graph) -> usize {
+        let meaning = graph.reachable(self.parts.iter().flat_map(|p| [p.sides.0, p.sides.1])).len();
+        let mut nodes = Vec::new();
+        self.tree.sides.iter().for_each(|side| walk(side, &mut nodes));
+        (meaning + nodes.len()).max(1)
+    }
+}
+
+/// At most `most` of `count` positions, in order: one from each of as many stretches of one length. Which one is drawn, so that
+/// what comes at regular distances is not always the same kind of edit.
+pub(super) fn drawn(count: usize, most: usize) -> impl Iterator<Item = usize> {
+    let mut state = SEED;
+    (0..count.min(most)).map(move |k| {
+        if count <= most {
+            return k;
+        }
+        let (from, to) = (k * count / most, (k + 1) * count / most);
+        // Knuth's multiplier; the upper half of the bits is what is random.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (state >> 33) as usize % (to - from)
+    })
+}
 
 impl ClaimVariants {
     /// All edits of all formulas of a claim that mean something else than any before them.
-    pub fn new(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> ClaimVariants {
+    /// `room`: the work that they may take, in nodes.
+    pub fn new(derivation: &Derivation, graph: &mut Graph, setting: &Setting, room: usize) -> ClaimVariants {
         // Without a motion nothing is tried.
         if setting.starts.is_empty() {
             return ClaimVariants::default();
@@ -298,14 +351,17 @@ impl ClaimVariants {
         let mut out = ClaimVariants { skipped, ..ClaimVariants::default() };
         let mut seen: FastMap<(usize, Vec<(usize, Expr)>), ()> = FastMap::default();
         for (at, formula) in formulas.iter().enumerate() {
-            let all = edits(&formula.tree, &vocabulary);
-            if all.len() > MOST_EDITS {
-                let left = all.len() - MOST_EDITS;
+            let sites = Sites::new(&formula.tree, &vocabulary);
+            let most = (room / formulas.len() / formula.size(graph)).clamp(FEWEST_EDITS, MOST_EDITS);
+            let left = sites.count().saturating_sub(most);
+            if left > 0 {
                 out.skipped.push((formula.text.clone(), format!("{left} more edits were not looked at")));
             }
-            for (class, tree) in all.into_iter().take(MOST_EDITS) {
+            for edit in sites.at(&mut drawn(sites.count(), most)) {
+                let class = edit.class;
                 let count = out.count(class);
                 count.generated += 1;
+                let tree = edit.apply(&formula.tree);
                 let Some(altered) = setting.altered(graph, formula, &tree) else {
                     count.meaningless += 1;
                     continue;
@@ -320,7 +376,8 @@ impl ClaimVariants {
                     continue;
                 }
                 count.kept += 1;
-                out.variants.push(Variant { class, formula: at, tree, altered });
+                let source = Source::Edit(edit);
+                out.variants.push(Variant { class, formula: at, source, altered });
             }
         }
         out.formulas = formulas;

@@ -27,6 +27,7 @@ mod generate;
 mod nearness;
 mod point;
 mod rejection;
+mod sites;
 mod tree;
 mod vocabulary;
 
@@ -49,7 +50,7 @@ use crate::flow::Sample;
 use crate::latex::Role;
 use crate::verdict::{Outcome, Verdict};
 use battery::{Battery, Memory};
-use generate::{ClaimVariants, Formula, Manner, Setting, Variant};
+use generate::{ClaimVariants, Formula, MOST_NODES, Manner, Setting, Source, Variant};
 use rejection::{Evidence, Placed, Rejections};
 
 /// A formula of a claim with one edit.
@@ -72,12 +73,12 @@ pub fn altered_formulas(derivation: &Derivation, claim: usize) -> Vec<AlteredFor
     let starts = [Rational::ZERO];
     let mut graph = derivation.graph.clone();
     let setting = Setting { claim: of, starts: &starts, shared: graph.len() };
-    let mut variants = ClaimVariants::new(derivation, &mut graph, &setting);
+    let mut variants = ClaimVariants::new(derivation, &mut graph, &setting, MOST_NODES);
     variants.reduce(derivation, of, &mut graph);
     let mut out = Vec::new();
     for variant in &variants.variants {
         let formula = &variants.formulas[variant.formula];
-        let text = variant.text();
+        let text = variant.text(&variants.formulas);
         let mut reads = || {
             let tree = generate::tree(&text, &of.scope)?;
             Some(setting.altered(&mut graph, formula, &tree)? == variant.altered)
@@ -120,7 +121,7 @@ pub fn says_the_same(
     if altered.is_empty() {
         return Some(Sameness::Defined);
     }
-    let variants = vec![Variant { class: EditClass::Sign, formula: 0, tree, altered }];
+    let variants = vec![Variant { class: EditClass::Sign, formula: 0, source: Source::Tree(Box::new(tree)), altered }];
     let group = ClaimVariants { formulas: vec![formula], variants, ..ClaimVariants::default() };
     match group.sights(derivation, of, &mut graph, true).as_slice() {
         [equivalence::Sight::Same] => match group.sights_defined(derivation, of, &mut graph).as_slice() {
@@ -131,13 +132,19 @@ pub fn says_the_same(
     }
 }
 
-/// Claims that share a copy of the graph.
+/// Fewest claims that share a copy of the graph.
 const TOGETHER: usize = 8;
+/// Most copies of the graph: it grows with the claims, and copies of all would grow with their square.
+const MOST_COPIES: usize = 64;
+/// The work that the variants of a file may take, in nodes.
+const MOST_NODES_OF_A_FILE: usize = 20_000_000;
 
 /// The variants of all claims that are tried.
 pub(super) struct Altered {
-    /// Copies of the graph, each for [`TOGETHER`] claims.
+    /// Copies of the graph.
     graphs: Vec<Graph>,
+    /// How many claims share one.
+    together: usize,
     claims: Vec<ClaimVariants>,
     /// For each claim and initial time; empty for a claim without variants.
     placed: Vec<Vec<Placed>>,
@@ -148,21 +155,29 @@ impl Altered {
     /// Makes the variants. `claimed` are the positions of the claims, `starts` the initial times of the motions.
     pub fn new(derivation: &Derivation, claimed: &[usize], starts: &[Rational]) -> Altered {
         let shared = derivation.graph.len();
+        let together = claimed.len().div_ceil(MOST_COPIES).max(TOGETHER);
+        let room = (MOST_NODES_OF_A_FILE / claimed.len().max(1)).min(MOST_NODES);
         let several = |some: &[usize]| {
             let mut graph = derivation.graph.clone();
             let mut out = Vec::new();
             for &c in some {
                 let claim = &derivation.claims[c];
                 let setting = Setting { claim, starts, shared };
-                let mut variants = ClaimVariants::new(derivation, &mut graph, &setting);
+                let mut variants = ClaimVariants::new(derivation, &mut graph, &setting, room);
                 variants.reduce(derivation, claim, &mut graph);
                 out.push(variants);
             }
             (graph, out)
         };
-        let made: Vec<(Graph, Vec<ClaimVariants>)> = claimed.par_chunks(TOGETHER).map(several).collect();
+        let made: Vec<(Graph, Vec<ClaimVariants>)> = claimed.par_chunks(together).map(several).collect();
         let (graphs, claims): (Vec<_>, Vec<_>) = made.into_iter().unzip();
-        Altered { graphs, claims: claims.into_iter().flatten().collect(), placed: Vec::new(), known: Vec::new() }
+        let claims = claims.into_iter().flatten().collect();
+        Altered { graphs, together, claims, placed: Vec::new(), known: Vec::new() }
+    }
+
+    /// The graph of the k-th claim.
+    fn graph(&self, k: usize) -> &Graph {
+        &self.graphs[k / self.together]
     }
 
     /// The leaves that must be known to try them, and to look for corrections, the sign of ± apart: what a formula lacks may
@@ -171,7 +186,7 @@ impl Altered {
         let mut out = Vec::new();
         for (k, claim) in self.claims.iter().enumerate().filter(|(_, c)| !c.variants.is_empty()) {
             for start in 0..starts {
-                out.extend(self.graphs[k / TOGETHER].leaves(claim.roots(start)));
+                out.extend(self.graph(k).leaves(claim.roots(start)));
             }
         }
         let highest = out.iter().map(|l: &Leaf| l.rate).max().unwrap_or(0).max(1);
@@ -195,14 +210,14 @@ impl Altered {
     pub fn leaves_of(&self, k: usize, starts: usize) -> Vec<Leaf> {
         let claim = self.claims.get(k).filter(|c| !c.variants.is_empty());
         let roots = claim.map(|claim| (0..starts).flat_map(|start| claim.roots(start)).collect::<Vec<_>>());
-        roots.map_or_else(Vec::new, |roots| self.graphs[k / TOGETHER].leaves(roots))
+        roots.map_or_else(Vec::new, |roots| self.graph(k).leaves(roots))
     }
 
     /// Compiles them for points with values of these leaves, which are sorted.
     pub fn compile(&mut self, starts: usize, sign: Leaf, known: &[Leaf]) {
         self.known = known.to_vec();
         let one = |(k, claim): (usize, &ClaimVariants)| -> Vec<Placed> {
-            let graph = &self.graphs[k / TOGETHER];
+            let graph = self.graph(k);
             let all = || (0..claim.variants.len()).collect();
             let battery = |start| Battery::new(graph, claim, start, all(), sign).map(|b| Placed::new(b, known));
             if claim.variants.is_empty() { Vec::new() } else { (0..starts).filter_map(battery).collect() }
@@ -333,7 +348,7 @@ impl Altered {
             class: variants.variants[v].class,
             printed: of(v).text.clone(),
             place: of(v).place.clone(),
-            formula: variants.variants[v].text(),
+            formula: variants.variants[v].text(&variants.formulas),
             everywhere: holds.iter().all(|(_, r)| !r[v]),
         };
         VariantAccount {

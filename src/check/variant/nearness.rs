@@ -77,7 +77,7 @@ impl Nearness {
         let inconsistent = units::inconsistent(derivation, graph, &sides);
         let mut out = Vec::new();
         for ((variant, classes, _, changed), inconsistent) in made.iter().zip(inconsistent) {
-            let tree = &variant.tree;
+            let tree = &variant.tree(std::slice::from_ref(formula));
             let mut nodes = Vec::new();
             tree.sides.iter().for_each(|side| walk(side, &mut nodes));
             let is_own = |kind: &NodeKind| match kind {

@@ -182,7 +182,7 @@ pub(super) fn is_transpose(node: &Node) -> bool {
 /// The parts of a node, to be replaced, in the order of [`Node::children`].
 pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     match &mut node.kind {
-        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Vec::new(),
+        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Vec::new(),
         NodeKind::Symbol(s) => s.sup.as_deref_mut().into_iter().chain(s.arguments.iter_mut().flatten()).collect(),
         NodeKind::Scripted { base, sup, .. } => std::iter::once(&mut **base).chain(sup.as_deref_mut()).collect(),
         NodeKind::Sum(terms) => terms.iter_mut().map(|(_, n)| n).collect(),
@@ -191,7 +191,8 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
         NodeKind::Cross { left, right, .. } => vec![left, right],
         NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
         NodeKind::Derivative { of, by, .. } => vec![of, by],
-        NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+        NodeKind::At { of, time, .. } => vec![of, time],
+        NodeKind::Factorial(a) | NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
         NodeKind::Exponential { exponent, .. } => vec![exponent],
         NodeKind::Matrix(rows) => rows.iter_mut().flatten().collect(),
         NodeKind::Limit(body, target) => match target {
@@ -199,15 +200,6 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
             Target::PlusInfinity | Target::MinusInfinity => vec![body],
         },
     }
-}
-
-/// A node with another part at a place, in the order of [`Node::children`].
-pub(super) fn with_part(node: &Node, at: usize, part: Node) -> Node {
-    let mut out = node.clone();
-    if let Some(place) = parts_mut(&mut out).into_iter().nth(at) {
-        *place = part;
-    }
-    out
 }
 
 /// Every node of a tree, parents first.
@@ -231,15 +223,6 @@ pub(super) fn without_places(node: &Node) -> Node {
     out.span = 0..0;
     for part in parts_mut(&mut out) {
         *part = without_places(part);
-    }
-    out
-}
-
-/// Every tree in which one node is replaced by one of what `f` makes of it.
-pub(super) fn anywhere(node: &Node, f: &dyn Fn(&Node) -> Vec<Node>) -> Vec<Node> {
-    let mut out = f(node);
-    for (at, child) in node.children().into_iter().enumerate() {
-        out.extend(anywhere(child, f).into_iter().map(|child| with_part(node, at, child)));
     }
     out
 }

@@ -4,7 +4,7 @@
 //! a slip of the pen may put one for the other: the same shape, the same role, both angles or neither.
 
 use crate::derivation::{Claim, Derivation, Motion, SymbolEntry};
-use crate::expr::{Graph, Shape, Symbol};
+use crate::expr::{FastMap, Graph, Shape, Symbol};
 use crate::latex::syntax::{Chain, Name, NodeKind, SubItem, SymbolNode};
 use crate::latex::{self, Role, Scope};
 
@@ -30,6 +30,8 @@ pub(super) struct Word {
     role: Role,
     diagonal: bool,
     angle: bool,
+    /// Its kind: which words may stand in its place; none where no other may.
+    kind: Option<usize>,
 }
 
 impl Word {
@@ -56,6 +58,7 @@ impl Word {
             role: entry.role,
             diagonal,
             angle: entry.angle,
+            kind: None,
         })
     }
 
@@ -68,65 +71,134 @@ impl Word {
             && self.diagonal == other.diagonal
             && self.angle == other.angle
     }
+
+    /// Whether one may be put for the other by mistake.
+    pub fn may_be(&self, other: &Word) -> bool {
+        self.kind.is_some() && self.kind == other.kind && self != other
+    }
 }
 
-/// Whether a symbol has a value on some motion on which the claim is tried. What has none would be noticed by anybody.
-fn is_known(derivation: &Derivation, claim: &Claim, symbol: Symbol) -> bool {
-    let of_motions = |symbol: Symbol| {
-        claim.trajectories.iter().any(|&t| {
-            let trajectory = &derivation.trajectories[t];
-            trajectory.states.contains(&symbol) || trajectory.parameter(symbol).is_some()
-        })
-    };
-    let mut open = vec![symbol];
-    let mut seen: Vec<Symbol> = Vec::new();
-    while let Some(symbol) = open.pop() {
-        if seen.contains(&symbol) {
-            continue;
+/// Which symbols have a value on some motion on which the claim is tried. What has none would be noticed by anybody.
+struct Known<'a> {
+    derivation: &'a Derivation,
+    claim: &'a Claim,
+    /// What has been found.
+    found: FastMap<Symbol, bool>,
+}
+
+impl Known<'_> {
+    fn is_known(&mut self, symbol: Symbol) -> bool {
+        let (claim, graph) = (self.claim, &self.derivation.graph);
+        // Definitions are acyclic, and may be as deep as the file is long: what is open, each with what it is made of.
+        let mut open: Vec<(Symbol, Vec<Symbol>)> = Vec::new();
+        let mut last = self.found.get(&symbol).copied();
+        if last.is_none() {
+            open.push((symbol, parts(claim, graph, symbol)));
         }
-        seen.push(symbol);
-        match claim.scope.role(symbol) {
-            Some(Role::State | Role::Parameter) if !of_motions(symbol) => return false,
-            Some(Role::Observable | Role::Abbreviation) => {
-                let components = claim.scope.definition(symbol).map_or(&[][..], |d| d.components.as_slice());
-                open.extend(derivation.graph.leaves(components.iter().copied()).into_iter().map(|l| l.symbol));
+        while let Some((symbol, left)) = open.last_mut() {
+            let symbol = *symbol;
+            match left.pop() {
+                Some(part) => match self.found.get(&part) {
+                    Some(true) => {}
+                    Some(false) => {
+                        self.found.insert(symbol, false);
+                        left.clear();
+                    }
+                    None => open.push((part, parts(claim, graph, part))),
+                },
+                None => {
+                    let known = *self.found.get(&symbol).unwrap_or(&true) && self.is_given(symbol);
+                    self.found.insert(symbol, known);
+                    last = Some(known);
+                    open.pop();
+                    // What was waiting for it is as unknown.
+                    if let (false, Some((waiting, left))) = (known, open.last_mut()) {
+                        self.found.insert(*waiting, false);
+                        left.clear();
+                    }
+                }
             }
-            _ => {}
         }
+        last.unwrap_or(true)
     }
-    true
+
+    /// Whether a state or a parameter has a value on some motion; true of all others.
+    fn is_given(&self, symbol: Symbol) -> bool {
+        let on_some = || {
+            self.claim.trajectories.iter().any(|&t| {
+                let trajectory = &self.derivation.trajectories[t];
+                trajectory.states.contains(&symbol) || trajectory.parameter(symbol).is_some()
+            })
+        };
+        !matches!(self.claim.scope.role(symbol), Some(Role::State | Role::Parameter)) || on_some()
+    }
+}
+
+/// The symbols in the definition of one.
+fn parts(claim: &Claim, graph: &Graph, symbol: Symbol) -> Vec<Symbol> {
+    if !matches!(claim.scope.role(symbol), Some(Role::Observable | Role::Abbreviation)) {
+        return Vec::new();
+    }
+    let components = claim.scope.definition(symbol).map_or(&[][..], |d| d.components.as_slice());
+    let mut out: Vec<Symbol> = graph.leaves(components.iter().copied()).into_iter().map(|l| l.symbol).collect();
+    out.dedup();
+    out.retain(|part| *part != symbol);
+    out
 }
 
 /// All symbols that a formula of a claim may use.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Vocabulary {
     words: Vec<Word>,
+    /// The positions of the words of a name.
+    by_name: FastMap<Name, Vec<usize>>,
+    /// The positions of the words of a kind.
+    kinds: Vec<Vec<usize>>,
 }
 
 impl Vocabulary {
     /// The symbols of the file, and those of the claim, which go before them.
     pub fn new(derivation: &Derivation, claim: &Claim) -> Vocabulary {
         let mut words: Vec<Word> = Vec::new();
+        let mut by_name: FastMap<Name, Vec<usize>> = FastMap::default();
+        let mut known = Known { derivation, claim, found: FastMap::default() };
         for entry in derivation.symbols.iter().chain(&claim.symbols) {
-            if !is_known(derivation, claim, entry.symbol) {
+            if !known.is_known(entry.symbol) {
                 continue;
             }
             let Some(mut word) = Word::new(&derivation.graph, &claim.scope, entry) else { continue };
             word.is_own = claim.symbols.iter().any(|own| own.symbol == entry.symbol);
-            match words.iter_mut().find(|w| w.name == word.name && w.sub == word.sub) {
-                Some(hidden) => *hidden = word,
-                None => words.push(word),
+            let named = by_name.entry(word.name.clone()).or_default();
+            match named.iter().copied().find(|&at| words[at].sub == word.sub) {
+                Some(hidden) => words[hidden] = word,
+                None => {
+                    named.push(words.len());
+                    words.push(word);
+                }
             }
         }
-        Vocabulary { words }
+        let mut kinds: Vec<Vec<usize>> = Vec::new();
+        for at in 0..words.len() {
+            // There are few kinds: a shape, a role, an angle or not.
+            let kind = kinds.iter().position(|kind| words[kind[0]].is_like(&words[at]));
+            let kind = kind.or_else(|| words[at].is_like(&words[at]).then_some(kinds.len()));
+            words[at].kind = kind;
+            match kind {
+                Some(new) if new == kinds.len() => kinds.push(vec![at]),
+                Some(known) => kinds[known].push(at),
+                None => {}
+            }
+        }
+        Vocabulary { words, by_name, kinds }
     }
 
     /// The word that a symbol of a formula is, and how much of its subscript belongs to the name.
     pub fn word(&self, s: &SymbolNode) -> Option<(&Word, usize)> {
         let sub = s.sub.as_deref().unwrap_or(&[]);
         let named = |name: &str, tensors: bool| {
-            let fits = |w: &&Word| w.name == name && sub.starts_with(&w.sub) && (w.rank > 0 || !tensors);
-            self.words.iter().filter(fits).max_by_key(|w| w.sub.len()).map(|w| (w, w.sub.len()))
+            let fits = |w: &&Word| sub.starts_with(&w.sub) && (w.rank > 0 || !tensors);
+            let named = self.by_name.get(name).into_iter().flatten().map(|&at| &self.words[at]);
+            named.filter(fits).max_by_key(|w| w.sub.len()).map(|w| (w, w.sub.len()))
         };
         // `\boldsymbol\Omega` may stand for a declared vector `\Omega`, and `m_3` for a component of `{\bf m}`.
         named(&s.name, false).or_else(|| match s.name.split_once(':') {
@@ -137,8 +209,9 @@ impl Vocabulary {
     }
 
     /// The words that may have been meant in place of one, in the order of their declaration.
-    pub fn like<'v>(&'v self, word: &'v Word) -> impl Iterator<Item = &'v Word> {
-        self.words.iter().filter(move |w| *w != word && w.is_like(word))
+    pub fn like(&self, word: &Word) -> Vec<&Word> {
+        let kind = word.kind.and_then(|kind| self.kinds.get(kind)).into_iter().flatten();
+        kind.map(|&at| &self.words[at]).filter(|w| *w != word).collect()
     }
 
     /// Vectors and matrices.

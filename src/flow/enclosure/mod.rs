@@ -146,6 +146,10 @@ impl Enclosure {
     }
 
     fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+        let (unknowns, limit) = (field.states().len(), step::MOST_UNKNOWNS);
+        if unknowns > limit {
+            return Err(FlowError::TooManyUnknowns { unknowns, limit });
+        }
         let mut states = Vec::new();
         for &leaf in field.states() {
             let basic = fresh(graph, "state");
@@ -381,13 +385,14 @@ impl Enclosure {
     }
 
     fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
-        graph.directional_derivative(e, |graph, leaf| {
+        let rate = graph.directional_derivative(e, |graph, leaf| {
             if leaf == self.time {
                 return Some(graph.integer(1));
             }
             let tube = self.tube.as_deref()?;
             tube.states.iter().position(|&l| l == leaf).map(|i| tube.rates[i])
-        })
+        })?;
+        Ok(graph.rate_of(e, rate, |_| false))
     }
 
     fn constant(&mut self, graph: &mut Graph, value: Result<Precise, NoValue>) -> Expr {

@@ -54,6 +54,8 @@ const WIDEST: f64 = 0.5;
 const UP: f64 = 1.0 + 1e-12;
 /// Largest number of steps in one direction.
 const MAX_STEPS: usize = 10_000;
+/// Largest number of unknowns: a step multiplies matrices of their size, and each is kept.
+pub(super) const MOST_UNKNOWNS: usize = 100;
 /// After so many steps it is asked whether the end is within reach.
 const OUTLOOK: usize = 100;
 
@@ -255,7 +257,9 @@ impl Field {
         let entries: Vec<(usize, usize)> =
             (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|&(i, j)| reaches[i][j]).collect();
         let leaves: Vec<Leaf> = entries.iter().map(|_| fresh(graph, "variation")).collect();
-        let entry = |i: usize, j: usize| entries.iter().position(|&e| e == (i, j)).map(|at| leaves[at]);
+        let mut places = vec![None; n * n];
+        entries.iter().zip(&leaves).for_each(|(&(i, j), &leaf)| places[n * i + j] = Some(leaf));
+        let entry = |i: usize, j: usize| places[n * i + j];
         let mut all_rates = rates.to_vec();
         for &(i, j) in &entries {
             let mut sum: Option<Expr> = None;

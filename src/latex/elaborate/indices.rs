@@ -112,7 +112,7 @@ impl Elaborator<'_> {
 
     fn usage(&mut self, node: &Node) -> Elaborated<Usage> {
         match &node.kind {
-            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => Ok(Usage::default()),
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Ok(Usage::default()),
             NodeKind::Symbol(s) => self.symbol_usage(s, &node.span),
             NodeKind::Group(inner, _) => self.piece(inner),
             NodeKind::Scripted { base, sub, sup, .. } => {
@@ -155,7 +155,11 @@ impl Elaborator<'_> {
                 Ok(usage)
             }
             NodeKind::Derivative { of, by, .. } => self.pieces([&**of, by]),
-            NodeKind::Root(a, _) | NodeKind::Exponential { exponent: a, .. } | NodeKind::Absolute(a) => self.piece(a),
+            NodeKind::At { of, time, .. } => self.pieces([&**of, time]),
+            NodeKind::Factorial(a)
+            | NodeKind::Root(a, _)
+            | NodeKind::Exponential { exponent: a, .. }
+            | NodeKind::Absolute(a) => self.piece(a),
             NodeKind::Limit(a, _) => self.piece(a),
             NodeKind::Function(_, power, arguments) => {
                 let usage = self.pieces(arguments)?;

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 use super::parse;
 use super::scope::Scope;
-use super::syntax::{Chain, Name, Node, NodeKind, Target};
+use super::syntax::{Chain, Name, Node, NodeKind, Sign, Target};
 use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name};
 use diag::Problem;
 use expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
@@ -80,6 +80,21 @@ fn stray<T>(letter: &Name, span: &Range<usize>) -> Elaborated<T> {
     refuse("latex::unsummed-index", message, span, "repeat it to sum over it, or let it stand on the left side too")
 }
 
+/// Refuses ± where a formula stands for one value.
+fn one_sign(node: &Node) -> Elaborated<()> {
+    let mut stack = vec![node];
+    while let Some(node) = stack.pop() {
+        if let NodeKind::Sum(terms) = &node.kind
+            && terms.iter().any(|(sign, _)| matches!(sign, Sign::PlusMinus | Sign::MinusPlus))
+        {
+            let hint = "write one of the signs, or declare a name for each";
+            return refuse("latex::branches", "± stands for two values, and this has one", &node.span, hint);
+        }
+        stack.extend(node.children());
+    }
+    Ok(())
+}
+
 impl<'a> Elaborator<'a> {
     pub(super) fn new(scope: &'a Scope, graph: &'a mut Graph) -> Elaborator<'a> {
         Elaborator {
@@ -101,6 +116,12 @@ impl<'a> Elaborator<'a> {
         self.closed_expression(&node).map_err(|p| vec![*p])
     }
 
+    /// One expression without free indices and without ±.
+    pub(super) fn quantity(mut self, text: &str) -> Result<Tensor, Vec<Problem>> {
+        let node = single(text, self.scope)?;
+        one_sign(&node).and_then(|()| self.closed_expression(&node)).map_err(|p| vec![*p])
+    }
+
     /// The value of a tree without free indices.
     pub(super) fn closed_expression(&mut self, node: &Node) -> Elaborated<Tensor> {
         if let Some(open) = self.free(node)?.first() {
@@ -113,6 +134,7 @@ impl<'a> Elaborator<'a> {
     /// the key is a pattern, and the result has one axis for each.
     pub(super) fn definition(mut self, text: &str, letters: &[Name]) -> Result<(Tensor, bool), Vec<Problem>> {
         let node = single(text, self.scope)?;
+        one_sign(&node).map_err(|p| vec![*p])?;
         self.defined(&node, letters).map_err(|p| vec![*p])
     }
 

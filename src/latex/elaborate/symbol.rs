@@ -188,7 +188,7 @@ impl<'a> Elaborator<'a> {
     }
 
     /// The value at a time: the present one for the time itself.
-    fn at_instant(&mut self, t: Tensor, instant: Expr, span: &Range<usize>) -> Elaborated<Tensor> {
+    pub(super) fn at_instant(&mut self, t: Tensor, instant: Expr, span: &Range<usize>) -> Elaborated<Tensor> {
         let time = self.scope.time();
         if let Some(time) = time
             && self.graph.leaf(time) == instant
@@ -198,6 +198,9 @@ impl<'a> Elaborator<'a> {
         if self.moves(instant) {
             let hint = "write a number, a parameter, or the time";
             return refuse("latex::instant", "this time depends on time itself", span, hint);
+        }
+        if self.graph.leaves([instant]).contains(&self.scope.branch_sign()) {
+            return refuse("latex::instant", "a time with ±", span, "write the two times");
         }
         let scope = self.scope;
         let moving = |leaf: &Leaf| {

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::super::scope::Role;
+use super::super::scope::{Logarithm, Role};
 use super::super::syntax::{Name, Node, NodeKind, Sign};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, MOST_WORK, refuse};
-use expr::{Expr, Graph, Leaf, Op, Shape, Tensor};
+use expr::{Expr, Graph, Leaf, Op, Rational, Shape, Tensor};
 
 /// What a part of a formula stands for.
 #[derive(Clone, Debug)]
@@ -157,6 +157,10 @@ impl Elaborator<'_> {
         match &node.kind {
             NodeKind::Number(r) => Ok(Value::scalar(self.graph.constant(r.clone()))),
             NodeKind::Pi => Ok(Value::scalar(self.graph.pi())),
+            NodeKind::Euler { .. } => {
+                let one = self.graph.integer(1);
+                Ok(Value::scalar(self.graph.unary(Op::Exp, one)))
+            }
             NodeKind::Identity => Ok(Value::Identity(self.graph.integer(1))),
             NodeKind::Symbol(s) => self.symbol(s, &node.span).map(Value::Tensor),
             NodeKind::Group(inner, _) => self.value(inner),
@@ -178,6 +182,12 @@ impl Elaborator<'_> {
             NodeKind::Dot(parts) => self.dot(parts, &node.span),
             NodeKind::Cross { left, right, .. } => {
                 let (a, b) = (self.tensor(left)?, self.tensor(right)?);
+                // `3\times10^8`: between numbers it is a product.
+                if let (true, Some(x), Some(y)) =
+                    (begins_numeric(left) && begins_numeric(right), a.as_scalar(), b.as_scalar())
+                {
+                    return Ok(Value::scalar(self.graph.mul(x, y)));
+                }
                 tensor::cross(self.graph, &a, &b, &node.span).map(Value::Tensor)
             }
             NodeKind::Quotient { top, bottom, .. } => {
@@ -226,6 +236,21 @@ impl Elaborator<'_> {
             }
             NodeKind::Derivative { of, by, order, .. } => {
                 self.derivative(of, by, *order, &node.span).map(Value::Tensor)
+            }
+            NodeKind::At { of, time, .. } => {
+                let value = self.tensor(of)?;
+                let instant = self.scalar(time)?;
+                self.at_instant(value, instant, &time.span).map(Value::Tensor)
+            }
+            NodeKind::Factorial(inner) => {
+                let n = self.scalar(inner)?;
+                match self.whole(n).map(factorial) {
+                    Some(n) => Ok(Value::scalar(self.graph.constant(n))),
+                    None => {
+                        let message = format!("a factorial is that of a whole number from 0 to {LARGEST_FACTORIAL}");
+                        refuse("latex::unsupported", message, &node.span, "")
+                    }
+                }
             }
             NodeKind::Tuple(parts) => {
                 let components = self.scalars(parts)?;
@@ -296,6 +321,12 @@ impl Elaborator<'_> {
         })
     }
 
+    /// A whole number from 0 to [`LARGEST_FACTORIAL`].
+    fn whole(&self, e: Expr) -> Option<u16> {
+        let n = self.graph.as_constant(e).and_then(|r| u16::try_from(r.clone()).ok());
+        n.filter(|n| *n <= LARGEST_FACTORIAL)
+    }
+
     fn dot(&mut self, parts: &[Node], span: &Range<usize>) -> Elaborated<Value> {
         let mut acc: Option<(Value, Range<usize>)> = None;
         let mut vectors = 0;
@@ -343,12 +374,25 @@ impl Elaborator<'_> {
             };
         }
         let values = self.scalars(arguments)?;
+        if let ("binom", &[n, k]) = (function, values.as_slice()) {
+            return match (self.whole(n), self.whole(k)) {
+                (Some(n), Some(k)) => Ok(Tensor::scalar(self.graph.constant(binomial(n, k)))),
+                _ => {
+                    let message = format!("a binomial is of whole numbers from 0 to {LARGEST_FACTORIAL}");
+                    refuse("latex::unsupported", message, span, "")
+                }
+            };
+        }
+        if let &[x] = values.as_slice()
+            && let Some(e) = self.composed(function, x, span)?
+        {
+            return Ok(Tensor::scalar(e));
+        }
         let g = &mut *self.graph;
         let op = match function {
             "sin" => Op::Sin,
-            "cos" | "sec" => Op::Cos,
-            "tan" | "cot" => Op::Tan,
-            "csc" => Op::Sin,
+            "cos" => Op::Cos,
+            "tan" => Op::Tan,
             "arcsin" => Op::Arcsin,
             "arccos" => Op::Arccos,
             "arctan" => Op::Arctan,
@@ -359,23 +403,71 @@ impl Elaborator<'_> {
             "ln" => Op::Ln,
             "atan2" => Op::Arctan2,
             "agm" => Op::Agm,
-            "log" => return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, r"write `\ln`"),
             _ => return refuse("latex::unknown-function", format!("`{function}` is not known"), span, ""),
         };
-        let e = match (function, values.as_slice()) {
-            ("cot", &[x]) => {
-                let (c, s) = (g.unary(Op::Cos, x), g.unary(Op::Sin, x));
-                g.div(c, s)
-            }
-            ("sec" | "csc", &[x]) => {
-                let (one, below) = (g.integer(1), g.unary(op, x));
-                g.div(one, below)
-            }
-            (_, &[x]) if op.arity() == 1 => g.unary(op, x),
-            (_, &[a, b]) if op.arity() == 2 => g.binary(op, a, b),
+        let e = match values.as_slice() {
+            &[x] if op.arity() == 1 => g.unary(op, x),
+            &[a, b] if op.arity() == 2 => g.binary(op, a, b),
             _ => return refuse("latex::arity", format!("`{function}` has another number of arguments"), span, ""),
         };
         Ok(Tensor::scalar(e))
+    }
+
+    /// Functions that are made of others.
+    fn composed(&mut self, function: &str, x: Expr, span: &Range<usize>) -> Elaborated<Option<Expr>> {
+        let one = self.graph.integer(1);
+        let g = &mut *self.graph;
+        Ok(Some(match function {
+            "cot" => {
+                let (c, s) = (g.unary(Op::Cos, x), g.unary(Op::Sin, x));
+                g.div(c, s)
+            }
+            "sec" | "csc" | "sech" | "csch" | "coth" => {
+                let op = match function {
+                    "sec" => Op::Cos,
+                    "csc" => Op::Sin,
+                    "sech" => Op::Cosh,
+                    "csch" => Op::Sinh,
+                    _ => Op::Tanh,
+                };
+                let below = g.unary(op, x);
+                g.div(one, below)
+            }
+            // ln(x + √(x² ± 1)); for acosh, the root of x² − 1 and the logarithm leave x ≥ 1.
+            "asinh" | "acosh" => {
+                let square = g.powi(x, 2);
+                let inside = if function == "asinh" { g.add(square, one) } else { g.sub(square, one) };
+                let root = g.unary(Op::Sqrt, inside);
+                let sum = g.add(x, root);
+                g.unary(Op::Ln, sum)
+            }
+            "atanh" => {
+                let (above, below) = (g.add(one, x), g.sub(one, x));
+                let (ratio, two) = (g.div(above, below), g.integer(2));
+                let logarithm = g.unary(Op::Ln, ratio);
+                g.div(logarithm, two)
+            }
+            "sgn" => {
+                let size = g.unary(Op::Abs, x);
+                g.div(x, size)
+            }
+            "log" => {
+                let logarithm = g.unary(Op::Ln, x);
+                match self.scope.logarithm() {
+                    Some(Logarithm::Natural) => logarithm,
+                    Some(Logarithm::Decimal) => {
+                        let ten = g.integer(10);
+                        let below = g.unary(Op::Ln, ten);
+                        g.div(logarithm, below)
+                    }
+                    None => {
+                        let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions]"#;
+                        return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, hint);
+                    }
+                }
+            }
+            _ => return Ok(None),
+        }))
     }
 
     // ---- derivatives ---------------------------------------------------------------------------------------------
@@ -431,12 +523,32 @@ impl Elaborator<'_> {
             let scope = self.scope;
             let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
             match self.graph.time_derivative(e, time, moves) {
-                Ok(d) => components.push(d),
+                Ok(d) => components.push(self.graph.rate_of(e, d, |l| scope.role(l.symbol) == Some(Role::Observable))),
                 Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
             }
         }
         Ok(Tensor { shape: t.shape, components })
     }
+}
+
+/// Largest number whose factorial is written out.
+const LARGEST_FACTORIAL: u16 = 170;
+
+/// Whether a number stands first, or alone.
+fn begins_numeric(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Product(parts) => parts.first().is_some_and(Node::is_numeric),
+        _ => node.is_numeric(),
+    }
+}
+
+/// n over k.
+fn binomial(n: u16, k: u16) -> Rational {
+    (0..k).fold(Rational::ONE, |product, i| product * Rational::from(n.saturating_sub(i)) / Rational::from(i + 1))
+}
+
+fn factorial(n: u16) -> Rational {
+    (1..=n).fold(Rational::ONE, |product, k| product * Rational::from(k))
 }
 
 /// Most components of a vector that is written out.

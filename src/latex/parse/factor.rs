@@ -3,7 +3,7 @@
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Node, NodeKind};
-use super::function::{FUNCTIONS, OPERATORS, WORDS};
+use super::function::{self, FUNCTIONS, OPERATORS, WORDS};
 use super::{Open, Parsed, Parser, decimal, refuse};
 
 impl Parser<'_> {
@@ -15,8 +15,8 @@ impl Parser<'_> {
     /// Whether a factor can begin here.
     pub(super) fn begins_factor(&self) -> bool {
         match self.kind() {
-            Kind::Number(_) | Kind::Letter(_) | Kind::Sign('{' | '(' | '[') | Kind::OpenBar => true,
-            Kind::Sign('|') => self.bars == 0,
+            Kind::Number(_) | Kind::Letter(_) | Kind::Sign('{' | '(' | '[') | Kind::OpenBar | Kind::OpenFence => true,
+            Kind::Sign('|') => self.bars == 0 && !self.is_bar_of_time(),
             Kind::Command(c) => !matches!(
                 c.as_str(),
                 "rightarrow"
@@ -51,7 +51,10 @@ impl Parser<'_> {
     /// A factor with its scripts; `None` where no factor begins.
     pub(super) fn factor(&mut self) -> Parsed<Option<Node>> {
         self.deeper(|p| {
-            let Some(node) = p.primary()? else { return Ok(None) };
+            let Some(mut node) = p.primary()? else { return Ok(None) };
+            if p.is('!') {
+                node = p.factorial(node)?;
+            }
             if !(p.is('_') || p.is('^')) {
                 return Ok(Some(node));
             }
@@ -62,12 +65,25 @@ impl Parser<'_> {
         })
     }
 
+    /// At `!`: the factorial of what stands before it, which is one piece.
+    fn factorial(&mut self, of: Node) -> Parsed<Node> {
+        let span = self.span();
+        self.bump();
+        let clear = matches!(of.kind, NodeKind::Number(_) | NodeKind::Group(..) | NodeKind::Symbol(_));
+        if !clear || self.is('!') {
+            let hint = "write `n!` with one number, or parentheses";
+            return refuse("latex::ambiguous", "it is not clear what `!` belongs to", span, hint);
+        }
+        let start = of.span.start;
+        Ok(self.node(NodeKind::Factorial(Box::new(of)), start))
+    }
+
     /// Refuses a script behind something that is not printed as one piece.
     fn script_is_clear(&self, node: &Node) -> Parsed<()> {
         let clear = match &node.kind {
             NodeKind::Group(..) | NodeKind::Matrix(_) | NodeKind::Absolute(_) | NodeKind::Tuple(_) => true,
             NodeKind::Cross { bracket, .. } => *bracket,
-            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity => true,
+            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
             // Behind its arguments, or behind braces as in `{\dot x}_1`.
             NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
             _ => false,
@@ -100,11 +116,16 @@ impl Parser<'_> {
                 if let Some(operator) = self.plain_word()? {
                     return self.operator(operator, start).map(Some);
                 }
+                if self.is_bare_euler()? {
+                    self.bump();
+                    return Ok(Some(self.node(NodeKind::Euler { upright: false }, start)));
+                }
                 self.symbol(0).map(Some)
             }
             Kind::Sign('{') => self.braces(start),
             Kind::Sign('(') => self.round(start).map(Some),
             Kind::Sign('[') => self.square(start).map(Some),
+            Kind::OpenFence => self.fenced(start).map(Some),
             Kind::OpenBar => {
                 self.bump();
                 let outer = std::mem::replace(&mut self.bars, 0);
@@ -116,7 +137,7 @@ impl Parser<'_> {
                 self.bump();
                 Ok(Some(self.node(NodeKind::Absolute(Box::new(inner)), start)))
             }
-            Kind::Sign('|') if self.bars == 0 => self.bars(start).map(Some),
+            Kind::Sign('|') if self.bars == 0 && !self.is_bar_of_time() => self.bars(start).map(Some),
             Kind::Command(c) => self.command(&c, start),
             _ => Ok(None),
         }
@@ -130,6 +151,19 @@ impl Parser<'_> {
     fn is_euler(&self, offset: usize) -> bool {
         let prime = matches!(self.kind_after(offset), Kind::Command(c) if c == "prime");
         !prime && !self.scope.declares("e")
+    }
+
+    /// `e` by itself is Euler's number, too, unless it is declared.
+    fn is_bare_euler(&self) -> Parsed<bool> {
+        let named = matches!(self.kind_after(1), Kind::Sign('_' | '^' | '\''));
+        if *self.kind() != Kind::Letter('e') || named || !self.is_euler(1) {
+            return Ok(false);
+        }
+        if *self.kind_after(1) == Kind::Sign('(') && !self.holds_terms(self.at + 1) {
+            let hint = r"declare `e`, or write `\cdot`, or `\exp(…)`";
+            return refuse("latex::ambiguous", "Euler's number before parentheses", self.span(), hint);
+        }
+        Ok(true)
     }
 
     /// Letters without a backslash that spell a function: `sin x` would be printed as a product.
@@ -178,12 +212,13 @@ impl Parser<'_> {
     /// `{…}`: a name, an operator, or something that reads the same without braces.
     fn braces(&mut self, start: usize) -> Parsed<Option<Node>> {
         if let Some(operator) = self.switched_operator() {
+            if let Some(function) = function::named(&operator) {
+                return self.function(function, start).map(Some);
+            }
             return self.operator(operator, start).map(Some);
         }
         if self.braced_euler() {
-            self.bump();
-            let exponent = self.raised()?;
-            return Ok(Some(self.exponential(exponent, true, start)));
+            return self.upright_euler(start).map(Some);
         }
         let back = self.at;
         if let Some(name) = self.braced_word(false)? {
@@ -214,13 +249,25 @@ impl Parser<'_> {
         Ok(Some(Node { span: start..self.last_end(), ..inner }))
     }
 
-    /// `{\rm e}` before a superscript: eaten when it is there, up to the superscript's sign.
+    /// Behind an upright e: its exponent, if it has one.
+    fn upright_euler(&mut self, start: usize) -> Parsed<Node> {
+        if self.is('(') && !self.holds_terms(self.at) {
+            let hint = r"write `\cdot`, or `\exp(…)`";
+            return refuse("latex::ambiguous", "Euler's number before parentheses", self.span(), hint);
+        }
+        if !self.eat('^') {
+            return Ok(self.node(NodeKind::Euler { upright: true }, start));
+        }
+        let exponent = self.raised()?;
+        Ok(self.exponential(exponent, true, start))
+    }
+
+    /// `{\rm e}`: eaten when it is there.
     fn braced_euler(&mut self) -> bool {
         let rm = matches!(self.kind_after(1), Kind::Command(c) if c == "rm");
         let found = rm
             && *self.kind_after(2) == Kind::Letter('e')
             && *self.kind_after(3) == Kind::Sign('}')
-            && *self.kind_after(4) == Kind::Sign('^')
             && !self.scope.declares("rm:e");
         if found {
             self.at += 4;
@@ -303,7 +350,8 @@ impl Parser<'_> {
             }
             self.bump();
         }
-        if self.is('}') && OPERATORS.iter().any(|(name, _)| *name == word) {
+        let function = function::named(&word).is_some() && !self.scope.declares(&format!("rm:{word}"));
+        if self.is('}') && (function || OPERATORS.iter().any(|(name, _)| *name == word)) {
             self.bump();
             return Some(word);
         }
@@ -316,6 +364,10 @@ impl Parser<'_> {
             "frac" | "tfrac" | "dfrac" => {
                 self.bump();
                 self.fraction(start).map(Some)
+            }
+            "binom" | "tbinom" | "dbinom" => {
+                self.bump();
+                self.binomial(start).map(Some)
             }
             "sqrt" => {
                 self.bump();
@@ -388,10 +440,21 @@ impl Parser<'_> {
             if OPERATORS.iter().any(|(name, _)| *name == word) {
                 return self.operator(word, start).map(Some);
             }
-            if word == "e" && self.is('^') && !self.scope.declares("rm:e") {
+            if word == "e" && !self.is('_') && !self.scope.declares("rm:e") {
+                return self.upright_euler(start).map(Some);
+            }
+            // `\operatorname{atan}_2(y,x)`
+            let second = matches!(self.kind_after(1), Kind::Number(n) if n == "2")
+                || *self.kind_after(1) == Kind::Sign('{') && matches!(self.kind_after(2), Kind::Number(n) if n == "2");
+            if matches!(word.as_str(), "atan" | "arctan") && self.is('_') && second {
                 self.bump();
-                let exponent = self.raised()?;
-                return Ok(Some(self.exponential(exponent, true, start)));
+                self.subscript()?;
+                return self.operator("atan2".to_owned(), start).map(Some);
+            }
+            if let Some(function) = function::named(&word)
+                && !self.scope.declares(&format!("rm:{word}"))
+            {
+                return self.function(function, start).map(Some);
             }
         }
         self.at = back;

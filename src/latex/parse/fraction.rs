@@ -39,6 +39,10 @@ impl Parser<'_> {
             self.bump();
             return Ok(self.node(NodeKind::Pi, start));
         }
+        if *self.kind() == Kind::Letter('e') && !self.scope.declares("e") {
+            self.bump();
+            return Ok(self.node(NodeKind::Euler { upright: false }, start));
+        }
         match self.single_name()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
             None => {
@@ -68,6 +72,12 @@ impl Parser<'_> {
         Ok(self.node(NodeKind::Root(Box::new(inner), degree), start))
     }
 
+    /// After `\binom`: two whole numbers.
+    pub(super) fn binomial(&mut self, start: usize) -> Parsed<Node> {
+        let arguments = vec![self.argument()?, self.argument()?];
+        Ok(self.node(NodeKind::Function("binom".to_owned(), None, arguments), start))
+    }
+
     /// After `\frac`: a quotient, or a derivative in Leibniz' notation.
     pub(super) fn fraction(&mut self, start: usize) -> Parsed<Node> {
         if let Some(derivative) = self.leibniz(start)? {
@@ -80,7 +90,8 @@ impl Parser<'_> {
 
     /// Number of tokens of the d of a differential at an offset: `d`, `\mathrm d`, `\mathrm{d}`, `{\rm d}`.
     fn differential_at(&self, offset: usize) -> Option<usize> {
-        let d = |i: usize| *self.kind_after(offset + i) == Kind::Letter('d');
+        let named = |i: usize| matches!(self.kind_after(i), Kind::Sign('_' | '\''));
+        let d = |i: usize| *self.kind_after(offset + i) == Kind::Letter('d') && !named(offset + i + 1);
         let command = |i: usize, name: &str| matches!(self.kind_after(offset + i), Kind::Command(c) if c == name);
         let sign = |i: usize, c: char| *self.kind_after(offset + i) == Kind::Sign(c);
         if d(0) {
@@ -117,8 +128,8 @@ impl Parser<'_> {
             Kind::Number(n) => n.parse::<u8>().ok(),
             _ => None,
         };
-        let Some(order @ 1..=4) = order else {
-            let message = "the order of a derivative lies between 1 and 4";
+        let Some(order @ 1..=9) = order else {
+            let message = "the order of a derivative lies between 1 and 9";
             return refuse("latex::derivative", message, self.span(), "");
         };
         self.bump();
@@ -146,6 +157,12 @@ impl Parser<'_> {
         None
     }
 
+    /// Whether a derivative in Leibniz' notation begins here.
+    pub(super) fn begins_derivative(&self) -> bool {
+        let fraction = matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
+        fraction && *self.kind_after(1) == Kind::Sign('{') && self.differential_at(2).is_some()
+    }
+
     fn leibniz(&mut self, start: usize) -> Parsed<Option<Node>> {
         if !self.is('{') || self.differential_at(1).is_none() {
             return Ok(None);
@@ -153,7 +170,7 @@ impl Parser<'_> {
         let below = self.behind_group().and_then(|i| i.checked_sub(self.at));
         let both =
             below.is_some_and(|b| *self.kind_after(b) == Kind::Sign('{') && self.differential_at(b + 1).is_some());
-        if *self.kind_after(1) == Kind::Letter('d') && self.scope.declares("d") {
+        if *self.kind_after(1) == Kind::Letter('d') && self.scope.is_known("d", None) {
             if !both {
                 return Ok(None);
             }
@@ -206,6 +223,7 @@ impl Parser<'_> {
         }
         self.expect('}')?;
         if let Some(of) = of {
+            self.rate_is_clear(&of)?;
             let kind = NodeKind::Derivative { of: Box::new(of), by, order, operator: false, upright };
             return Ok(Some(self.node(kind, start)));
         }
@@ -214,11 +232,14 @@ impl Parser<'_> {
             let hint = r"write `\frac{d}{dt}(…)`";
             return refuse("latex::derivative", "nothing follows the derivative", span, hint);
         };
+        self.rate_is_clear(&of)?;
         let grouped = matches!(of.kind, NodeKind::Group(..));
         let kind = NodeKind::Derivative { of: Box::new(of), by, order, operator: true, upright };
         let node = self.node(kind, start);
         if !grouped {
-            self.leave_open(Open::Operator);
+            let clear = matches!(&node.kind, NodeKind::Derivative { of, .. }
+                if matches!(&of.kind, NodeKind::Symbol(s) if s.arguments.is_some()));
+            self.leave_open(Open::Operator { clear });
         }
         Ok(Some(node))
     }

@@ -2,13 +2,36 @@
 
 use super::super::lexer::Kind;
 use super::super::syntax::{Node, NodeKind};
-use super::{Open, Parsed, Parser, refuse};
+use super::{Open, Parsed, Parser, refuse, side_by_side};
 
 /// Functions of one argument that need no parentheses.
 pub(super) const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln", "log", "det", "cot", "sec",
-    "csc",
+    "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth", "exp", "ln", "log", "det",
+    "cot", "sec", "csc",
 ];
+
+/// Functions of one argument that have no command of their own.
+const NAMED: &[&str] = &["asinh", "acosh", "atanh", "sech", "csch", "sgn"];
+
+/// Other words for functions, behind `\operatorname` or in upright type.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("asin", "arcsin"),
+    ("acos", "arccos"),
+    ("atan", "arctan"),
+    ("arsinh", "asinh"),
+    ("arcsinh", "asinh"),
+    ("arcosh", "acosh"),
+    ("arccosh", "acosh"),
+    ("artanh", "atanh"),
+    ("arctanh", "atanh"),
+    ("sign", "sgn"),
+];
+
+/// The function of one argument that a word stands for.
+pub(super) fn named(word: &str) -> Option<&'static str> {
+    let synonym = SYNONYMS.iter().find(|(w, _)| *w == word).map(|(_, f)| *f);
+    synonym.or_else(|| FUNCTIONS.iter().chain(NAMED).find(|f| **f == word).copied())
+}
 
 /// Functions written with `\operatorname` or `\rm`, and their number of arguments; 0 for any.
 pub(super) const OPERATORS: &[(&str, usize)] = &[("atan2", 2), ("agm", 2), ("tr", 1), ("diag", 0), ("diagonal", 0)];
@@ -23,7 +46,7 @@ pub(in super::super) fn spelled(name: &str) -> String {
 
 /// Whether the function may stand before its argument without parentheses.
 pub(in super::super) fn takes_bare_argument(name: &str) -> bool {
-    FUNCTIONS.contains(&name) || name == "tr"
+    FUNCTIONS.contains(&name) || NAMED.contains(&name) || name == "tr"
 }
 
 impl Parser<'_> {
@@ -61,7 +84,7 @@ impl Parser<'_> {
         let mut power = None;
         if self.is('_') {
             let hint = if name == "log" { r"write `\ln`, and divide by the logarithm of the base" } else { "" };
-            return refuse("latex::unexpected", format!("a subscript behind `\\{name}`"), self.span(), hint);
+            return refuse("latex::unexpected", format!("a subscript behind `{}`", spelled(name)), self.span(), hint);
         }
         if self.eat('^') {
             let span = self.span();
@@ -73,15 +96,15 @@ impl Parser<'_> {
             match integer {
                 Some(n @ 2..=64) => power = Some(n),
                 _ => {
-                    let inverse = format!("arc{name}");
+                    let (inverse, shown) = (format!("arc{name}"), spelled(name));
                     let other = if FUNCTIONS.contains(&inverse.as_str()) {
                         format!(
-                            r"write `\{inverse}(…)` for the inverse function, `\frac{{1}}{{\{name}(…)}}` for the power"
+                            r"write `\{inverse}(…)` for the inverse function, `\frac{{1}}{{{shown}(…)}}` for the power"
                         )
                     } else {
-                        format!(r"write parentheses around the function, `(\{name}(…))^{{…}}`")
+                        format!(r"write parentheses around the function, `({shown}(…))^{{…}}`")
                     };
-                    let message = format!("`\\{name}` to this power may mean a power or another function");
+                    let message = format!("`{shown}` to this power may mean a power or another function");
                     return refuse("latex::ambiguous", message, span.start..self.last_end(), other);
                 }
             }
@@ -96,7 +119,7 @@ impl Parser<'_> {
         let shown = spelled(name);
         let start = self.span().start;
         let bar = *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0);
-        if self.is('(') || self.is('[') || bar {
+        if self.is('(') || self.is('[') || bar || self.is_command("begin") {
             let Some(argument) = self.primary()? else {
                 return refuse("latex::unexpected", format!("`{shown}` has no argument"), self.span(), "");
             };
@@ -112,11 +135,21 @@ impl Parser<'_> {
             return refuse("latex::ambiguous", message, self.span(), "put the argument into parentheses");
         }
         let mut factors: Vec<Node> = Vec::new();
+        let mut spaced = false;
         while self.begins_bare_argument() {
-            if !factors.is_empty() {
+            if let Some(last) = factors.last() {
+                // `\sin\theta\,\dot\varphi`: a space that is printed ends what can be an argument by itself.
+                let gap = self.is_spaced();
+                if gap && self.moves(last) {
+                    break;
+                }
+                spaced |= gap;
                 self.end_is_clear()?;
             }
             let Some(factor) = self.factor()? else { break };
+            if let Some(last) = factors.last() {
+                side_by_side(last, &factor)?;
+            }
             match factor.kind {
                 NodeKind::Product(inner) => factors.extend(inner),
                 _ => factors.push(factor),
@@ -130,12 +163,18 @@ impl Parser<'_> {
             [_] => true,
             [Node { kind: NodeKind::Number(_) | NodeKind::Pi, .. }, last] => !matches!(last.kind, NodeKind::Group(..)),
             [first, Node { kind: NodeKind::Pi, .. }, _] => matches!(first.kind, NodeKind::Number(_)),
-            [init @ .., last] => self.is_time(last) && init.iter().all(|n| self.is_steady(n)),
+            // `\cos\omega t`, `\cos kx`.
+            [init @ .., last] => {
+                self.is_time(last) && init.iter().all(|n| self.is_steady(n))
+                    || is_letter(last) && self.moves(last) && init.iter().all(|n| self.is_coefficient(n))
+            }
         };
-        let followed =
-            self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0);
+        let ended = self.is_spaced() && factors.last().is_some_and(|n| self.moves(n));
+        let followed = !ended
+            && (self.is('(') || self.is('[') || *self.kind() == Kind::OpenBar || (self.is('|') && self.bars == 0));
         let grouped = matches!(factors.as_slice(), [Node { kind: NodeKind::Group(..), .. }]);
-        if !clear || (followed && !grouped) {
+        // `\sin a\,t` may be a product, or have a longer argument.
+        if !clear || spaced || (followed && !grouped) {
             let message = format!("it is not clear where the argument of `{shown}` ends");
             let hint = format!("put the argument into parentheses: `{shown}(…)`");
             return refuse("latex::ambiguous", message, start..self.last_end(), hint);
@@ -162,8 +201,22 @@ impl Parser<'_> {
         }
     }
 
-    fn is_time(&self, node: &Node) -> bool {
+    pub(super) fn is_time(&self, node: &Node) -> bool {
         matches!(&node.kind, NodeKind::Symbol(s) if s.sub.is_none() && self.scope.time_name() == Some(s.name.as_str()))
+    }
+
+    /// A number, or a constant of one Latin letter: what stands before a variable in `\cos kx`.
+    fn is_coefficient(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            _ => is_letter(node) && self.is_steady(node),
+        }
+    }
+
+    /// Whether LaTeX prints a space between what was read last and what stands here.
+    pub(super) fn is_spaced(&self) -> bool {
+        let gap = self.text.get(self.last_end()..self.span().start).unwrap_or_default();
+        [r"\,", r"\;", r"\:", r"\>", r"\ ", "~", r"\quad", r"\qquad"].iter().any(|s| gap.contains(s))
     }
 
     fn is_steady(&self, node: &Node) -> bool {
@@ -178,6 +231,11 @@ impl Parser<'_> {
             _ => false,
         }
     }
+}
+
+/// One Latin letter without scripts or dots.
+fn is_letter(node: &Node) -> bool {
+    matches!(&node.kind, NodeKind::Symbol(s) if s.name.len() == 1 && s.dots == 0 && s.sub.is_none() && s.sup.is_none())
 }
 
 fn has_superscript(node: &Node) -> bool {

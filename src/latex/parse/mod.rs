@@ -10,12 +10,15 @@
 mod factor;
 mod fraction;
 mod function;
+mod instant;
 mod names;
 mod symbol;
 
 use std::ops::Range;
 
+use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
+use super::refusal::{DEEPEST, Parsed, refuse};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
@@ -24,16 +27,6 @@ use expr::Rational;
 pub(super) use function::{spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
 
-/// Deepest nesting of brackets, roots, fractions, accents and operators.
-const DEEPEST: usize = 100;
-
-type Parsed<T> = Result<T, Box<Problem>>;
-
-fn refuse<T>(code: &'static str, message: impl Into<String>, span: Range<usize>, hint: impl Into<String>) -> Parsed<T> {
-    let hint = hint.into();
-    Err(Box::new(Problem { code, message: message.into(), span, hint: (!hint.is_empty()).then_some(hint) }))
-}
-
 /// What was read last, if its end cannot be seen in print.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Open {
@@ -41,8 +34,8 @@ enum Open {
     Slash,
     /// The argument of a function, without parentheses; whether it is nothing but constants.
     Function { name: String, steady: bool },
-    /// What a derivative written as an operator acts on.
-    Operator,
+    /// What a derivative written as an operator acts on; `clear` where it shows its variable, as `f(x)` does.
+    Operator { clear: bool },
 }
 
 pub(super) struct Parser<'a> {
@@ -54,13 +47,50 @@ pub(super) struct Parser<'a> {
     bars: usize,
     /// Where something with an open end stopped.
     open: Option<(usize, Open)>,
+    /// Where something stopped that is taken at a time behind a bar, and how deep that was.
+    bar: Option<(usize, usize)>,
+    /// Letters in a subscript are labels or indices, one by one.
+    in_subscript: bool,
 }
 
 /// Reads all chains of relations of a text; a chain may be a single expression.
 pub(super) fn chains(text: &str, scope: &Scope) -> Result<Vec<Chain>, Vec<Problem>> {
     let mut parser = Parser::new(text, scope)?;
-    parser.balanced().map_err(|p| vec![*p])?;
     parser.all().map_err(|p| vec![*p])
+}
+
+/// Finds unbalanced delimiters before anything else, so that they are named at their opening.
+fn balanced(tokens: &[Token]) -> Parsed<()> {
+    let mut open: Vec<(char, Range<usize>)> = Vec::new();
+    let close = |c| match c {
+        '(' => ')',
+        '[' => ']',
+        _ => '}',
+    };
+    for token in tokens {
+        match token.kind {
+            Kind::Sign(c @ ('(' | '[' | '{')) => open.push((c, token.span.clone())),
+            Kind::Sign(c @ (')' | ']' | '}')) => match open.pop() {
+                Some((o, _)) if close(o) == c => {}
+                Some((o, span)) => {
+                    let hint = format!("close it with `{}`", close(o));
+                    return refuse("latex::unbalanced", format!("`{o}` is closed by `{c}`"), span, hint);
+                }
+                None => {
+                    return refuse("latex::unbalanced", format!("`{c}` was never opened"), token.span.clone(), "");
+                }
+            },
+            _ => {}
+        }
+        if open.len() > 4 * DEEPEST {
+            let hint = "use a declared abbreviation";
+            return refuse("latex::too-deep", "the nesting is too deep", token.span.clone(), hint);
+        }
+    }
+    match open.pop() {
+        Some((c, span)) => refuse("latex::unbalanced", format!("`{c}` is never closed"), span, ""),
+        None => Ok(()),
+    }
 }
 
 /// Environments that hold displayed equations.
@@ -68,41 +98,10 @@ const DISPLAYS: &[&str] = &["equation", "eqnarray", "align", "gather", "multline
 
 impl<'a> Parser<'a> {
     fn new(text: &'a str, scope: &'a Scope) -> Result<Parser<'a>, Vec<Problem>> {
-        Ok(Parser { text, scope, tokens: tokens(text)?, at: 0, depth: 0, bars: 0, open: None })
-    }
-
-    /// Finds unbalanced delimiters before anything else, so that they are named at their opening.
-    fn balanced(&self) -> Parsed<()> {
-        let mut open: Vec<(char, Range<usize>)> = Vec::new();
-        let close = |c| match c {
-            '(' => ')',
-            '[' => ']',
-            _ => '}',
-        };
-        for token in &self.tokens {
-            match token.kind {
-                Kind::Sign(c @ ('(' | '[' | '{')) => open.push((c, token.span.clone())),
-                Kind::Sign(c @ (')' | ']' | '}')) => match open.pop() {
-                    Some((o, _)) if close(o) == c => {}
-                    Some((o, span)) => {
-                        let hint = format!("close it with `{}`", close(o));
-                        return refuse("latex::unbalanced", format!("`{o}` is closed by `{c}`"), span, hint);
-                    }
-                    None => {
-                        return refuse("latex::unbalanced", format!("`{c}` was never opened"), token.span.clone(), "");
-                    }
-                },
-                _ => {}
-            }
-            if open.len() > 4 * DEEPEST {
-                let hint = "use a declared abbreviation";
-                return refuse("latex::too-deep", "the nesting is too deep", token.span.clone(), hint);
-            }
-        }
-        match open.pop() {
-            Some((c, span)) => refuse("latex::unbalanced", format!("`{c}` is never closed"), span, ""),
-            None => Ok(()),
-        }
+        let tokens = tokens(text)?;
+        balanced(&tokens).map_err(|p| vec![*p])?;
+        let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
+        Ok(Parser { text, scope, tokens, at: 0, depth: 0, bars: 0, open: None, bar: None, in_subscript: false })
     }
 
     // ---- tokens --------------------------------------------------------------------------------------------------
@@ -187,6 +186,11 @@ impl<'a> Parser<'a> {
             match self.kind().clone() {
                 Kind::Sign('.') => {
                     let next = self.kind_after(1);
+                    let digit = |k: &Kind| matches!(k, Kind::Number(_));
+                    if digit(next) && self.at > 0 && digit(&self.tokens[self.at - 1].kind) {
+                        let hint = r"write a comma between two relations";
+                        return refuse("latex::ambiguous", "a full stop between digits", self.span(), hint);
+                    }
                     let adjacent = self.tokens[self.at + 1].span.start == self.span().end;
                     if adjacent && !matches!(next, Kind::End | Kind::Row) {
                         let hint = r"write `\cdot` for a product; a full stop is followed by a space";
@@ -333,7 +337,10 @@ impl<'a> Parser<'a> {
             let term = p.term()?;
             let mut terms = vec![(first.unwrap_or(Sign::Plus), term)];
             while let Some(sign) = p.sign() {
-                terms.push((sign, p.term()?));
+                let from = p.at;
+                let term = p.term()?;
+                p.bar_is_clear(from, terms.iter().map(|(_, n)| n))?;
+                terms.push((sign, term));
             }
             match (first, terms.len(), terms.pop()) {
                 (None, 1, Some((_, only))) => Ok(only),
@@ -350,7 +357,7 @@ impl<'a> Parser<'a> {
     fn joint_is_clear(&self) -> Parsed<()> {
         let hint = match self.open_here() {
             Some(Open::Slash) => r"write `\frac{}{}`, or parentheses around the quotient",
-            Some(Open::Operator) => r"put what is derived into parentheses: `\frac{d}{dt}(…)`",
+            Some(Open::Operator { .. }) => r"put what is derived into parentheses: `\frac{d}{dt}(…)`",
             Some(Open::Function { steady: true, .. }) => "put the argument of the function into parentheses",
             _ => return Ok(()),
         };
@@ -373,7 +380,10 @@ impl<'a> Parser<'a> {
         while self.is_command("cdot") {
             self.joint_is_clear()?;
             self.bump();
-            parts.push(self.crosses()?);
+            let from = self.at;
+            let part = self.crosses()?;
+            self.bar_is_clear(from, &parts)?;
+            parts.push(part);
         }
         Ok(self.node(NodeKind::Dot(parts), start))
     }
@@ -386,7 +396,9 @@ impl<'a> Parser<'a> {
         }
         self.joint_is_clear()?;
         self.bump();
+        let from = self.at;
         let right = Box::new(self.product()?);
+        self.bar_is_clear(from, [&*left])?;
         if self.is_command("times") {
             let hint = "put parentheses around two of the factors";
             return refuse("latex::ambiguous", "the product `\\times` is not associative", self.span(), hint);
@@ -403,12 +415,17 @@ impl<'a> Parser<'a> {
                 let hint = r"write `\frac{}{}`, or parentheses around the denominator";
                 refuse("latex::ambiguous", "it is not clear what belongs to the denominator", span, hint)
             }
-            Open::Operator => {
+            Open::Operator { clear } => {
+                // `\frac{d}{dt}x(t)\frac{d}{dt}y(t)`: what is derived shows its variable, and another derivative follows.
+                if *clear && self.begins_derivative() {
+                    return Ok(());
+                }
                 let hint = r"put what is derived into parentheses: `\frac{d}{dt}(…)`";
                 refuse("latex::ambiguous", "it is not clear how far the derivative reaches", span, hint)
             }
             Open::Function { name, .. } => {
-                if self.begins_function() {
+                let complete = matches!(open, Open::Function { steady: false, .. });
+                if self.begins_function() || complete && self.is_spaced() {
                     return Ok(());
                 }
                 let message = format!("it is not clear where the argument of `{}` ends", function::spelled(name));
@@ -427,6 +444,15 @@ impl<'a> Parser<'a> {
                 self.end_is_clear()?;
             }
             let Some(factor) = self.factor()? else { break };
+            let mut factor = self.with_times(factor)?;
+            if self.is_bar_of_time() {
+                self.end_is_clear()?;
+                self.bump();
+                let start = factor.span.start;
+                factor = self.at_bar(factor, start)?;
+                self.bar = Some((self.at, self.depth));
+                self.bar_is_clear(0, &factors)?;
+            }
             if let Some(last) = factors.last() {
                 side_by_side(last, &factor)?;
             }
@@ -457,7 +483,7 @@ impl<'a> Parser<'a> {
         if let Some(open) = self.open_here() {
             let message = match open {
                 Open::Slash => "two `/` in one term".to_owned(),
-                Open::Operator => "it is not clear how far the derivative reaches".to_owned(),
+                Open::Operator { .. } => "it is not clear how far the derivative reaches".to_owned(),
                 Open::Function { name, .. } => {
                     format!("does `/` divide `{}` or its argument?", function::spelled(name))
                 }
@@ -484,13 +510,7 @@ impl<'a> Parser<'a> {
 fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
     let span = last.span.start..factor.span.end;
     let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
-    let begins_with_number = match &factor.kind {
-        NodeKind::Number(_) => true,
-        NodeKind::Scripted { base, .. } => number(base),
-        NodeKind::Product(parts) => parts.first().is_some_and(number),
-        _ => false,
-    };
-    if begins_with_number {
+    if factor.begins_with_number() {
         return if number(last) {
             refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
         } else {

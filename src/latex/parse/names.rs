@@ -22,17 +22,35 @@ pub(in super::super) struct WrittenName {
 /// Reads a text that is nothing but a name; `None` where it is something else.
 pub(in super::super) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>, Problem> {
     let mut parser = Parser::new(text, scope).map_err(|mut p| p.swap_remove(0))?;
-    parser.balanced().map_err(|p| *p)?;
     parser.whole_name().map_err(|p| *p)
 }
+
+/// Most letters of a name that is spelled in letters.
+const LONGEST_WORD: usize = 16;
 
 /// The two scripts of a symbol, and whether the superscript came first.
 pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
 
 impl Parser<'_> {
     fn whole_name(&mut self) -> Parsed<Option<WrittenName>> {
-        let Some((name, _)) = self.single_name()? else { return Ok(None) };
+        let Some((mut name, _)) = self.single_name()? else { return Ok(None) };
+        // `KE`: letters of one name.
+        if let [c] = name.as_bytes()
+            && c.is_ascii_alphabetic()
+        {
+            while let Kind::Letter(c) = *self.kind()
+                && self.last_end() == self.span().start
+            {
+                name.push(c);
+                self.bump();
+            }
+            if name.len() > LONGEST_WORD || name.len() > 1 && super::function::named(&name).is_some() {
+                return Ok(None);
+            }
+            self.primes(&mut name);
+        }
         let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
+        self.primes(&mut name);
         let mut arguments = None;
         if self.is('(')
             && let Some(close) = self.closing()
@@ -42,6 +60,16 @@ impl Parser<'_> {
             self.bump();
         }
         Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments }))
+    }
+
+    /// Primes that stand here, added to a name.
+    pub(super) fn primes(&mut self, name: &mut Name) -> bool {
+        let before = name.len();
+        while let Some(tokens) = self.prime() {
+            self.at += tokens;
+            name.push('\'');
+        }
+        name.len() > before
     }
 
     pub(super) fn script_pair(&mut self) -> Parsed<Scripts> {
@@ -54,7 +82,7 @@ impl Parser<'_> {
                 }
                 self.bump();
                 sub = Some(self.subscript()?);
-            } else if self.is('^') {
+            } else if self.is('^') && (sup.is_some() || self.prime().is_none()) {
                 if sup.is_some() {
                     return refuse("latex::double-script", "a second superscript", self.span(), "use parentheses");
                 }
@@ -87,7 +115,12 @@ impl Parser<'_> {
             self.bars = outer;
             return Ok(node);
         }
-        // TeX takes one token: a single digit, letter or command.
+        // TeX takes one token: a single digit, letter or command; a fraction or a root brings its arguments along.
+        let whole =
+            matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac" | "sqrt"));
+        if whole && let Some(node) = self.primary()? {
+            return Ok(node);
+        }
         if let Kind::Number(n) = self.kind().clone() {
             if n.len() > 1 {
                 let hint = format!("write `^{{{n}}}`");
@@ -100,6 +133,10 @@ impl Parser<'_> {
             self.bump();
             return Ok(self.node(NodeKind::Pi, start));
         }
+        if *self.kind() == Kind::Letter('e') && !self.scope.declares("e") {
+            self.bump();
+            return Ok(self.node(NodeKind::Euler { upright: false }, start));
+        }
         match self.single_name()? {
             Some((name, span)) => Ok(Node { kind: NodeKind::Symbol(plain(name)), span }),
             None => {
@@ -110,6 +147,13 @@ impl Parser<'_> {
     }
 
     pub(super) fn subscript(&mut self) -> Parsed<Vec<SubItem>> {
+        let outer = std::mem::replace(&mut self.in_subscript, true);
+        let items = self.subscript_items();
+        self.in_subscript = outer;
+        items
+    }
+
+    fn subscript_items(&mut self) -> Parsed<Vec<SubItem>> {
         let braced = self.eat('{');
         let mut items = Vec::new();
         if braced
@@ -174,6 +218,11 @@ impl Parser<'_> {
     pub(super) fn single_name(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
         let start = self.span().start;
         let mut name = match self.kind().clone() {
+            Kind::Letter(_) if self.spelled_name()?.is_some() => {
+                let name = self.spelled_name()?.unwrap_or_default();
+                self.at += name.len();
+                name
+            }
             Kind::Letter(c) => {
                 self.bump();
                 c.to_string()
@@ -201,17 +250,41 @@ impl Parser<'_> {
             }
             _ => return Ok(None),
         };
-        while let Some(tokens) = self.prime() {
-            for _ in 0..tokens {
-                self.bump();
-            }
-            name.push('\'');
-        }
+        self.primes(&mut name);
         Ok(Some((name, start..self.last_end())))
     }
 
+    /// A declared name of several letters that stands here, as `KE`.
+    fn spelled_name(&self) -> Parsed<Option<Name>> {
+        if !self.scope.has_words() || self.in_subscript {
+            return Ok(None);
+        }
+        let letters: String = (0..)
+            .map_while(|i| match self.kind_after(i) {
+                Kind::Letter(c) => Some(*c),
+                _ => None,
+            })
+            .take(LONGEST_WORD)
+            .collect();
+        let Some(name) = self.scope.word(&letters) else { return Ok(None) };
+        let end = self.tokens[self.at + name.len() - 1].span.end;
+        let span = self.span().start..end;
+        let apart = name.chars().all(|c| self.scope.declares(&c.to_string()));
+        let across = (1..name.len()).any(|i| self.scope.word(&letters[i..]).is_some_and(|w| i + w.len() > name.len()));
+        if apart || across {
+            let message = format!("is `{name}` a name, or a product of letters?");
+            return refuse(
+                "latex::ambiguous",
+                message,
+                span,
+                r"write `\mathrm{…}` for the name, `\cdot` for the product",
+            );
+        }
+        Ok(Some(name.to_owned()))
+    }
+
     /// Number of tokens of a prime that stands here.
-    fn prime(&self) -> Option<usize> {
+    pub(super) fn prime(&self) -> Option<usize> {
         let prime = |k: &Kind| matches!(k, Kind::Command(c) if c == "prime");
         if self.is('\'') {
             return Some(1);
@@ -296,8 +369,13 @@ impl Parser<'_> {
 
     /// Position of the token that closes the parenthesis at the present place.
     pub(super) fn closing(&self) -> Option<usize> {
+        self.closing_from(self.at)
+    }
+
+    /// The same for a parenthesis elsewhere.
+    pub(super) fn closing_from(&self, at: usize) -> Option<usize> {
         let mut depth = 0usize;
-        for (i, Token { kind, .. }) in self.tokens.iter().enumerate().skip(self.at) {
+        for (i, Token { kind, .. }) in self.tokens.iter().enumerate().skip(at) {
             match kind {
                 Kind::Sign('(') => depth += 1,
                 Kind::Sign(')') => {
@@ -314,6 +392,13 @@ impl Parser<'_> {
 }
 
 fn restyle(style: &str, name: Name) -> Name {
+    // What the style does not change in print: Greek letters in upright type, a Latin letter in italics.
+    let base = name.trim_end_matches('\'');
+    let latin = base.len() == 1 && base.bytes().all(|b| b.is_ascii_alphabetic());
+    let small = base.strip_prefix('\\').is_some_and(|b| b.starts_with(|c: char| c.is_ascii_lowercase()));
+    if style == "rm" && base.starts_with('\\') && !base.contains(':') || style == "it" && (latin || small) {
+        return name;
+    }
     // `{\bf {\bf m}}` is `{\bf m}`; other styles on top of one another are kept apart.
     if name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
 }

@@ -129,6 +129,10 @@ impl Number for Decorated {
         *self = Decorated::all_of(elementary::PI);
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Decorated, b: &Decorated) -> Result<(), NoValue> {
+        self.set(a.range, &[a, b]);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &Decorated, n: i32) -> Result<(), NoValue> {
         let power = settled(elementary::power(a.range, n.unsigned_abs()));
         if n >= 0 {

@@ -385,6 +385,10 @@ impl Number for Interval {
         *self = elementary::PI;
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Interval, _: &Interval) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &Interval, n: i32) -> Result<(), NoValue> {
         if n < 0 && a.contains(0.0) {
             return Err(outside(a.is_zero()));

@@ -336,6 +336,10 @@ impl Number for Tail {
         *self = Tail::constant(elementary::PI)?;
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &Tail, _: &Tail) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &Tail, n: i32) -> Result<(), NoValue> {
         let power = a.raised(n.unsigned_abs())?;
         *self = if n < 0 { power.reciprocal()? } else { power };

@@ -132,7 +132,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
 /// Whether it is an identity, with its bound.
 fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
     html! {
-        div class={ "identity " (identity.verdict) } {
+        div class={ "identity " (identity.verdict()) } {
             p {
                 b { "For all values: " }
                 (sentence(identity, scope))

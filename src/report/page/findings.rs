@@ -102,7 +102,7 @@ fn in_order(wholes: &[Whole<'_>]) -> Markup {
 
 /// The shape of a standing: that of a pair, and a half circle for what holds in part.
 fn mark(reading: &Reading<'_>) -> Markup {
-    let proved = reading.claim.identity.as_ref().is_some_and(|i| i.verdict == "proved");
+    let proved = reading.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved);
     let class = match reading.standing {
         Standing::Holds if proved => "h p",
         Standing::Holds => "h",

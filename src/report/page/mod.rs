@@ -216,6 +216,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
 }
 
 fn making(derivation: &Derivation) -> Markup {
+    let path = super::project_path(&derivation.file.path);
     html! {
         section id="/making" {
             h2 { "How it was made" }
@@ -223,11 +224,11 @@ fn making(derivation: &Derivation) -> Markup {
                 dt { "program" }
                 dd { (crate::PROGRAM) " " (env!("CARGO_PKG_VERSION")) }
                 dt { "derivation file" }
-                dd { (derivation.file.path) }
+                dd { (path) }
                 dt { "SHA-256 of the file" }
                 dd.hash { (derivation.sha256) }
                 dt { "to repeat it" }
-                dd { code { (crate::PROGRAM) " check " (derivation.file.path) } }
+                dd { code { (crate::PROGRAM) " check " (path) } }
                 dt { "precision asked for" }
                 dd { (size(derivation::DEFAULT_PRECISION)) " of the size of the terms, where a claim does not say otherwise" }
                 dt { "seeds" }

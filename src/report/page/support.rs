@@ -55,7 +55,7 @@ pub(super) fn certificate(claim: &ClaimAccount, identity: &IdentityAccount, scop
         @if let Some(branch) = identity.evidence.branch { " ± holds " (branch) "." }
         @if let Some(file) = file_name(claim) {
             " Exact, too: the certificate " a href=(file) { (file) } " can be expanded by hand."
-        } @else if identity.verdict == "proved" {
+        } @else if identity.finding.is_proved_in_part() {
             @if let Some(why) = &identity.evidence.no_certificate { " There is no certificate: " (prose(why, scope)) "." }
         }
     }

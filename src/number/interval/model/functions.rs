@@ -165,6 +165,10 @@ impl Number for TaylorModel {
         let found = value.pi(&());
         self.plain(found.map(|()| value))
     }
+    fn restrict(&mut self, _: &(), a: &TaylorModel, _: &TaylorModel) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &TaylorModel, n: i32) -> Result<(), NoValue> {
         let one = TaylorModel::constant(Interval::point(1.0));
         let (mut left, mut base) = (n.unsigned_abs(), *a);

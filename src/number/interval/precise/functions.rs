@@ -150,6 +150,10 @@ impl Number for PreciseModel {
         *self = PreciseModel::constant(&Precise::new(PI, 4e-33));
         Ok(())
     }
+    fn restrict(&mut self, _: &(), a: &PreciseModel, _: &PreciseModel) -> Result<(), NoValue> {
+        self.clone_from(a);
+        Ok(())
+    }
     fn powi(&mut self, _: &(), a: &PreciseModel, n: i32) -> Result<(), NoValue> {
         let (one, mut left, mut base) = (PreciseModel::point(1.0), n.unsigned_abs(), *a);
         if n < 0 {

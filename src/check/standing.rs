@@ -1,0 +1,292 @@
+//! What a step is worth: the only room that says *proved*.
+//!
+//! **In:** the answer of an identity test, and what the step knows of its circumstances. **Out:** [`Finding`]: the decision, with what it
+//! leaves out, as data; words are made from it elsewhere.
+//!
+//! | decision | means |
+//! |---|---|
+//! | *proved* | no case is left out (perhaps there is none: then [`Exception::Unseen`] says so) |
+//! | *proved except* | the cases listed are open |
+//! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
+//! | *undecided* | else |
+//!
+//! **Guaranteed.** The fields are private, and `Finding::weigh` is the only way to a decision other than *undecided*, beside `Finding::of_motion`
+//! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
+//! derivation, see `conditional`.
+
+use super::account::ClaimAccount;
+use super::identity::{Condition, Identity, Reason, order};
+use crate::derivation::{Derivation, Premise};
+use crate::expr::{Expr, Graph, Rational};
+use crate::verdict::Witness;
+use std::collections::{BTreeSet, HashMap};
+
+/// What was decided of a step, taken by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Decision {
+    /// For all values.
+    Proved,
+    /// For all values but those of the exceptions.
+    ProvedExcept,
+    /// Not so.
+    Refuted,
+    /// Neither.
+    #[default]
+    Undecided,
+}
+
+impl Decision {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Decision::Proved => "proved",
+            Decision::ProvedExcept => "proved except",
+            Decision::Refuted => "refuted",
+            Decision::Undecided => "undecided",
+        }
+    }
+
+    /// The word of schema 1 of the report, which does not tell exceptions.
+    pub fn contract_word(self) -> &'static str {
+        match self {
+            Decision::Proved | Decision::ProvedExcept => "proved",
+            Decision::Refuted => "refuted",
+            Decision::Undecided => "undecided",
+        }
+    }
+}
+
+/// What a proof does not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exception {
+    /// That this vanishes.
+    Vanishes(Expr),
+    /// What lies beyond a time at which this leaps.
+    Leaps(Expr),
+    /// What lies beyond a time at which this vanishes, under something.
+    Divides(Expr),
+    /// It was not seen that what is given can hold.
+    Unseen,
+}
+
+/// Why a proof is none after all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Void {
+    /// A formula has no value under what is given.
+    NoValue,
+    /// It was proved outside of special cases, and no point was found outside of them.
+    OnlySpecial,
+    /// It was refuted without something given that could not be used.
+    Incomplete,
+}
+
+/// The decision on a step, and what it rests on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Finding {
+    decision: Decision,
+    exceptions: Vec<Exception>,
+    void: Option<Void>,
+}
+
+impl Finding {
+    /// Weighs an answer. `complete`: everything given could be used; `along`: what a proof along motions does not reach.
+    pub(super) fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Finding {
+        let undecided = |void| Finding { void, ..Finding::default() };
+        match identity {
+            Identity::Proved(proof) => {
+                let mut exceptions: Vec<Exception> = Vec::new();
+                for condition in &proof.conditions {
+                    if let Condition::Pivot(e) = *condition {
+                        exceptions.push(Exception::Vanishes(e));
+                    }
+                }
+                if proof.conditions.iter().any(|c| is_impossible(graph, c)) {
+                    return undecided(Some(Void::NoValue));
+                }
+                if proof.example.is_none() {
+                    if !exceptions.is_empty() {
+                        return undecided(Some(Void::OnlySpecial));
+                    }
+                    exceptions.push(Exception::Unseen);
+                }
+                exceptions.extend(along);
+                // That no point was found that satisfies what is given leaves no case out: it is said beside the proof.
+                let complete = exceptions.iter().all(|e| *e == Exception::Unseen);
+                let decision = if complete { Decision::Proved } else { Decision::ProvedExcept };
+                Finding { decision, exceptions, void: None }
+            }
+            Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },
+            Identity::Refuted(_) => undecided(Some(Void::Incomplete)),
+            Identity::Undecided(_) => undecided(None),
+        }
+    }
+
+    /// A motion on which everything given holds, and the claim does not.
+    pub(super) fn of_motion(_: &Witness) -> Finding {
+        Finding { decision: Decision::Refuted, ..Finding::default() }
+    }
+
+    /// The signs of everything, for every order of size of positive parameters.
+    pub(super) fn of_signs(found: &order::Orders) -> Finding {
+        let decision = match (found.is_proved(), found.refuting()) {
+            (true, _) => Decision::Proved,
+            (false, Some(_)) => Decision::Refuted,
+            (false, None) => Decision::Undecided,
+        };
+        Finding { decision, ..Finding::default() }
+    }
+
+    /// Both findings: of a claim that must follow in two cases.
+    pub(super) fn and(self, other: Finding) -> Finding {
+        let rank = |d: Decision| match d {
+            Decision::Refuted => 3,
+            Decision::Undecided => 2,
+            Decision::ProvedExcept => 1,
+            Decision::Proved => 0,
+        };
+        let decision = if rank(self.decision) >= rank(other.decision) { self.decision } else { other.decision };
+        let mut exceptions = self.exceptions;
+        exceptions.extend(other.exceptions);
+        exceptions.dedup();
+        Finding { decision, exceptions, void: self.void.or(other.void) }
+    }
+
+    /// What was decided.
+    pub fn decision(&self) -> Decision {
+        self.decision
+    }
+
+    /// Whether it is proved, and no case is left out.
+    pub fn is_proved(&self) -> bool {
+        self.decision == Decision::Proved
+    }
+
+    /// Whether it is proved, perhaps with exceptions.
+    pub fn is_proved_in_part(&self) -> bool {
+        matches!(self.decision, Decision::Proved | Decision::ProvedExcept)
+    }
+
+    /// What a proof does not reach.
+    pub fn exceptions(&self) -> &[Exception] {
+        &self.exceptions
+    }
+
+    /// Why a proof or a refutation is none after all.
+    pub fn void(&self) -> Option<Void> {
+        self.void
+    }
+}
+
+/// Whether a condition is a false statement about a number.
+fn is_impossible(graph: &Graph, condition: &Condition) -> bool {
+    let number = |e: Expr| graph.as_constant(e).cloned();
+    let (zero, one) = (Rational::ZERO, Rational::ONE);
+    match condition {
+        Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
+        Condition::Radicand(e) | Condition::Discriminant(e) => number(*e).is_some_and(|r| r < zero),
+        Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
+        Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
+    }
+}
+
+/// Whether an answer says that what is given contradicts itself, or that it leaves the claim without a value.
+pub(super) fn is_empty(identity: &Identity) -> bool {
+    matches!(identity, Identity::Undecided(Reason::Contradiction | Reason::NoValue))
+}
+
+/// Something that a proof is given, and that is not proved itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// Name of the claim.
+    pub name: String,
+    /// What its own step came to; `None` where it is no question for all values, or was not asked.
+    pub standing: Option<&'static str>,
+}
+
+/// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
+/// proved. Of a claim with several readings a name without one means the first.
+pub(super) fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
+    let names: HashMap<(&str, Option<&str>), usize> =
+        derivation.claims.iter().enumerate().map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
+    let at = |a: &ClaimAccount| names.get(&(a.id.as_str(), a.reading.as_deref())).copied();
+    let mut decisions: Vec<Option<Decision>> = vec![None; derivation.claims.len()];
+    for account in known.iter().chain(claims.iter()) {
+        if let (Some(at), Some(identity)) = (at(account), &account.identity) {
+            decisions[at] = Some(identity.finding.decision());
+        }
+    }
+    let premises = |names: &[String]| -> Vec<usize> {
+        let of = |name: &String| match derivation.premise(name) {
+            Premise::Claim(at) => Some(at),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        names.iter().filter_map(of).collect()
+    };
+    // For each claim what is open among all that it follows from: each claim after its premises.
+    let mut open: Vec<Option<BTreeSet<usize>>> = vec![None; derivation.claims.len()];
+    let mut entered = vec![false; derivation.claims.len()];
+    let gathered = |open: &[Option<BTreeSet<usize>>], of: &[usize], own: usize| -> BTreeSet<usize> {
+        let mut out = BTreeSet::new();
+        for &at in of {
+            // In a circle nothing is proved.
+            if at == own || decisions[at] != Some(Decision::Proved) {
+                out.insert(at);
+            }
+            out.extend(open[at].iter().flatten());
+        }
+        out
+    };
+    for first in 0..derivation.claims.len() {
+        let mut stack = vec![first];
+        while let Some(&own) = stack.last() {
+            if open[own].is_some() {
+                stack.pop();
+                continue;
+            }
+            let of = premises(&derivation.claims[own].follows_from);
+            if !std::mem::replace(&mut entered[own], true) {
+                stack.extend(of.iter().copied().filter(|&at| open[at].is_none() && !entered[at]));
+                continue;
+            }
+            open[own] = Some(gathered(&open, &of, own));
+            stack.pop();
+        }
+    }
+    for account in claims {
+        let own = at(account);
+        let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
+        let mut out: Vec<Given> = Vec::new();
+        if identity.finding.is_proved_in_part() {
+            for at in gathered(&open, &premises(&identity.from), own) {
+                let standing = match at == own {
+                    true => Some("itself what is to be proved"),
+                    false => decisions[at].map(Decision::word),
+                };
+                out.push(Given { name: derivation.claims[at].name(), standing });
+            }
+            out.sort_by(|a, b| a.name.cmp(&b.name));
+        }
+        identity.conditional_on = out;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_two_findings_the_worse_counts() {
+        let of = |decision| Finding { decision, ..Finding::default() };
+        use Decision::{Proved, ProvedExcept, Refuted, Undecided};
+        for (a, b, both) in [
+            (Proved, Proved, Proved),
+            (Proved, ProvedExcept, ProvedExcept),
+            (ProvedExcept, Undecided, Undecided),
+            (Undecided, Refuted, Refuted),
+        ] {
+            assert_eq!(of(a).and(of(b)).decision(), both);
+            assert_eq!(of(b).and(of(a)).decision(), both);
+        }
+        assert_eq!(Finding::default().decision(), Undecided);
+    }
+}

@@ -1,0 +1,583 @@
+//! Where an operation has a value, and where it changes its nature: one row for each operation.
+//!
+//! **In:** an operation, or a node of a graph. **Out:** a [`Row`]: what the operation *needs* of its arguments, its *edges*,
+//! its range, and the sign of its slopes; for a node, the same as expressions of the graph. **Guaranteed:** the operation has
+//! a value exactly where its arguments have one and all needs are met; it is analytic wherever, beside that, no edge is
+//! touched. There is no other place that says so: `defined`, the conditions of proofs, ranges, searches between samples,
+//! integration and the page on the grammar read this table.
+//!
+//! **Why terms:** a need is the sign of an expression and an edge is its zero. So they can be searched, enclosed, proved and
+//! printed like everything else. Needs are a conjunction; where an operation asks for one thing *or* another, as a power of 0
+//! does, the row has a term that says both ([`Term::Support`]).
+//!
+//! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
+//! a column of their own here.)
+
+use number::Scalar;
+
+use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
+
+/// What is asked of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Sign {
+    /// > 0
+    Positive,
+    /// ≥ 0
+    NotNegative,
+    /// ≠ 0
+    NotZero,
+}
+
+/// An expression in the arguments a and b of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Term {
+    /// a
+    First,
+    /// b
+    Second,
+    /// −b
+    Opposite,
+    /// cos a
+    Cosine,
+    /// sin a
+    Sine,
+    /// 1 − a²
+    Unit,
+    /// a − 1
+    Excess,
+    /// a² + b²
+    Squares,
+    /// a + b + |b|: where a ≥ 0, it is positive if and only if a > 0 or b > 0.
+    Support,
+}
+
+/// How an operation behaves at an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// It grows like the term to the power −order.
+    Pole(Order, Sides),
+    /// It grows like the logarithm of the term.
+    Log,
+    /// It jumps by so many half turns (π); at the edge it has the value from where the term is positive.
+    Jump(u8),
+    /// Its slope jumps, and stays finite.
+    Kink,
+    /// Its slope, or a later derivative, grows without bound.
+    Steep,
+}
+
+/// The order of a pole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// A whole number.
+    Whole(u32),
+    /// −b, for the exponent b.
+    Exponent,
+}
+
+/// Where the values beside a pole go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// To opposite infinities.
+    Opposite,
+    /// To the same infinity.
+    Alike,
+    /// There is one side only.
+    One,
+}
+
+/// Where an edge is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Where a term vanishes.
+    Zero(Term),
+    /// Where a term vanishes while another one is positive.
+    ZeroWhile(Term, Term),
+    /// Where the argument passes from one infinity to the other: the limits differ.
+    Infinity,
+}
+
+/// An edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Where it is.
+    pub place: Place,
+    /// What happens there.
+    pub change: Change,
+}
+
+/// An end of a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bound {
+    /// Its whole part.
+    pub whole: i8,
+    /// How many times π/2 is to be added.
+    pub quarter_turns: i8,
+    /// Whether it is a value, or only a limit of values.
+    pub attained: bool,
+}
+
+/// The values of an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Range {
+    /// The lower end, if there is one.
+    pub low: Option<Bound>,
+    /// The upper end, if there is one.
+    pub high: Option<Bound>,
+}
+
+/// The sign of the derivative by one argument, off the edges. A *monotone piece* is a set of arguments on which it is the
+/// same, without pole or jump.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slope {
+    /// The operation does not depend on the argument.
+    Flat,
+    /// Positive, or 0 at single arguments.
+    Rising,
+    /// Negative, or 0 at single arguments.
+    Falling,
+    /// That of a term.
+    Of(Term),
+    /// Opposite to that of a term.
+    Against(Term),
+}
+
+/// What is said of one operation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// It has a value where all of these hold.
+    pub needs: Vec<(Term, Sign)>,
+    /// Elsewhere it is analytic.
+    pub edges: Vec<Edge>,
+    /// Its values.
+    pub range: Range,
+    /// By the first argument and, if there is one, by the second.
+    pub slopes: [Slope; 2],
+}
+
+/// A need of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Need {
+    /// The operation that has it.
+    pub op: Op,
+    /// Its first argument.
+    pub first: Expr,
+    /// Which of its terms is meant.
+    pub term: Term,
+    /// The term.
+    pub value: Expr,
+    /// What is asked of it.
+    pub sign: Sign,
+    /// Whether there is no value where it is not met. Otherwise nothing is known there: it belongs to the formula for a rate,
+    /// and not to the function that the rate is of.
+    pub certain: bool,
+}
+
+/// An edge of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EdgeOf {
+    /// What vanishes there; nothing for an argument that passes through infinity.
+    pub vanishing: Option<Expr>,
+    /// What must be positive there, if anything.
+    pub whilst: Option<Expr>,
+    /// What happens.
+    pub change: Change,
+}
+
+const REAL: Range = Range { low: None, high: None };
+
+const fn end(whole: i8, quarter_turns: i8, attained: bool) -> Option<Bound> {
+    Some(Bound { whole, quarter_turns, attained })
+}
+
+const fn edge(term: Term, change: Change) -> Edge {
+    Edge { place: Place::Zero(term), change }
+}
+
+/// The table.
+pub fn row(op: Op) -> Row {
+    use Slope::{Against, Falling, Flat, Of, Rising};
+    use Term::{Cosine, Excess, First, Opposite, Second, Sine, Squares, Support, Unit};
+    let smooth = |range: Range, a: Slope, b: Slope| Row { needs: vec![], edges: vec![], range, slopes: [a, b] };
+    let from_zero = Range { low: end(0, 0, true), high: None };
+    let pole =
+        |order: u32| Change::Pole(Order::Whole(order), if order % 2 == 0 { Sides::Alike } else { Sides::Opposite });
+    match op {
+        Op::Neg => smooth(REAL, Falling, Flat),
+        Op::Sqrt => Row {
+            needs: vec![(First, Sign::NotNegative)],
+            edges: vec![edge(First, Change::Steep)],
+            range: from_zero,
+            slopes: [Rising, Flat],
+        },
+        Op::Exp => smooth(Range { low: end(0, 0, false), high: None }, Rising, Flat),
+        Op::Ln => Row {
+            needs: vec![(First, Sign::Positive)],
+            edges: vec![edge(First, Change::Log)],
+            range: REAL,
+            slopes: [Rising, Flat],
+        },
+        Op::Sin => smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, Of(Cosine), Flat),
+        Op::Cos => smooth(Range { low: end(-1, 0, true), high: end(1, 0, true) }, Against(Sine), Flat),
+        Op::Tan => Row {
+            needs: vec![(Cosine, Sign::NotZero)],
+            edges: vec![edge(Cosine, pole(1))],
+            range: REAL,
+            slopes: [Rising, Flat],
+        },
+        Op::Arcsin => Row {
+            needs: vec![(Unit, Sign::NotNegative)],
+            edges: vec![edge(Unit, Change::Steep)],
+            range: Range { low: end(0, -1, true), high: end(0, 1, true) },
+            slopes: [Rising, Flat],
+        },
+        Op::Arccos => Row {
+            needs: vec![(Unit, Sign::NotNegative)],
+            edges: vec![edge(Unit, Change::Steep)],
+            range: Range { low: end(0, 0, true), high: end(0, 2, true) },
+            slopes: [Falling, Flat],
+        },
+        Op::Arctan => Row {
+            needs: vec![],
+            edges: vec![Edge { place: Place::Infinity, change: Change::Jump(1) }],
+            range: Range { low: end(0, -1, false), high: end(0, 1, false) },
+            slopes: [Rising, Flat],
+        },
+        Op::Sinh => smooth(REAL, Rising, Flat),
+        Op::Cosh => smooth(Range { low: end(1, 0, true), high: None }, Of(First), Flat),
+        // The limits at the two infinities differ, too; but its formula goes on as one and the same function of exponentials.
+        Op::Tanh => smooth(Range { low: end(-1, 0, false), high: end(1, 0, false) }, Rising, Flat),
+        Op::Abs => {
+            Row { needs: vec![], edges: vec![edge(First, Change::Kink)], range: from_zero, slopes: [Of(First), Flat] }
+        }
+        Op::Add => smooth(REAL, Rising, Rising),
+        Op::Sub => smooth(REAL, Rising, Falling),
+        Op::Mul => smooth(REAL, Of(Second), Of(First)),
+        Op::Div => Row {
+            needs: vec![(Second, Sign::NotZero)],
+            edges: vec![edge(Second, pole(1))],
+            range: REAL,
+            slopes: [Of(Second), Against(First)],
+        },
+        Op::Pow => Row {
+            needs: vec![(First, Sign::NotNegative), (Support, Sign::Positive)],
+            edges: vec![
+                Edge { place: Place::ZeroWhile(First, Opposite), change: Change::Pole(Order::Exponent, Sides::One) },
+                edge(First, Change::Steep),
+            ],
+            range: from_zero,
+            slopes: [Of(Second), Of(Excess)],
+        },
+        Op::Arctan2 => Row {
+            needs: vec![(Squares, Sign::NotZero)],
+            edges: vec![Edge { place: Place::ZeroWhile(First, Opposite), change: Change::Jump(2) }],
+            range: Range { low: end(0, -2, false), high: end(0, 2, true) },
+            slopes: [Of(Second), Against(First)],
+        },
+        Op::Agm => Row {
+            needs: vec![(First, Sign::NotNegative), (Second, Sign::NotNegative)],
+            edges: vec![edge(First, Change::Steep), edge(Second, Change::Steep)],
+            range: from_zero,
+            slopes: [Rising, Rising],
+        },
+        // Its own domain is that of its arguments.
+        Op::Restrict => smooth(REAL, Rising, Flat),
+        Op::Powi(n) => {
+            let (even, falls) = (n % 2 == 0, n < 0);
+            Row {
+                needs: if falls { vec![(First, Sign::NotZero)] } else { vec![] },
+                edges: if falls { vec![edge(First, pole(n.unsigned_abs()))] } else { vec![] },
+                range: match (n, even, falls) {
+                    (0, ..) => Range { low: end(1, 0, true), high: end(1, 0, true) },
+                    (_, true, _) => Range { low: end(0, 0, !falls), high: None },
+                    (_, false, _) => REAL,
+                },
+                slopes: match (n, even, falls) {
+                    (0, ..) => [Flat, Flat],
+                    (_, true, false) => [Of(First), Flat],
+                    (_, true, true) => [Against(First), Flat],
+                    (_, false, false) => [Rising, Flat],
+                    (_, false, true) => [Falling, Flat],
+                },
+            }
+        }
+    }
+}
+
+impl Row {
+    /// Whether all values lie between two numbers.
+    pub fn is_bounded(&self) -> bool {
+        self.range.low.is_some() && self.range.high.is_some()
+    }
+}
+
+impl EdgeOf {
+    /// Whether it is a pole with two sides: what passes it goes through infinity.
+    pub fn is_pole(&self) -> bool {
+        matches!(self.change, Change::Pole(_, Sides::Opposite | Sides::Alike))
+    }
+}
+
+impl Term {
+    /// Whether the term vanishes for certain, as far as it is one of a single argument: that of steep edges.
+    pub fn vanishes<B: Scalar>(self, x: B) -> bool {
+        match self {
+            Term::Unit => {
+                let one = B::integer(1);
+                (one - x).is_zero() || (one + x).is_zero()
+            }
+            Term::Excess => (x - B::integer(1)).is_zero(),
+            Term::First => x.is_zero(),
+            Term::Second | Term::Opposite | Term::Cosine | Term::Sine | Term::Squares | Term::Support => false,
+        }
+    }
+
+    /// The term, for the arguments of a node.
+    fn of(self, graph: &mut Graph, a: Expr, b: Expr) -> Expr {
+        let one = graph.integer(1);
+        match self {
+            Term::First => a,
+            Term::Second => b,
+            Term::Opposite => graph.neg(b),
+            Term::Cosine => graph.unary(Op::Cos, a),
+            Term::Sine => graph.unary(Op::Sin, a),
+            Term::Unit => {
+                let square = graph.powi(a, 2);
+                graph.sub(one, square)
+            }
+            Term::Excess => graph.sub(a, one),
+            Term::Squares => {
+                let (aa, bb) = (graph.powi(a, 2), graph.powi(b, 2));
+                graph.add(aa, bb)
+            }
+            Term::Support => {
+                let size = graph.unary(Op::Abs, b);
+                let twice = graph.add(b, size);
+                graph.add(a, twice)
+            }
+        }
+    }
+}
+
+/// Operation and arguments of a node, the second one being the first where there is none.
+fn operation(graph: &Graph, node: Expr) -> Option<(Op, Expr, Expr)> {
+    match *graph.node(node) {
+        Node::Unary(op, a) => Some((op, a, a)),
+        Node::Binary(op, a, b) => Some((op, a, b)),
+        Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
+    }
+}
+
+impl Graph {
+    /// What a node needs to have a value where its arguments have one. An exponent that is a number is taken into account.
+    pub fn needs(&mut self, node: Expr) -> Vec<Need> {
+        let Some((op, a, b)) = operation(self, node) else { return Vec::new() };
+        let mut needs = row(op).needs;
+        if op == Op::Pow
+            && let Some(exponent) = self.as_constant(b)
+        {
+            let sign = if *exponent > Rational::ZERO { Sign::NotNegative } else { Sign::Positive };
+            needs = vec![(Term::First, sign)];
+        }
+        let need =
+            |(term, sign): (Term, Sign)| Need { op, first: a, term, value: term.of(self, a, b), sign, certain: true };
+        needs.into_iter().map(need).collect()
+    }
+
+    /// What everything that the roots depend on needs: they have values where all of it holds, and the leaves have values.
+    pub fn needs_below(&mut self, roots: impl IntoIterator<Item = Expr>) -> Vec<Need> {
+        let roots: Vec<Expr> = roots.into_iter().collect();
+        let asked = self.asked(&roots);
+        let mut out = Vec::new();
+        for node in self.reachable(roots) {
+            let certain = asked.contains(&node);
+            out.extend(self.needs(node).into_iter().map(|need| Need { certain, ..need }));
+        }
+        out
+    }
+
+    /// The nodes without whose values the roots have none: all, but what stands in a formula for a rate only.
+    fn asked(&self, roots: &[Expr]) -> FastSet<Expr> {
+        let (mut seen, mut open) = (FastSet::default(), roots.to_vec());
+        while let Some(e) = open.pop() {
+            if seen.insert(e) {
+                match *self.node(e) {
+                    Node::Binary(Op::Restrict, _, of) => open.push(of),
+                    Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                        open.extend(self.node(e).children());
+                    }
+                }
+            }
+        }
+        seen
+    }
+
+    /// The rate `formula` of `function`, with the domain that a rate has: no value where the function has none; unknown where
+    /// the function has a value and the formula none, as at a kink or where a slope grows without bound. `partial` says of a
+    /// leaf whether it may lack a value.
+    ///
+    /// A derivative drops terms that do not change (ln of a constant, x⁰), and with them what they need.
+    pub fn rate_of(&mut self, function: Expr, formula: Expr, partial: impl Fn(Leaf) -> bool) -> Expr {
+        let asked = |graph: &mut Graph, e: Expr| -> FastSet<(Expr, Sign)> {
+            let needs = graph.needs_below([e]);
+            let open = needs.into_iter().filter(|need| !graph.is_met(need));
+            open.map(|need| (need.value, need.sign)).collect()
+        };
+        let same_needs = asked(self, function) == asked(self, formula);
+        let kept: FastSet<Symbol> = self.leaves([formula]).into_iter().map(|leaf| leaf.symbol).collect();
+        let same_leaves = self.leaves([function]).into_iter().all(|leaf| !partial(leaf) || kept.contains(&leaf.symbol));
+        if same_needs && same_leaves { formula } else { self.binary(Op::Restrict, formula, function) }
+    }
+
+    /// Whether a need is met whatever the leaves are: a positive number and squares.
+    fn is_met(&self, need: &Need) -> bool {
+        let Node::Binary(Op::Add, a, b) = *self.node(need.value) else {
+            return self.as_constant(need.value).is_some_and(|r| match need.sign {
+                Sign::Positive => *r > Rational::ZERO,
+                Sign::NotNegative => *r >= Rational::ZERO,
+                Sign::NotZero => *r != Rational::ZERO,
+            });
+        };
+        let positive = |e: Expr| self.as_constant(e).is_some_and(|r| *r > Rational::ZERO);
+        let square = |e: Expr| matches!(self.node(e), Node::Unary(Op::Powi(n), _) if n % 2 == 0 && *n >= 0);
+        positive(a) && square(b) || positive(b) && square(a)
+    }
+
+    /// A formula without what restricts it: equal to it wherever that has a value.
+    pub fn unrestricted(&mut self, e: Expr) -> Expr {
+        let order = self.reachable([e]);
+        let is_restriction = |node: &Expr| matches!(self.node(*node), Node::Binary(Op::Restrict, ..));
+        if !order.iter().any(is_restriction) {
+            return e;
+        }
+        let mut image: FastMap<Expr, Expr> = FastMap::default();
+        for node in order {
+            let new = match *self.node(node) {
+                Node::Binary(Op::Restrict, a, _) => image[&a],
+                Node::Unary(op, a) => self.unary(op, image[&a]),
+                Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
+            };
+            image.insert(node, new);
+        }
+        image[&e]
+    }
+
+    /// The edges of a node: where it is not analytic though its arguments are.
+    pub fn edges(&mut self, node: Expr) -> Vec<EdgeOf> {
+        let Some((op, a, b)) = operation(self, node) else { return Vec::new() };
+        let edge = |Edge { place, change }: Edge| match place {
+            Place::Zero(term) => EdgeOf { vanishing: Some(term.of(self, a, b)), whilst: None, change },
+            Place::ZeroWhile(term, other) => {
+                EdgeOf { vanishing: Some(term.of(self, a, b)), whilst: Some(other.of(self, a, b)), change }
+            }
+            Place::Infinity => EdgeOf { vanishing: None, whilst: None, change },
+        };
+        row(op).edges.into_iter().map(edge).collect()
+    }
+}
+
+// ---- The same in words, for the page on the grammar.
+
+impl Term {
+    fn words(self) -> &'static str {
+        match self {
+            Term::First => "a",
+            Term::Second => "b",
+            Term::Opposite => "−b",
+            Term::Cosine => "cos a",
+            Term::Sine => "sin a",
+            Term::Unit => "1 − a²",
+            Term::Excess => "a − 1",
+            Term::Squares => "a² + b²",
+            Term::Support => "a + b + \\|b\\|",
+        }
+    }
+}
+
+fn need_words((term, sign): (Term, Sign)) -> String {
+    match (term, sign) {
+        (Term::Support, _) => "a > 0 or b > 0".to_owned(),
+        (_, Sign::Positive) => format!("{} > 0", term.words()),
+        (_, Sign::NotNegative) => format!("{} ≥ 0", term.words()),
+        (_, Sign::NotZero) => format!("{} ≠ 0", term.words()),
+    }
+}
+
+fn edge_words(edge: Edge) -> String {
+    let place = match edge.place {
+        Place::Zero(term) => format!("{} = 0", term.words()),
+        Place::ZeroWhile(term, Term::Opposite) => format!("{} = 0, b < 0", term.words()),
+        Place::ZeroWhile(term, other) => format!("{} = 0, {} > 0", term.words(), other.words()),
+        Place::Infinity => "through ∞".to_owned(),
+    };
+    let sides = |sides: Sides| match sides {
+        Sides::Opposite => ", sides opposite",
+        Sides::Alike => ", sides alike",
+        Sides::One => ", one side",
+    };
+    match edge.change {
+        Change::Pole(Order::Whole(n), s) => format!("{place}: pole of order {n}{}", sides(s)),
+        Change::Pole(Order::Exponent, s) => format!("{place}: pole of order −b{}", sides(s)),
+        Change::Log => format!("{place}: logarithmic pole"),
+        Change::Jump(1) => format!("{place}: jump of π"),
+        Change::Jump(n) => format!("{place}: jump of {n}π"),
+        Change::Kink => format!("{place}: kink"),
+        Change::Steep => format!("{place}: steep"),
+    }
+}
+
+fn bound_words(bound: Option<Bound>, low: bool) -> String {
+    let Some(Bound { whole, quarter_turns, attained }) = bound else {
+        return if low { "(−∞".to_owned() } else { "∞)".to_owned() };
+    };
+    let minus = |n: i8| if n < 0 { "−" } else { "" };
+    let value = match quarter_turns.unsigned_abs() {
+        0 => format!("{}{}", minus(whole), whole.unsigned_abs()),
+        1 => format!("{}π/2", minus(quarter_turns)),
+        2 => format!("{}π", minus(quarter_turns)),
+        n => format!("{}{n}π/2", minus(quarter_turns)),
+    };
+    match (low, attained) {
+        (true, true) => format!("[{value}"),
+        (true, false) => format!("({value}"),
+        (false, true) => format!("{value}]"),
+        (false, false) => format!("{value})"),
+    }
+}
+
+fn slope_words(op: Op, row: &Row) -> String {
+    let one = |slope: Slope| match slope {
+        Slope::Flat => "–".to_owned(),
+        Slope::Rising => "↑".to_owned(),
+        Slope::Falling => "↓".to_owned(),
+        Slope::Of(term) => format!("as {}", term.words()),
+        Slope::Against(term) => format!("against {}", term.words()),
+    };
+    match op.arity() {
+        2 => format!("{}; {}", one(row.slopes[0]), one(row.slopes[1])),
+        _ => one(row.slopes[0]),
+    }
+}
+
+/// A list in words; a dash where there is nothing.
+fn listed(all: Vec<String>) -> String {
+    if all.is_empty() { "–".to_owned() } else { all.join("; ") }
+}
+
+/// The row of an operation as a line of a Markdown table: spelling, needs, edges, range, slopes.
+pub fn line(op: Op) -> String {
+    let row = row(op);
+    let spelling = match op {
+        Op::Powi(n) => format!("a^{{{n}}}"),
+        op => op.spelling().replace('|', r"\|"),
+    };
+    let needs = listed(row.needs.iter().copied().map(need_words).collect());
+    let edges = listed(row.edges.iter().copied().map(edge_words).collect());
+    let range = match (row.range.low, row.range.high) {
+        (None, None) => "ℝ".to_owned(),
+        (Some(low), Some(high)) if low == high => format!("{{{}}}", low.whole),
+        (low, high) => format!("{}, {}", bound_words(low, true), bound_words(high, false)),
+    };
+    format!("| `{spelling}` | {needs} | {edges} | {range} | {} |", slope_words(op, &row))
+}

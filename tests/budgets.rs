@@ -1,0 +1,264 @@
+//! Inputs that are made to exhaust the machine: each is answered within its budget, with a report.
+//!
+//! Each input is generated, checked by the program in a process of its own, and judged by its exit code, by what it printed, by
+//! the report that it wrote, and, on Linux, by its peak memory. Time is not measured by the clock, which depends on what else
+//! runs: a process that takes a hundred times as long as it should is killed, and fails the test.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// A system, a motion, and no claim.
+const HEAD: &str = r"
+[derivation]
+title = 'x'
+concerns = 'y'
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'state' }
+'k' = { role = 'parameter' }
+";
+const SYSTEM: &str = r"
+[system.s]
+states = ['x']
+equations = ['\dot x=-kx']
+";
+const MOTION: &str = r"
+[[trajectory]]
+id = 'a'
+system = 's'
+parameters = { 'k' = 1 }
+initial = { 'x' = 1 }
+span = [0, 1]
+";
+
+fn claim(id: usize, formula: &str, more: &str) -> String {
+    format!("[[claim]]\nid = 'c{id}'\nsays = 's'\nalways = ['{formula}']\n{more}\n")
+}
+
+fn file(claims: &str) -> String {
+    [HEAD, SYSTEM, MOTION, claims].concat()
+}
+
+fn one(formula: &str) -> String {
+    file(&claim(0, formula, ""))
+}
+
+/// What a run left behind.
+struct Ran {
+    code: Option<i32>,
+    out: String,
+    err: String,
+    /// Largest memory that was seen, in megabytes; nothing where it cannot be known.
+    peak: Option<u64>,
+    report: bool,
+}
+
+/// The peak of a running process, in kilobytes.
+fn peak(child: &Child) -> Option<u64> {
+    let text = fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    line.trim().trim_end_matches("kB").trim().parse().ok()
+}
+
+/// Runs the program in a folder; a run that does not end is killed.
+fn run(folder: &Path, arguments: &[&str], longest: Duration) -> Ran {
+    let [out, err] = ["out", "err"].map(|name| fs::File::create(folder.join(name)).expect("a file"));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_rederive"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(Stdio::from(out))
+        .stderr(Stdio::from(err))
+        .spawn()
+        .expect("the program starts");
+    let (started, mut most) = (Instant::now(), None);
+    let status = loop {
+        most = most.max(peak(&child));
+        match child.try_wait().expect("it can be asked") {
+            Some(status) => break status,
+            None if started.elapsed() > longest => {
+                child.kill().expect("it can be stopped");
+                child.wait().expect("it stops");
+                panic!("{arguments:?} does not end");
+            }
+            None => std::thread::sleep(Duration::from_millis(5)),
+        }
+    };
+    let text = |name: &str| String::from_utf8_lossy(&fs::read(folder.join(name)).expect("a file")).into_owned();
+    let report = folder.join("reports/f/report.json").exists();
+    Ran { code: status.code(), out: text("out"), err: text("err"), peak: most.map(|k| k / 1024), report }
+}
+
+/// Checks a file, and sees to its memory.
+fn check(text: &str, arguments: &[&str], megabytes: u64) -> Ran {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("f.toml"), text).expect("written");
+    let all = [&["check", "f.toml"][..], arguments].concat();
+    let ran = run(folder.path(), &all, Duration::from_secs(600));
+    if let Some(peak) = ran.peak {
+        assert!(peak <= megabytes, "{peak} MB: {}", ran.err);
+    }
+    ran
+}
+
+/// A file that is decided, or undecided for a reason: an exit code of those that a reader expects, and a report.
+fn answers(text: &str, code: i32, megabytes: u64) -> Ran {
+    let ran = check(text, &[], megabytes);
+    assert_eq!(ran.code, Some(code), "{}{}", ran.out, ran.err);
+    assert!(ran.report, "{}{}", ran.out, ran.err);
+    ran
+}
+
+/// A file that is refused, with a word for it.
+fn is_refused(text: &str, word: &str) {
+    let ran = check(text, &[], 300);
+    assert_eq!(ran.code, Some(2), "{}{}", ran.out, ran.err);
+    assert!(ran.err.contains(word), "{}", ran.err);
+}
+
+#[test]
+fn long_formulas_have_some_of_their_variants() {
+    let product = answers(&one(&format!("x={}", "(x+k)".repeat(500))), 1, 400);
+    assert!(product.out.contains("1 fail"), "{}", product.out);
+    answers(&one(&format!("x={}", vec!["x"; 1_000].join("+"))), 1, 600);
+    let terms: Vec<String> = (1..=300).map(|i| format!(r"{i}\sin({i}x)")).collect();
+    answers(&one(&format!("x={}", terms.join("+"))), 1, 150);
+}
+
+#[test]
+fn a_chain_of_fifty_thousand_relations_is_read_once() {
+    let ran = check(&one(&vec!["x"; 50_000].join("=")), &["--no-reports"], 1_500);
+    assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);
+}
+
+#[test]
+fn many_claims_and_many_motions() {
+    let claims: String = (0..10_000).map(|i| claim(i, r"\dot x=-kx", "")).collect();
+    let ran = check(&file(&claims), &["--no-reports", "-q"], 700);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let motions: String = (0..10_000).map(|i| MOTION.replace("'a'", &format!("'a{i}'"))).collect();
+    let text = [HEAD, SYSTEM, &motions, &claim(0, r"\dot x=-kx", "")].concat();
+    let ran = check(&text, &["--no-reports", "-q"], 500);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+}
+
+#[test]
+fn a_chain_of_ten_thousand_steps_is_proved() {
+    let steps = (1..10_000).map(|i| claim(i, r"\dot x=-kx", &format!("follows-from = ['c{}']", i - 1)));
+    let text = file(&(claim(0, r"\dot x=-kx", "follows-from = ['s']") + &steps.collect::<String>()));
+    let ran = check(&text, &["--no-reports"], 1_500);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(ran.out.contains("10000 hold"));
+}
+
+#[test]
+fn what_is_nested_is_read_or_refused() {
+    let rates = format!("x={}{}{}", r"\frac{d}{dt}(".repeat(12), r"\sin(x\cos x)", ")".repeat(12));
+    answers(&one(&rates), 1, 300);
+    for (open, close) in [("(", ")"), ("{", "}"), (r"\sqrt{", "}"), ("x^{", "}"), (r"\dot{", "}")] {
+        is_refused(&one(&format!("x={}x{}", open.repeat(100_000), close.repeat(100_000))), "too deep");
+    }
+    is_refused(&(one("x=x") + "[z]\na = " + &"[".repeat(100_000)), "recurs");
+    for body in [r"a_{N}+1", r"\sin(a_{N})+\cos(a_{N})", "a_{N}a_{N}+a_{N}"] {
+        let each = |i: usize| {
+            let formula = if i == 0 { "x+k".to_owned() } else { body.replace('N', &(i - 1).to_string()) };
+            format!("'a_{{{i}}}' = {{ role = 'abbreviation', formula = '{formula}' }}\n")
+        };
+        let symbols: String = (0..5_000).map(each).collect();
+        let text = [HEAD, &symbols, SYSTEM, MOTION, &claim(0, "x=a_{4999}", "")].concat();
+        let ran = check(&text, &["--no-reports"], 500);
+        assert!(matches!(ran.code, Some(1 | 3)), "{body}: {}{}", ran.out, ran.err);
+    }
+}
+
+#[test]
+fn large_numbers_are_no_large_work() {
+    answers(&one(&format!("x={}", "7".repeat(500_000))), 3, 200);
+    for formula in ["x^{1000000000}=x", "2^{1000000000}=x", "(x+k)^{1000000000}=x", r"3.7^{-1000000000}=x"] {
+        let ran = check(&one(formula), &["--no-reports"], 200);
+        assert!(matches!(ran.code, Some(1 | 3)), "{formula}: {}{}", ran.out, ran.err);
+    }
+    let long = file(&claim(0, r"\dot x=-kx", "")).replace("span = [0, 1]", "span = [0, 1e12]");
+    let ran = check(&long, &["--no-reports"], 300);
+    assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);
+    let driven = long.replace(r"\dot x=-kx", r"\dot x=k\sin(x+t)");
+    let ran = check(&driven, &["--no-reports"], 300);
+    assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);
+}
+
+#[test]
+fn a_search_for_solutions_ends() {
+    let names = ["c", "d", "f", "g", "h", "l"];
+    let symbols: String =
+        ["a", "b"].iter().chain(&names).map(|n| format!("'{n}' = {{ role = 'parameter' }}\n")).collect();
+    let unknowns: Vec<String> = names.iter().map(|n| format!("'{n}' = [-100, 100]")).collect();
+    let pair = |i: usize| (names[i], names[(i + 1) % names.len()]);
+    let equations: Vec<String> =
+        (0..names.len()).map(pair).map(|(u, v)| format!(r"'\sin({u}a)+{v}b=\cos({v}{u})'")).collect();
+    let text = format!(
+        "[derivation]\ntitle = 'x'\nconcerns = 'y'\n[symbols]\n't' = {{ role = 'time' }}\n{symbols}[[claim]]\nid = 'c'\n\
+         says = 's'\nranges = {{ 'a' = [0, 100], 'b' = [0, 100] }}\n\
+         exists = {{ unknowns = {{ {} }}, such-that = [{}], unique = true }}\n",
+        unknowns.join(", "),
+        equations.join(", ")
+    );
+    let ran = answers(&text, 3, 400);
+    assert!(ran.out.contains("work limit"), "{}", ran.out);
+}
+
+#[test]
+fn papers_that_are_no_papers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let draft = |body: &str, megabytes: u64| {
+        fs::write(folder.path().join("p.tex"), body).expect("written");
+        let ran = run(folder.path(), &["init", "p.tex", "-o", "-"], Duration::from_secs(600));
+        assert!(ran.peak.is_none_or(|peak| peak <= megabytes), "{:?} MB", ran.peak);
+        assert!(matches!(ran.code, Some(0 | 2)), "{:?}: {}", ran.code, ran.err);
+        ran
+    };
+    let whole = |body: &str| format!("\\documentclass{{article}}\\begin{{document}}{body}\\end{{document}}\n");
+    draft(&whole(&format!("{}{}", "{".repeat(200_000), "}".repeat(200_000))), 300);
+    let equation = |body: &str| format!("\\begin{{equation}}{body}\\end{{equation}}\n");
+    draft(&whole(&equation(&format!("{}x=x{}", "{".repeat(200_000), "}".repeat(200_000)))), 400);
+    let labelled: String = (0..60_000).map(|i| equation(&format!("\\label{{l{i}}}x=x"))).collect();
+    assert_eq!(draft(&whole(&labelled), 900).code, Some(0));
+    let alike: String = (0..60_000).map(|_| equation("\\label{l}x=x")).collect();
+    assert_eq!(draft(&whole(&alike), 900).code, Some(0));
+    draft(&format!("\\newcommand{{\\a}}[99999999999]{{x}}{}", whole(&equation("\\a=x"))), 100);
+}
+
+#[test]
+fn a_time_that_is_over_leaves_a_report() {
+    for arguments in [&["--deadline", "0"][..], &["--memory", "1"]] {
+        let ran = check(&one(r"\dot x=-kx"), arguments, 200);
+        if arguments[0] == "--memory" && !cfg!(target_os = "linux") {
+            continue;
+        }
+        assert_eq!(ran.code, Some(3), "{}{}", ran.out, ran.err);
+        assert!(ran.report && ran.out.contains("1 undecided"), "{}", ran.out);
+        assert!(ran.out.contains("work limit"), "{}", ran.out);
+    }
+    let ran = check(&one(r"\dot x=-kx"), &["--deadline", "1000", "--memory", "100000", "--jobs", "1"], 200);
+    assert_eq!(ran.code, Some(0), "{}{}", ran.out, ran.err);
+    let ran = check(&one(r"\dot x=-kx"), &["--deadline", "-1"], 200);
+    assert_eq!(ran.code, Some(2));
+}
+
+#[test]
+fn verdicts_alone_are_the_same_verdicts() {
+    let text = file(&(claim(0, r"\dot x=-kx", "") + &claim(1, r"\dot x=kx", "") + &claim(2, "x<2", "")));
+    let whole = check(&text, &["--format", "json"], 200);
+    let alone = check(&text, &["--format", "json", "--only-verdicts"], 200);
+    let read = |ran: &Ran| serde_json::from_str::<serde_json::Value>(&ran.out).expect("JSON");
+    let (whole, alone) = (read(&whole), read(&alone));
+    assert_eq!(whole["summary"], alone["summary"]);
+    for (a, b) in whole["claims"].as_array().expect("claims").iter().zip(alone["claims"].as_array().expect("claims")) {
+        for key in ["verdict", "strength", "residual", "witness"] {
+            assert_eq!(a["results"][0][key], b["results"][0][key], "{key}");
+        }
+        assert!(b["results"][0]["discrimination"].is_null());
+        assert!(b["variants"].is_null(), "{}", b["variants"]);
+    }
+    assert!(!whole["claims"][0]["results"][0]["discrimination"].is_null());
+}

@@ -1,0 +1,322 @@
+//! Texts of strangers in every format: what acts is shown as a sign, what is markup there stays a text.
+//!
+//! Every place of a derivation file that takes a text gets every hostile text, and every writer writes the file down. The
+//! list of writers is compared with what `report` has, so that a new format comes to this table or fails it.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Texts that act somewhere, each in the spelling of a TOML basic string.
+const HOSTILE: &[&str] = &[
+    r"\u001b[2J\u001b[1;1H\u001b[32mAll claims hold\u001b[0m\u001b[8m",
+    r"\u001b]0;owned\u0007 \u0008\u0008\u0000 \u007f \u009b31m \u0085",
+    r"false \u202egnissim\u202c \u2066x\u2069 \u200f \u200b \ufeff \u2028 \U000e0041",
+    r"\n::stop-commands::x\n::error file=a::owned\n  ::add-mask::y",
+    r"a\r::warning::b %0A::error::c ##[error]d ##vso[task.setvariable]e",
+    r"<script>alert(1)</script><img src=x onerror=alert(2)> </title></style> ]]> &amp;",
+    r"[l](javascript:alert(3)) ![i](http://e.invalid/p.png) | a | `c` *b* \n# H1\n```\n---\n",
+    r"\\input{/etc/passwd} \\write18{id} \\end{document} $\\href{javascript:alert(4)}{x}$ ^^5c",
+    r"$x=a\\label{\\input{/etc/passwd}}$ `x\\tag{\\input{q}}` $\\def\\x{y}$",
+    r#"\"\"\" ''' \\\" #{} {{}} \nimport os"#,
+];
+
+/// A derivation file with this text wherever a text may stand.
+fn derivation(text: &str) -> String {
+    let formula = "\\label{\\immediate\\write18{touch X}\\input{/etc/passwd}}\\tag{</script><i>}";
+    format!(
+        r#"
+[derivation]
+title = "T {text}"
+concerns = "C {text}"
+source = "S {text}"
+remark = "R {text}"
+[conventions]
+"k {text}" = "v {text}"
+[symbols]
+'t' = {{ role = "time", says = "{text}" }}
+'x' = {{ role = "state", says = "{text}" }}
+'k' = {{ role = "parameter", says = "{text}" }}
+'a' = {{ role = "abbreviation", formula = '2x{formula}', says = "{text}" }}
+[system.s]
+says = "Y {text}"
+label = "L {text}"
+states = ['x']
+equations = ['\dot x=-kx{formula}']
+[[trajectory]]
+id = "one"
+title = "M {text}"
+says = "{text}"
+system = "s"
+parameters = {{ 'k' = 1 }}
+initial = {{ 'x' = 1 }}
+span = [0, 1]
+[[claim]]
+id = "wrong"
+says = "W {text}"
+place = "P {text}"
+remark = "{text}"
+label = "E {text}"
+always = ['x=2a{formula}']
+[[claim]]
+id = "right"
+says = "{text} G"
+assuming = ['x>0{formula}']
+always = ['\dot x=-kx % </script>{formula}', '''\dot x=-kx % <script>
+''']
+[[claim]]
+id = "open"
+says = "{text} G"
+eventually = ['x=7{formula}']
+[[measure]]
+id = "m"
+says = "{text}"
+formula = 'x{formula}'
+[[condition]]
+id = "q"
+says = "{text}"
+holds = ['x<0.5{formula}']
+"#
+    )
+}
+
+fn run(folder: &Path, arguments: &[&str], colour: bool) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
+    command.current_dir(folder).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+    if colour {
+        command.env("CLICOLOR_FORCE", "1");
+    }
+    command.args(arguments).output().expect("it runs")
+}
+
+/// Whether a character acts: written down anew, not taken from the program.
+fn acts(c: char) -> bool {
+    c.is_control() && c != '\n' && c != '\t'
+        || "\u{ad}\u{200b}\u{200e}\u{200f}\u{2028}\u{2029}\u{2066}\u{2067}\u{2068}\u{2069}\u{feff}".contains(c)
+        || ('\u{202a}'..='\u{202e}').contains(&c)
+        || ('\u{e0000}'..='\u{e007f}').contains(&c)
+}
+
+/// The text without the colours of the program: bold, faint, red, green, yellow and their likes.
+fn without_colours(text: &str) -> String {
+    let mut out = text.to_owned();
+    for code in
+        ["0", "1", "2", "31", "32", "33", "1;35", "91", "92", "94", "96", "1;91", "1;94", "1;96", "1;92", "1;33"]
+    {
+        out = out.replace(&format!("\u{1b}[{code}m"), "");
+        out = out.replace(&format!("\u{1b}[{code}m").replace(';', "m\u{1b}["), "");
+    }
+    out
+}
+
+#[track_caller]
+fn inert(what: &str, text: &str) {
+    if let Some(c) = text.chars().find(|c| acts(*c)) {
+        let at = text.find(c).expect("there");
+        let near: String = text[..at].chars().rev().take(60).collect::<Vec<_>>().into_iter().rev().collect();
+        panic!("{what}: U+{:04X} after {near:?}", u32::from(c));
+    }
+}
+
+/// A log of a workflow reads no command in it.
+#[track_caller]
+fn no_command(what: &str, text: &str) {
+    for line in text.lines() {
+        assert!(!line.trim_start().starts_with("::"), "{what}: {line}");
+        assert!(!line.contains("##[") && !line.contains("##vso["), "{what}: {line}");
+    }
+}
+
+/// What a format may not have in it besides.
+#[track_caller]
+fn plain_in(format: &str, text: &str) {
+    let lower = text.to_ascii_lowercase();
+    let none = |words: &[&str]| {
+        for word in words {
+            assert!(!lower.contains(word), "{format} has {word:?}");
+        }
+    };
+    match format {
+        "html" => {
+            none(&["<img src=x", "alert(1)</script>", "<i>", "href=\"javascript"]);
+            // Formulas are MathML: nothing is left of what is not set.
+            assert_eq!(lower.matches("<script").count(), lower.matches("</script>").count());
+        }
+        "md" => {
+            none(&[
+                "<script",
+                "<img",
+                "](javascript",
+                "\n# h1",
+                "\n```\n---",
+                "\\label{",
+                "\\tag{",
+                "$`\\href",
+                "$`\\def",
+            ]);
+            assert_eq!(lower.matches("```").count() % 2, 0);
+        }
+        "tex" => none(&["\\input", "\\write", "\\href", "\\def\\", "\\label{", "\\tag{", "^^"]),
+        "py" | "lean" => none(&["\nimport os", "\\label{", "\\tag{"]),
+        "junit" => none(&["<script", "<img"]),
+        _ => {}
+    }
+    if format == "tex" {
+        assert_eq!(text.matches("\\end{document}").count(), 1);
+    }
+}
+
+#[test]
+fn every_hostile_text_in_every_format() {
+    let mut written = 0;
+    for text in HOSTILE {
+        let project = tempfile::tempdir().expect("a folder");
+        fs::create_dir(project.path().join("derivations")).expect("made");
+        fs::write(project.path().join("derivations/h.toml"), derivation(text)).expect("written");
+        for format in ["text", "json", "tex", "junit", "sarif", "github"] {
+            let output = run(project.path(), &["check", "--format", format], format == "text");
+            let (out, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+            assert_eq!(output.status.code(), Some(1), "{text}: {told}");
+            let out = if format == "text" { without_colours(&out) } else { out.into_owned() };
+            inert(format, &out);
+            inert("told", &without_colours(&told));
+            plain_in(format, &out);
+            if format == "github" {
+                // Every line is one of ours.
+                for line in out.lines() {
+                    let ours =
+                        ["::error file=", "::warning file=", "::notice file="].iter().any(|b| line.starts_with(b));
+                    assert!(ours && line.matches("::").count() >= 2, "{line}");
+                }
+                assert_eq!(out.lines().count(), 2, "{out}");
+            } else {
+                no_command(format, &out);
+            }
+            written += 1;
+        }
+        for (name, format) in [
+            ("report.json", "json"),
+            ("report.md", "md"),
+            ("index.html", "html"),
+            ("certificates/right.py", "py"),
+            ("certificates/right.lean", "lean"),
+        ] {
+            let out = fs::read_to_string(project.path().join("reports/h").join(name)).expect("a report");
+            inert(name, &out);
+            plain_in(format, &out);
+            written += 1;
+        }
+        for arguments in
+            [&["list"][..], &["explain", "wrong"], &["explain", "right"], &["search", "wrong", "--tries", "2"]]
+        {
+            let output = run(project.path(), arguments, false);
+            let out = String::from_utf8_lossy(&output.stdout).into_owned();
+            inert(arguments[0], &out);
+            no_command(arguments[0], &out);
+            written += 1;
+        }
+        // A report that a stranger wrote is compared.
+        let old = fs::read_to_string(project.path().join("reports/h/report.json")).expect("a report");
+        let changed = old.replace("\"id\": \"wrong\"", &format!("\"id\": \"{}\"", text.replace("\\U000e0041", "")));
+        fs::write(project.path().join("old.json"), changed).expect("written");
+        for format in ["text", "markdown"] {
+            let output = run(project.path(), &["diff", "old.json", "reports/h/report.json", "--format", format], false);
+            let out = String::from_utf8_lossy(&output.stdout).into_owned();
+            inert("diff", &out);
+            no_command("diff", &out);
+            if format == "markdown" {
+                plain_in("md", &out);
+            }
+            written += 1;
+        }
+    }
+    assert_eq!(written, HOSTILE.len() * 17);
+}
+
+/// Problems quote the file as it is, and are shown.
+#[test]
+fn problems_are_shown_too() {
+    let bad = [
+        "[derivation]\ntitle = 'x \u{1b}'\n".to_owned(),
+        "[derivation]\ntitle = \"a\" # \u{202e}gnissim\nconcern = 'b'\n".to_owned(),
+        "[derivation]\ntitle = \"a\"\nconcerns = \"b\"\n\"\\u001b[2Jkey\\n::error::\" = 1\n".to_owned(),
+        derivation("x").replace("'x=2a", "'x=2\u{202e}\u{2066}a").replace("says = \"W", "say = \"\\u001b[8m"),
+        derivation("x").replace("id = \"wrong\"", "id = \"\\u001b[2J\\n::error::x\""),
+        derivation("x").replace("id = \"wrong\"", "id = \"CON\""),
+        derivation("x").replace("id = \"wrong\"", "id = \"a..\""),
+        derivation("x").replace("system = \"s\"", "system = \"\\u001b[31ms\\r\\n::error::\""),
+    ];
+    for text in bad {
+        let project = tempfile::tempdir().expect("a folder");
+        fs::write(project.path().join("h.toml"), &text).expect("written");
+        for format in ["text", "sarif", "github", "junit"] {
+            let output = run(project.path(), &["check", "h.toml", "--format", format], true);
+            assert_eq!(output.status.code(), Some(2), "{text}");
+            for stream in [&output.stdout, &output.stderr] {
+                let out = without_colours(&String::from_utf8_lossy(stream));
+                inert(format, &out);
+                if format != "github" {
+                    no_command(format, &out);
+                }
+            }
+        }
+    }
+    // The name of a file, too.
+    let project = tempfile::tempdir().expect("a folder");
+    let name = "a\u{1b}[2J\n::error::x\u{202e}.toml";
+    if fs::write(project.path().join(name), "x = 1").is_ok() {
+        for arguments in [&["check", "."][..], &["check", name], &["list", "b\u{1b}[2J\n::error::.toml"]] {
+            let output = run(project.path(), arguments, true);
+            let told = without_colours(&String::from_utf8_lossy(&output.stderr));
+            assert_eq!(output.status.code(), Some(2), "{told}");
+            inert("told", &told);
+            no_command("told", &told);
+        }
+    }
+}
+
+/// The writers of `report`: each is in the table above, or makes nothing of a file's texts.
+#[test]
+fn the_table_has_every_writer() {
+    let listed = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report/mod.rs")).expect("read");
+    let mut found: Vec<&str> = listed
+        .lines()
+        .filter(|l| l.starts_with("pub use "))
+        .flat_map(|l| l.split(|c: char| !c.is_alphanumeric() && c != '_'))
+        .filter(|w| w.starts_with(|c: char| c.is_ascii_lowercase()))
+        .filter(|w| !["pub", "use"].contains(w))
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    let in_the_table = [
+        "certificate_text",
+        "certificates",
+        "lean_text",
+        "diff",
+        "diff_text",
+        "exceptions",
+        "explain",
+        "finding",
+        "findings",
+        "github",
+        "json",
+        "json_with_paper",
+        "junit",
+        "markdown",
+        "page",
+        "paper",
+        "paper_findings",
+        "paper_summary",
+        "problems",
+        "proposition",
+        "proposition_json",
+        "proposition_text",
+        "sarif",
+        "summary",
+        "tex",
+        "add_paper",
+    ];
+    let no_texts = ["is_worse", "rule_says", "schema"];
+    let missing: Vec<&&str> = found.iter().filter(|f| !in_the_table.contains(f) && !no_texts.contains(f)).collect();
+    assert!(missing.is_empty(), "write these down in the table of hostile texts: {missing:?}");
+}
