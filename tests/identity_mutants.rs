@@ -1,7 +1,7 @@
 //! Every claim of the Comment with one edit: refuted with a witness, never proved.
 
 use crate::infix::Reader;
-use rederive::check::identity::{Identity, Options, identity_test};
+use rederive::check::identity::{Identity, Options, Reason, identity_test};
 
 /// Texts with one edit: a sign, an index, a function, a square, a factor.
 fn edits(text: &str) -> Vec<String> {
@@ -34,7 +34,7 @@ fn edits(text: &str) -> Vec<String> {
 
 #[test]
 fn no_mutant_is_proved() {
-    let (mut refuted, mut all) = (0, 0);
+    let (mut refuted, mut open, mut all) = (0, 0, 0);
     let mut survivors = Vec::new();
     for step in crate::comment::steps() {
         let texts: Vec<&str> = step.claim.split(';').map(str::trim).collect();
@@ -51,6 +51,8 @@ fn no_mutant_is_proved() {
                         assert!(gap > 0.0 || w.left.exact != w.right.exact, "{mutant}: {w:?}");
                         refuted += 1;
                     }
+                    // More equations than unknowns: a real point is found, but not shown to lie on a motion.
+                    Identity::Undecided(Reason::Unextended) => open += 1,
                     other => survivors.push((step.id, mutant.clone(), other.word())),
                 }
             }
@@ -69,5 +71,5 @@ fn no_mutant_is_proved() {
         }
     }
     assert!(unexpected.is_empty(), "{unexpected:#?}");
-    assert!(refuted * 10 > all * 9, "{refuted} of {all}");
+    assert!((refuted + open) * 10 > all * 9 && refuted * 10 > all * 7, "{refuted} of {all}, {open} open");
 }

@@ -146,7 +146,7 @@ fn orders_of_size() {
     assert_eq!(orders("a b", &[], &[(Positive, "a - b")]).0, "exactly when b < a");
     assert_eq!(orders("a b", &[], &[(Positive, "a + b")]), ("always".to_owned(), true));
     let open = orders("a b", &[], &[(Zero, "sqrt((a - b)^2) - abs(b - a)")]).0;
-    assert!(open.starts_with("not settled for any order"), "{open}");
+    assert!(open.contains("not settled"), "{open}");
     // More than the order decides: nothing is claimed.
     let (words, proved) = orders("a b", &[], &[(Positive, "3*a - 2*b")]);
     assert!(!proved && words.contains("not for all values, or not settled, when a < b"), "{words}");

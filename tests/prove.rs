@@ -112,7 +112,6 @@ fn problems_are_shown_at_their_places() {
         &["x=y", "-s", "x,, y"],
         &["x=y", "-s", "x, y: state, positive"],
         &["x=y", "-s", "x: abbreviation", "-s", "y: state = 3"],
-        &["x=y", "-s", "x, y", "-g", r"x=\pm y"],
         &["x=y", "-s", "x, y", "-g", r"\lim_{t\rightarrow 0}x=y"],
         &["", "-s", "x"],
         &["h=0", "--in", "derivations/pendulum.toml", "-g", "enrgy"],

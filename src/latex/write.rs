@@ -337,7 +337,8 @@ fn could_be_argument(node: &Node) -> bool {
             NodeKind::Dot(_) | NodeKind::Cross { .. } => false,
             _ => true,
         },
-        NodeKind::Scripted { base, .. } => could_be_argument(base),
+        // With indices it is no time.
+        NodeKind::Scripted { base, sub, .. } => sub.is_none() && could_be_argument(base),
         NodeKind::Number(r) => *r < Rational::ZERO,
         NodeKind::Sum(_) => node.is_numeric(),
         // What gets its parentheses from the writer.

@@ -15,6 +15,7 @@ use super::finding::{Finding, Level, over_ranges, phrase, told};
 use super::tally::{name, says};
 use crate::check::{Account, ClaimAccount, Judged, PairAccount};
 use crate::derivation::Derivation;
+use diag::shown::in_one_line;
 
 /// One derivation file and what was found, for [`junit`].
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +93,7 @@ fn case_of(derivation: &Derivation, claim: &ClaimAccount, judged: &Judged<'_>, t
     let mut case = TestCase::new(judged.on(), status);
     case.set_classname(format!("{}.{}", derivation.id, name(claim)));
     let strength = strength.map(|s| format!(" ({s})")).unwrap_or_default();
-    case.set_system_out(format!("{}\n{}{strength}", says(derivation, claim), phrase(word)));
+    case.set_system_out(format!("{}\n{}{strength}", in_one_line(&says(derivation, claim)), phrase(word)));
     case
 }
 

@@ -347,7 +347,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             notes.push("For comparison: the paper does not say it.".to_owned());
         }
         if let Some(label) = declared.and_then(|d| d.label.as_ref()) {
-            notes.push(format!("Label: {}.", code(label)));
+            notes.push(format!("Label: {}.", prose(label)));
         }
         if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
             notes.push(format!("Follows from: {}.", from.iter().map(|f| prose(f)).collect::<Vec<_>>().join(", ")));

@@ -61,8 +61,6 @@ const SCENES: &[(&str, &str, &str)] = &[
 
 /// What is read in this version nonetheless.
 const KNOWN_READ: &[&str] = &[
-    "a time that is a sum of numbers",
-    "a rate of a value, or a value of a rate",
     "a limit that is to be what moves",
     "a limit that is to be a rate",
     "plus-minus in never and in always",
@@ -70,8 +68,6 @@ const KNOWN_READ: &[&str] = &[
     "plus-minus in a first integral and in always",
     "neither, and plus-minus elsewhere",
     "neither, and plus-minus assumed",
-    "plus-minus in an abbreviation",
-    "plus-minus in an observable",
 ];
 
 /// Whether a file is refused when it is read, or when it is prepared to be checked.

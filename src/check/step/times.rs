@@ -145,7 +145,11 @@ impl Step<'_> {
     /// the time, or such a motion does not refute.
     pub(super) fn at_rest(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
         let time = self.claim.scope.time()?;
-        let mut premises = self.premises(gathered, equations, Definitions::All);
+        // Whatever rates occur: the motion that stands still must satisfy the systems.
+        let mut gathered = gathered.clone();
+        let systems = std::mem::take(&mut gathered.systems);
+        gathered.premises.equations.extend(systems);
+        let mut premises = self.premises(&gathered, equations, Definitions::All);
         premises.only_now.clear();
         let zero = self.graph.integer(0);
         let claim = &self.claim.scope;

@@ -450,6 +450,7 @@ impl<'a> Parser<'a> {
                 self.bump();
                 let start = factor.span.start;
                 factor = self.at_bar(factor, start)?;
+                factor = self.with_times(factor)?;
                 self.bar = Some((self.at, self.depth));
                 self.bar_is_clear(0, &factors)?;
             }
