@@ -70,6 +70,19 @@ impl Part {
     pub fn is_definedness(&self) -> bool {
         matches!(self.what, What::Defined)
     }
+
+    /// Whether it may be false at a single time only, with everything around it as if it were true: samples alone do not tell.
+    pub fn needs_a_complete_search(&self) -> bool {
+        let strict = |kind: RelationKind| match kind {
+            RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => true,
+            RelationKind::Equal | RelationKind::LessEqual | RelationKind::GreaterEqual => false,
+        };
+        match self.what {
+            What::Independent | What::Denied | What::Defined => true,
+            What::Every => self.group.comparisons.iter().any(|c| strict(c.kind)),
+            What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) => false,
+        }
+    }
 }
 
 /// An assumption, as written.

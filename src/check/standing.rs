@@ -5,7 +5,7 @@
 //!
 //! | decision | means |
 //! |---|---|
-//! | *proved* | no case is left out (perhaps there is none: then [`Exception::Unseen`] says so) |
+//! | *proved* | no case is left out, and a real point was found at which it says something |
 //! | *proved except* | the cases listed are open |
 //! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
 //! | *undecided* | else |
@@ -65,8 +65,6 @@ pub enum Exception {
     Leaps(Expr),
     /// What lies beyond a time at which this vanishes, under something.
     Divides(Expr),
-    /// It was not seen that what is given can hold.
-    Unseen,
 }
 
 /// Why a proof is none after all.
@@ -76,6 +74,8 @@ pub enum Void {
     NoValue,
     /// It was proved outside of special cases, and no point was found outside of them.
     OnlySpecial,
+    /// No real point was found at which what is given holds and the claim has a value: perhaps it says nothing.
+    Unseen,
     /// It was refuted without something given that could not be used.
     Incomplete,
 }
@@ -104,15 +104,10 @@ impl Finding {
                     return undecided(Some(Void::NoValue));
                 }
                 if proof.example.is_none() {
-                    if !exceptions.is_empty() {
-                        return undecided(Some(Void::OnlySpecial));
-                    }
-                    exceptions.push(Exception::Unseen);
+                    return undecided(Some(if exceptions.is_empty() { Void::Unseen } else { Void::OnlySpecial }));
                 }
                 exceptions.extend(along);
-                // That no point was found that satisfies what is given leaves no case out: it is said beside the proof.
-                let complete = exceptions.iter().all(|e| *e == Exception::Unseen);
-                let decision = if complete { Decision::Proved } else { Decision::ProvedExcept };
+                let decision = if exceptions.is_empty() { Decision::Proved } else { Decision::ProvedExcept };
                 Finding { decision, exceptions, void: None }
             }
             Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },

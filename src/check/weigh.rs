@@ -412,7 +412,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             "the error bound is too large to tell at {inconclusive_count} of {} times: {example}; {would} would decide",
             counted.len()
         ));
-        return Finding::sampled(Possible::OPEN, evidence);
+        // One time at which it says something excludes that it says nothing.
+        let says = counted.iter().any(|&i| !judged.at(i).may_be(Truth::Void));
+        return Finding::sampled(if says { Possible::OPEN } else { Possible::ANY }, evidence);
     }
     evidence.samples = counted.len() - inconclusive_count.min(counted.len() - 1);
     if inconclusive_count > 0 {

@@ -241,10 +241,11 @@ impl Verdict {
         self.fold();
     }
 
-    /// Gives up that samples say that a part is true: what is asked of every time is seen to be open at one.
+    /// Gives up that samples say that a part is true, or void: what is asked of every time is seen to be open at one.
     pub fn doubt(&mut self, part: usize, reason: String) {
-        if let Some(finding) = self.findings.get_mut(part).filter(|f| f.sampled == Possible::TRUE) {
-            finding.sampled = Possible::OPEN;
+        let of_all_times = |f: &&mut Finding| matches!(f.sampled, Possible::TRUE | Possible::VOID);
+        if let Some(finding) = self.findings.get_mut(part).filter(of_all_times) {
+            finding.sampled = if finding.sampled == Possible::TRUE { Possible::OPEN } else { Possible::ANY };
             finding.evidence.reason = Some(reason);
             self.fold();
         }

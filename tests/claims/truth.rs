@@ -128,6 +128,13 @@ impl<'a> Scope<'a> {
             Statement::Limit { of, at, kind, value } => {
                 // What does not move is known at all times, as one may see it.
                 let known = if self.reading.beyond && !of.moves() { None } else { self.known.clone() };
+                // A limit goes through the times that the selectors leave; `at` selects none.
+                let all = self.selected()?;
+                let everywhere = selected.pieces.iter().all(|s| *s);
+                let selected = match (&self.claim.at, everywhere) {
+                    (Some(_), false) => &all[usize::from(sign < 0)],
+                    (None, _) | (Some(_), true) => selected,
+                };
                 let limit = self.limit(&self.line(of, sign)?, &known, at, *kind, value, selected)?;
                 Ok(vec![Line::constant(limit)])
             }

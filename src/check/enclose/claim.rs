@@ -33,6 +33,11 @@ pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
     }
 }
 
+/// Whether there is a verdict.
+fn is_decided(outcome: Outcome) -> bool {
+    outcome != Outcome::Undecided
+}
+
 /// Whether a verdict holds for every time, or for all values.
 pub(super) fn is_rigorous(outcome: Outcome) -> bool {
     match outcome {
@@ -175,12 +180,21 @@ pub(super) fn strengthen(
                 ));
             }
         }
-        if let Shown::Nothing(reason) = &shown {
-            if part.is_definedness() {
+        match &shown {
+            Shown::Nothing(reason) | Shown::Isolated(reason) if part.is_definedness() => {
                 // That there is a value everywhere is what was asked, and somewhere it is open.
                 verdict.doubt(position, format!("whether there is a value everywhere is open: {reason}"));
+                reasons.push(reason.clone());
             }
-            reasons.push(reason.clone());
+            // Samples do not tell of times at which something else is possible, all around being settled.
+            Shown::Isolated(reason) if before == Some(Possible::VOID) || part.needs_a_complete_search() => {
+                verdict.doubt(position, format!("samples do not decide it, and the enclosure does not: {reason}"));
+                if is_decided(verdict.outcome()) {
+                    reasons.push(reason.clone());
+                }
+            }
+            Shown::Nothing(reason) | Shown::Isolated(reason) => reasons.push(reason.clone()),
+            Shown::Holds(..) | Shown::Excluded(..) | Shown::Unless(..) | Shown::Fails(..) | Shown::Void(_) => {}
         }
         learn(verdict, position, shown, (part, beyond));
     }
@@ -209,7 +223,7 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
         }),
         Shown::Unless(enclosed, reason) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
             e.enclosed = Some(enclosed);
-            e.reason = Some(reason);
+            e.reason = Some(format!("{reason}, wherever it says something"));
         }),
         Shown::Void(reason) => verdict.enclose(position, Possible::VOID, |e| e.reason = Some(reason)),
         Shown::Fails(mut witness, reason) => verdict.enclose(position, Possible::FALSE, |e| {
@@ -227,7 +241,7 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
             };
             e.witness = Some(witness);
         }),
-        Shown::Nothing(_) => {}
+        Shown::Isolated(_) | Shown::Nothing(_) => {}
     }
 }
 

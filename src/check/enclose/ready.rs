@@ -33,6 +33,8 @@ pub(super) enum Shown {
     Void(String),
     /// It is true if it says anything.
     Unless(Enclosed, String),
+    /// It tells of some stretches, and not of another that comes after them: anything may be so there, alone.
+    Isolated(String),
     /// It does not tell.
     Nothing(String),
 }

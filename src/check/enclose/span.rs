@@ -19,6 +19,8 @@ struct Covered {
     says: bool,
     /// Whether anything but void is possible on a stretch that may count.
     may_say: bool,
+    /// How long the stretches are together that are settled.
+    settled: f64,
     /// A stretch on which it is false at some time that counts.
     apart: Option<Interval>,
     /// Which signs of ± serve so far.
@@ -30,11 +32,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     let mut found = Covered { serves: vec![true; ready.signs], ..Covered::default() };
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
-        if selected == Some(false) {
-            return Judgement::Settled;
-        }
         let known = ready.value(ranges);
-        if known == Possible::VOID {
+        if selected == Some(false) || known == Possible::VOID {
+            found.settled += time.width();
             return Judgement::Settled;
         }
         found.may_say = true;
@@ -51,6 +51,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         if !enough {
             return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
         }
+        found.settled += time.width();
         found.says |= selected == Some(true) && !known.may_be(Truth::Void);
         found.gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min).max(found.gap);
         found.serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
@@ -77,6 +78,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
                     let reason = format!("certified at t = {}", witness.t);
                     Shown::Fails(witness, reason)
                 }
+                None if found.settled > 0.0 => Shown::Isolated(reason),
                 None => Shown::Nothing(reason),
             };
         }
@@ -261,10 +263,11 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
     let mut hulls: Vec<Option<Interval>> = vec![None; count];
     let mut certain: Vec<(Bound, Bound)> = vec![(None, None); count];
-    let mut says = false;
+    let (mut says, mut settled) = (false, 0.0);
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
         if selected == Some(false) {
+            settled += time.width();
             return Judgement::Settled;
         }
         let mut void = true;
@@ -297,6 +300,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
                 }
             }
         }
+        settled += time.width();
         says |= selected == Some(true) && !void;
         Judgement::Settled
     };
@@ -322,6 +326,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     }
     let looked = match covered {
         Ok(looked) => looked,
+        Err(reason) if settled > 0.0 => return Shown::Isolated(reason),
         Err(reason) => return Shown::Nothing(reason),
     };
     let gap = hulls.iter().flatten().map(Interval::width).fold(0.0, f64::max);

@@ -4,7 +4,7 @@ use super::super::comparison::at_instant;
 use super::super::identity::Premises;
 use super::{MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise};
-use crate::expr::{Expr, Graph, Leaf, Node, Op};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
 
 /// Which definitions of observables are used.
@@ -370,19 +370,40 @@ impl Step<'_> {
             return Continued::No;
         }
         let node = self.graph.leaf(leaf);
-        let roots: Vec<Expr> = sides(equations)
+        let roots = sides(equations)
             .chain(sides(&premises.equations))
-            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
-            .collect();
-        let bare = roots.contains(&node)
-            || self.graph.reachable(roots).into_iter().any(|parent| {
-                let periodic = matches!(self.graph.node(parent), Node::Unary(Op::Sin | Op::Cos | Op::Tan, _));
-                !periodic && self.graph.node(parent).children().any(|child| child == node)
-            });
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied());
+        let bare = self.tells_turns(roots, node);
         let scope = &self.claim.scope;
         let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
         let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
         self.graph.time_derivative(e, time, moves).map_or(Continued::Unknown, Continued::Rate)
+    }
+
+    /// Whether whole turns of an angle change a formula: it stands elsewhere than in sums and whole multiples below a sine, a
+    /// cosine or a tangent.
+    fn tells_turns(&self, roots: impl Iterator<Item = Expr>, angle: Expr) -> bool {
+        let whole = |e: Expr| self.graph.as_constant(e).is_some_and(|r| r.denominator().is_one());
+        let mut seen: FastSet<(Expr, bool)> = FastSet::default();
+        let mut open: Vec<(Expr, bool)> = roots.map(|e| (e, false)).collect();
+        while let Some((e, periodic)) = open.pop() {
+            if !seen.insert((e, periodic)) {
+                continue;
+            }
+            if e == angle && !periodic {
+                return true;
+            }
+            match *self.graph.node(e) {
+                Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => open.push((a, true)),
+                Node::Unary(Op::Neg, a) => open.push((a, periodic)),
+                Node::Binary(Op::Add | Op::Sub, a, b) => open.extend([(a, periodic), (b, periodic)]),
+                Node::Binary(Op::Mul, a, b) => open.extend([(a, periodic && whole(b)), (b, periodic && whole(a))]),
+                Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => {
+                    open.extend(self.graph.node(e).children().map(|child| (child, false)));
+                }
+            }
+        }
+        false
     }
 
     /// The values at fixed times that occur obey the definitions at these times.

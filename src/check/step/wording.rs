@@ -16,6 +16,9 @@ const LONGEST: usize = 160;
 /// Most names that are listed for one that is not.
 const MOST_NAMES: usize = 6;
 
+/// Why a proof of what may say nothing is none.
+const NOWHERE: &str = "both sides are equal wherever they have values, but no real point was found that satisfies what is \
+                       given and at which they have some";
 /// Why a proof with exceptions is none.
 const UNSEEN: &str = "it was proved outside of special cases only, and no real point was found outside of them";
 
@@ -55,7 +58,7 @@ impl Step<'_> {
                 Exception::Divides(e) => {
                     format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(e))
                 }
-                Exception::Vanishes(_) | Exception::Unseen => continue,
+                Exception::Vanishes(_) => continue,
             };
             if !out.contains(&line) {
                 out.push(line);
@@ -283,12 +286,10 @@ impl Step<'_> {
                 out.exceptions.extend(lines);
                 out.generic = !out.finding.exceptions().is_empty();
                 out.log2_error = out.finding.is_proved_in_part().then_some(proof.log2_error);
-                if out.finding.exceptions().contains(&Exception::Unseen) {
-                    out.reason = Some("no real point was found that satisfies what is given".to_owned());
-                }
                 out.reason = match out.finding.void() {
                     Some(Void::NoValue) => Some("what is given makes a formula have no value".to_owned()),
                     Some(Void::OnlySpecial) => Some(UNSEEN.to_owned()),
+                    Some(Void::Unseen) => Some(NOWHERE.to_owned()),
                     Some(Void::Incomplete) | None => out.reason,
                 };
             }

@@ -48,6 +48,8 @@ const REMAINDER_OF_DERIVATIVE: f64 = 1e-7;
 const ADDED: f64 = 2e-22;
 /// and more than this part of the width of the set.
 const ADDED_TO_WIDTH: f64 = 1e-6;
+/// The part of the longest step after which states that pass 0 are looked at.
+const SOON: f64 = 1e-6;
 /// The set may become as wide as this part of the largest state.
 const WIDEST: f64 = 0.5;
 /// More than all roundings of a sum of a few hundred terms that are not negative, as a factor.
@@ -355,9 +357,6 @@ impl Field {
         let hull = set.hull();
         let size = hull.iter().map(Interval::magnitude).fold(0.0, f64::max);
         let width = hull.iter().map(Interval::width).fold(0.0, f64::max);
-        if width > WIDEST * size.max(f64::MIN_POSITIVE) {
-            return Err("the set is too wide".to_owned());
-        }
         let one = |&(i, j): &(usize, usize)| if i == j { 1.0 } else { 0.0 };
         let centre = set.centre.iter().map(DoubleDouble::high);
         let extended: Vec<f64> = centre.chain(self.entries.iter().map(one)).collect();
@@ -370,6 +369,12 @@ impl Field {
         let direction = if end > time { 1.0 } else { -1.0 };
         let remaining = (end - time).abs();
         let longest = (end - start).abs() * if self.driven { 1.0 / 64.0 } else { 0.25 };
+        // Where all states pass 0 at once, they are as large as they become soon.
+        let rate = (0..n).map(|i| bench.coefficients[i * (ORDER + 1) + 1].abs()).fold(0.0, f64::max);
+        let size = size.max(rate * longest * SOON);
+        if width > WIDEST * size.max(f64::MIN_POSITIVE) {
+            return Err("the set is too wide".to_owned());
+        }
         let mut step = self.proposal(bench, size, width).min(longest);
         if step > 0.6 * remaining {
             step = if step >= remaining { remaining } else { 0.6 * remaining };

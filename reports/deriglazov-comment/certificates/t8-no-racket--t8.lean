@@ -1,0 +1,19 @@
+-- deriglazov-comment / t8-no-racket/t8: In t8 the third axis stays on the z axis: no flip, and no turn of the handle about m during which it could twist.
+--
+-- Given: the definitions, the assumptions and t8.
+--
+-- Variables stand for the functions that the comments name; what holds of them is a hypothesis. The theorem says
+-- that the difference of the sides, brought to N / D, is 0.
+
+import Mathlib
+
+-- 0 = 0
+theorem equation_1
+    (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (1) = 0 := by
+  have key : (1 : ℝ) * (0) = 0 := by ring
+  have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
+  rw [top, zero_div]
+
+example (m3 I3 t m3_then : ℝ) (hD : (1 : ℝ) ≠ 0) : (0 : ℝ) - (0) = (0) / (1) := by
+  field_simp
+  ring
