@@ -415,11 +415,13 @@ impl<'a> MeasuredGroup<'a> {
         }
     }
 
-    /// The values of the left sides, each compared with what it is at the time `reference`, in place of what they were
-    /// compared with.
-    pub fn relative_to(&mut self, reference: usize) {
+    /// The values of the left sides, each compared with what it is at the first of the times that count at which it has one, in
+    /// place of what they were compared with. What never has one stays as it is: without a value.
+    pub fn relative_to_the_first(&mut self, times: usize, counts: impl Fn(usize) -> bool) {
         for series in self.signs.iter_mut().flatten() {
-            series.relative_to(reference);
+            if let Some(first) = (0..times).find(|&i| counts(i) && series.difference(i).is_ok()) {
+                series.relative_to(first);
+            }
         }
     }
 }

@@ -414,13 +414,8 @@ fn constant(
     let Some(mut values) = all.parts.into_iter().nth(position + 1) else {
         return Finding::open("its values were not measured");
     };
-    match (0..tried.times.len()).find(|&i| counts(i) && valued(&values, i)) {
-        Some(first) => {
-            values.relative_to(first);
-            weigh(describer.setting(tried.left.clone()), &values)
-        }
-        None => weigh(describer.setting(tried.left.clone()), &values),
-    }
+    values.relative_to_the_first(tried.times.len(), counts);
+    weigh(describer.setting(tried.left.clone()), &values)
 }
 
 /// What is known of a part whose selectors may be met at other times than those at which it was tried.

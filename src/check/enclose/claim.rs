@@ -193,6 +193,9 @@ pub(super) fn strengthen(
                     reasons.push(reason.clone());
                 }
             }
+            Shown::Unless(_, _, true) if before == Some(Possible::VOID) => {
+                verdict.doubt(position, "whether any time counts is open at isolated times".to_owned());
+            }
             Shown::Nothing(reason) | Shown::Isolated(reason) => reasons.push(reason.clone()),
             Shown::Holds(..) | Shown::Excluded(..) | Shown::Unless(..) | Shown::Fails(..) | Shown::Void(_) => {}
         }
@@ -221,7 +224,7 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
             e.witness = Some(witness);
             e.reason = Some(format!("excluded {reason}"));
         }),
-        Shown::Unless(enclosed, reason) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
+        Shown::Unless(enclosed, reason, _) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
             e.enclosed = Some(enclosed);
             e.reason = Some(format!("{reason}, wherever it says something"));
         }),

@@ -90,7 +90,7 @@ impl<'a> Rank<'a> {
             Ok(looked) => {
                 let enclosed = Enclosed { places: looked, gap: 0.0, scale: 1.0 };
                 let reason = format!("for every t of the span: in {looked} stretches");
-                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
+                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason, false) }
             }
             Err(reason) if settled > 0.0 => Shown::Isolated(reason),
             Err(reason) => Shown::Nothing(reason),

@@ -21,6 +21,8 @@ struct Covered {
     may_say: bool,
     /// How long the stretches are together that are settled.
     settled: f64,
+    /// How long those are on which it says nothing.
+    silent: f64,
     /// A stretch on which it is false at some time that counts.
     apart: Option<Interval>,
     /// Which signs of ± serve so far.
@@ -35,6 +37,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         let known = ready.value(ranges);
         if selected == Some(false) || known == Possible::VOID {
             found.settled += time.width();
+            found.silent += time.width();
             return Judgement::Settled;
         }
         found.may_say = true;
@@ -101,7 +104,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     let reason = format!("for every t of the span: in {looked} stretches{apart}");
     match found.says || says_at_a_time(ready, along) {
         true => Shown::Holds(enclosed, reason),
-        false => Shown::Unless(enclosed, reason),
+        false => Shown::Unless(enclosed, reason, found.silent > 0.0),
     }
 }
 
@@ -339,5 +342,5 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let reason =
         format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
     let enclosed = Enclosed { places: looked, gap, scale };
-    if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
+    if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason, false) }
 }
