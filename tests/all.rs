@@ -74,3 +74,4 @@ mod two_routes;
 mod units;
 mod variants;
 mod watch;
+mod witnesses;

@@ -115,14 +115,14 @@ fn no_report_loses_a_claim_over_ranges() {
     let summary = account.summary();
     assert_eq!((summary.holds, summary.fails, summary.undecided, summary.open, summary.unexpected), (2, 1, 1, 1, 1));
 
-    let terminal = report::summary(&derivation, &account, false);
+    let terminal = report::summary(&derivation, &account, false, true);
     for words in ["Over ranges of values (3)", "c  F  fails (certified), expected: holds", "root  H  holds (enclosed)"]
     {
         assert!(terminal.contains(words), "{words} in\n{terminal}");
     }
     let quiet = report::exceptions(&derivation, &account, false);
     assert!(quiet.contains("expected: holds") && quiet.contains("open  ?") && !quiet.contains("root"), "{quiet}");
-    let explained = report::explain(&derivation, &account, false);
+    let explained = report::explain(&derivation, &account, &[], false);
     assert!(explained.contains("Over x from -1 to 1") && explained.contains("x in [1.414"), "{explained}");
 
     let markdown = report::markdown(&derivation, &account);

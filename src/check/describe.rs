@@ -7,6 +7,7 @@ use super::comparison::Comparison;
 use super::program::{Program, SIDES};
 use super::trial::Trial;
 use super::weigh::{Left, Setting};
+use super::witness::named;
 use crate::derivation::Claim;
 use crate::expr::tape::{Fault, Slots};
 use crate::expr::{Graph, Leaf};
@@ -67,15 +68,11 @@ impl<'a> Describer<'a> {
 
     /// Values of the leaves that both sides depend on.
     pub fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
-        let mut wanted = self.graph.leaves([comparison.left, comparison.right]);
-        // Not in the order of the graph, which depends on what was written before.
-        wanted.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, self.graph.leaf_latex(*l)));
         let value = |leaf: Leaf| {
             let at = self.leaves.iter().position(|&l| l == leaf)?;
-            let v = self.points.get(time, at).ok()?;
-            Some((self.graph.leaf_latex(leaf), v.value))
+            self.points.get(time, at).ok().map(|v| v.value)
         };
-        wanted.into_iter().filter_map(value).collect()
+        named(self.graph, [comparison.left, comparison.right], value)
     }
 
     /// Why a comparison has no value.

@@ -54,6 +54,7 @@ mod trial;
 
 mod variant;
 mod weigh;
+mod witness;
 
 pub use ::proof as identity;
 pub use ::units;
@@ -372,6 +373,9 @@ fn check_and(
         let request = enclose::Request { derivation, fields, stage, prepared, start_of, tried, limits };
         enclose::strengthen(&request, &mut account.claims);
     }
+    let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
+    let points = witness::Points { derivation, stage: &stage, prepared, start_of, tried: tried_on, wanted: &wanted };
+    witness::complete(&points, &mut account.claims);
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };

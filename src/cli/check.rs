@@ -12,13 +12,14 @@ use rederive::files::{named, write};
 use rederive::paper::{self, Comparison};
 use rederive::report;
 
-use super::outputs::{Found, json, standard, summary};
+use super::outputs::{Detail, Found, json, standard, summary};
 use super::{CheckArguments, Exit, Format, Stop, complain, files, print, say};
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut found = Found::default();
+    let detail = Detail::of(arguments);
     let told = |found: &Found, problems: Vec<Diagnostic>| {
-        found.write(&arguments.targets, arguments.quiet)?;
+        found.write(&arguments.targets, detail)?;
         Err(Stop::Diagnostics(problems))
     };
     let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
@@ -75,9 +76,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         let mut text = match (format, arguments.quiet) {
             (Format::Json, _) => json(&derivation, &account, compared.as_ref()),
+            (Format::Tex, _) if arguments.summary => report::tex_summary(&derivation, &account),
             (Format::Tex, _) => report::tex(&derivation, &account),
             (Format::Text, true) => report::exceptions(&derivation, &account, true),
-            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), true),
+            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), detail, true),
             _ => String::new(),
         };
         if format == Format::Text && !arguments.quiet {
@@ -102,6 +104,12 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             exit = exit.and(Exit::Undecided);
         }
         exit = exit.and(exit_of(&summary));
+        if arguments.strict {
+            for alarm in report::alarms(&derivation, &account) {
+                complain(&format!("{}: {alarm}\n", derivation.file.path));
+                exit = exit.and(Exit::Different);
+            }
+        }
         if let Some((claim, on, why)) = account.defects().next() {
             let more = account.defects().count() - 1;
             let more = if more > 0 { format!(" (and {more} more)") } else { String::new() };
@@ -116,7 +124,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         }
         found.account(derivation, account, compared);
     }
-    found.write(&arguments.targets, arguments.quiet)?;
+    found.write(&arguments.targets, detail)?;
     if !problems.is_empty() {
         return Err(Stop::Diagnostics(problems));
     }
@@ -125,6 +133,11 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     }
     Ok(exit)
 }
+
+/// After this time a run says what it does.
+const PATIENCE: Duration = Duration::from_millis(400);
+/// How often it shows that it goes on.
+const TICK: Duration = Duration::from_millis(200);
 
 /// Checks one derivation, with a progress bar on a terminal if it takes long.
 ///
@@ -137,19 +150,25 @@ pub fn account(
 ) -> Result<Account, CheckError> {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
     if std::io::stderr().is_terminal()
-        && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
+        && let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}")
     {
         bar.set_style(style);
         bar.set_prefix(derivation.id.clone());
+        bar.set_message("motions are built");
+        // What takes long says so by itself, also while nothing is done yet.
+        let bar = bar.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(PATIENCE);
+            if !bar.is_finished() {
+                bar.set_draw_target(ProgressDrawTarget::stderr());
+                bar.enable_steady_tick(TICK);
+            }
+        });
     }
-    let started = std::time::Instant::now();
     let progress = |done: usize, of: usize| {
-        let long = started.elapsed() > Duration::from_millis(500);
-        if long && bar.is_hidden() && std::io::stderr().is_terminal() {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
         bar.set_length(of as u64);
         bar.set_position(done as u64);
+        bar.set_message(if done < of { "claims are tried on motions" } else { "proofs, enclosures, altered formulas" });
     };
     let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
     let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..options.clone() };

@@ -5,13 +5,23 @@ use std::path::{Path, PathBuf};
 use rederive::{files, report};
 use serde_json::Value;
 
-use super::{DiffArguments, DiffFormat, Exit, Stop, say};
+use super::{DiffArguments, DiffFormat, Exit, Stop, complain, say};
 
 /// Largest size of a report.json, in bytes.
 const LARGEST_REPORT: u64 = 256 << 20;
 
 pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
-    let (old, new) = (reports(&arguments.old)?, reports(&arguments.new)?);
+    let (mut old, new) = (reports(&arguments.old)?, reports(&arguments.new)?);
+    if let ([(_, before)], [(_, after)]) = (old.as_mut_slice(), new.as_slice()) {
+        // Two files are meant to be compared, whatever the derivations are called.
+        let id = |report: &Value| report["derivation"]["id"].as_str().map(str::to_owned);
+        if let (Some(a), Some(b)) = (id(before), id(after))
+            && a != b
+        {
+            complain(&format!("`{a}` is compared with `{b}`: the derivations have different ids\n"));
+            before["derivation"]["id"] = b.into();
+        }
+    }
     let named = |values: &[(PathBuf, Value)]| values.iter().map(|(_, v)| v.clone()).collect::<Vec<_>>();
     for (path, value) in old.iter().chain(&new) {
         // One at a time, so that the message names the file.

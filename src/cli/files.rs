@@ -1,7 +1,7 @@
 //! Which derivation files are meant.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use rederive::derivation::{Derivation, load};
 use rederive::diag::{Diagnostic, nearest};
@@ -13,6 +13,11 @@ use super::{Stop, complain};
 pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
     let mut found = Vec::new();
     for path in paths {
+        if !path.exists() && path == Path::new("derivations") {
+            let message = "there is no folder `derivations` here: name a derivation file or a folder with some, or draft one with \
+                           `rederive init PAPER.tex`";
+            return Err(Stop::Message(message.to_owned()));
+        }
         let path = files::named(path)?;
         if !path.is_dir() {
             found.push(path);

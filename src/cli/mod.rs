@@ -191,6 +191,15 @@ struct CheckArguments {
     /// Print only what differs from what is expected, and what is undecided
     #[arg(long, short)]
     quiet: bool,
+    /// Print the first page alone: the verdict, what does not stand, and what hangs on it
+    #[arg(long, conflicts_with_all = ["quiet", "matrix"])]
+    summary: bool,
+    /// Print the matrix of verdicts, every failure, and all that was found beside the verdicts
+    #[arg(long, conflicts_with = "quiet")]
+    matrix: bool,
+    /// Exit with 1 if a claim applies to no motion, if nothing is decided, or if a proof rests on a refuted premise
+    #[arg(long)]
+    strict: bool,
     /// Exit with 1 if of some claim that holds less than this share of the altered formulas is rejected, 0 … 1
     #[arg(long, value_name = "FRACTION", value_parser = fraction)]
     min_discrimination: Option<f64>,
@@ -246,6 +255,9 @@ struct ExplainArguments {
     /// Derivation file, or a folder that contains them
     #[arg(value_name = "FILE", default_value = "derivations")]
     path: PathBuf,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "enclosed")]
+    rigor: RigorArgument,
 }
 
 #[derive(clap::Args)]
@@ -270,11 +282,28 @@ struct ReportArguments {
     /// The derivation file
     file: PathBuf,
     /// The PDF file. It is made by latexmk, pdflatex or tectonic; without them, by Chromium, Chrome or Edge
-    #[arg(long, value_name = "OUT.PDF")]
-    pdf: PathBuf,
+    #[arg(long, value_name = "OUT.PDF", required_unless_present = "summary")]
+    pdf: Option<PathBuf>,
+    /// The first page alone: printed, or, with --pdf, as a PDF file
+    #[arg(long)]
+    summary: bool,
+    /// How the first page is printed
+    #[arg(long, value_enum, default_value = "text", requires = "summary", conflicts_with = "pdf")]
+    format: SummaryFormat,
     /// How much is asked of a verdict
     #[arg(long, value_enum, default_value = "enclosed")]
     rigor: RigorArgument,
+}
+
+/// How the first page of a report is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SummaryFormat {
+    /// For a terminal
+    Text,
+    /// As LaTeX source, for a letter
+    Tex,
+    /// As Markdown
+    Markdown,
 }
 
 #[derive(clap::Args)]

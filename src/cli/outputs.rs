@@ -9,7 +9,7 @@ use rederive::files::write;
 use rederive::paper::Comparison;
 use rederive::report::{self, Checked, Finding};
 
-use super::{Format, Stop, print};
+use super::{CheckArguments, Format, Stop, print};
 
 /// A format and where it goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,16 +89,17 @@ impl Found {
     }
 
     /// The text of a format; colour is for standard output.
-    fn text(&self, format: Format, quiet: bool) -> String {
+    fn text(&self, format: Format, detail: Detail) -> String {
         let checked: Vec<Checked<'_>> =
             self.checked.iter().map(|(derivation, account, _)| Checked { derivation, account }).collect();
         let each = |text: &dyn Fn(&Derivation, &Account, Option<&Comparison>) -> String, between: &str| {
             self.checked.iter().map(|(d, a, p)| text(d, a, p.as_ref())).collect::<Vec<_>>().join(between)
         };
         match format {
-            Format::Text if quiet => each(&|d, a, _| report::exceptions(d, a, false), ""),
-            Format::Text => each(&|d, a, p| summary(d, a, p, false), "\n"),
+            Format::Text if detail == Detail::Exceptions => each(&|d, a, _| report::exceptions(d, a, false), ""),
+            Format::Text => each(&|d, a, p| summary(d, a, p, detail, false), "\n"),
             Format::Json => each(&json, ""),
+            Format::Tex if detail == Detail::FirstPage => each(&|d, a, _| report::tex_summary(d, a), "\n"),
             Format::Tex => each(&|d, a, _| report::tex(d, a), "\n"),
             Format::Junit => report::junit(&checked, &self.others),
             Format::Sarif => report::sarif(&self.findings),
@@ -107,15 +108,40 @@ impl Found {
     }
 
     /// Writes every format that has a file; prints that of standard output unless it was printed file by file.
-    pub fn write(&self, targets: &[Target], quiet: bool) -> Result<(), Stop> {
+    pub fn write(&self, targets: &[Target], detail: Detail) -> Result<(), Stop> {
         for target in targets {
             match &target.output {
-                Some(file) => write::write_file(file, self.text(target.format, quiet).as_bytes())?,
+                Some(file) => write::write_file(file, self.text(target.format, detail).as_bytes())?,
                 None if target.format.is_printed_by_file() => {}
-                None => print(&self.text(target.format, quiet))?,
+                None => print(&self.text(target.format, detail))?,
             }
         }
         Ok(())
+    }
+}
+
+/// How much the text for people says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// What differs, and what is open.
+    Exceptions,
+    /// The first page alone.
+    FirstPage,
+    /// The first page, and what asks for attention.
+    Usual,
+    /// The matrix, and all that was found.
+    Whole,
+}
+
+impl Detail {
+    /// What a command line asks for.
+    pub fn of(arguments: &CheckArguments) -> Detail {
+        match (arguments.quiet, arguments.summary, arguments.matrix) {
+            (true, ..) => Detail::Exceptions,
+            (_, true, _) => Detail::FirstPage,
+            (.., true) => Detail::Whole,
+            _ => Detail::Usual,
+        }
     }
 }
 
@@ -128,8 +154,17 @@ pub fn json(derivation: &Derivation, account: &Account, paper: Option<&Compariso
 }
 
 /// The summary for people, with the comparison with the paper where there is one.
-pub fn summary(derivation: &Derivation, account: &Account, paper: Option<&Comparison>, colour: bool) -> String {
-    let mut out = report::summary(derivation, account, colour);
+pub fn summary(
+    derivation: &Derivation,
+    account: &Account,
+    paper: Option<&Comparison>,
+    detail: Detail,
+    colour: bool,
+) -> String {
+    if detail == Detail::FirstPage {
+        return report::front_page(derivation, account, colour);
+    }
+    let mut out = report::summary(derivation, account, colour, detail == Detail::Whole);
     out.extend(paper.map(|paper| report::paper_summary(derivation, paper)));
     out
 }

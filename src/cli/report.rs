@@ -1,6 +1,6 @@
 //! `rederive report --pdf`: the report as a PDF file, by a program that is at hand.
 //!
-//! **In:** a derivation file. **Out:** one PDF file, written whole or not at all.
+//! **In:** a derivation file. **Out:** one PDF file, written whole or not at all; or the first page, printed.
 //!
 //! A LaTeX engine sets the source that `--format tex` prints; where there is none, a browser without a window prints the page.
 //! Whatever fails, the next program that is found is tried, and all failures are told if none succeeds.
@@ -11,12 +11,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use rederive::check::{Options, check};
+use rederive::check::{Account, Options};
 use rederive::derivation::{Derivation, load};
 use rederive::files::{self, write};
 use rederive::report;
 
-use super::{Exit, ReportArguments, Stop, complain};
+use super::{Exit, ReportArguments, Stop, SummaryFormat, complain, say};
 
 /// How a program makes a PDF file.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -54,6 +54,33 @@ const PATIENCE: Duration = Duration::from_secs(300);
 const PAUSE: Duration = Duration::from_millis(20);
 
 pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
+    match &arguments.pdf {
+        Some(pdf) => printed(arguments, pdf),
+        None => first_page(arguments),
+    }
+}
+
+fn checked(arguments: &ReportArguments) -> Result<(Derivation, Account), Stop> {
+    let path = files::named(&arguments.file)?;
+    write::check_outputs(arguments.pdf.as_slice(), std::slice::from_ref(&path), &[])?;
+    let mut derivation = load(&path).map_err(Stop::Diagnostics)?;
+    let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
+    let account = super::check::account(&mut derivation, &[], &[], &options)?;
+    Ok((derivation, account))
+}
+
+/// The first page, to standard output.
+fn first_page(arguments: &ReportArguments) -> Result<Exit, Stop> {
+    let (derivation, account) = checked(arguments)?;
+    say(&match arguments.format {
+        SummaryFormat::Text => report::front_page(&derivation, &account, true),
+        SummaryFormat::Tex => report::tex_summary(&derivation, &account),
+        SummaryFormat::Markdown => report::front_markdown(&derivation, &account),
+    })?;
+    Ok(Exit::Good)
+}
+
+fn printed(arguments: &ReportArguments, target: &Path) -> Result<Exit, Stop> {
     let programs = programs();
     if programs.is_empty() {
         let names: Vec<&str> = PROGRAMS.iter().map(|(name, _)| *name).collect();
@@ -63,19 +90,18 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
             names.join(", ")
         )));
     }
-    let path = files::named(&arguments.file)?;
-    write::check_outputs(std::slice::from_ref(&arguments.pdf), std::slice::from_ref(&path), &[])?;
-    let mut derivation = load(&path).map_err(Stop::Diagnostics)?;
-    let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
-    let account = check(&mut derivation, &options, &|_, _| {})?;
-    let sources =
-        [("report.tex", report::tex(&derivation, &account)), ("index.html", report::page(&derivation, &account))];
+    let (derivation, account) = checked(arguments)?;
+    let (tex, page) = match arguments.summary {
+        true => (report::tex_summary(&derivation, &account), report::first_page(&derivation, &account)),
+        false => (report::tex(&derivation, &account), report::printed_page(&derivation, &account)),
+    };
+    let sources = [("report.tex", tex), ("index.html", page)];
     let mut failures = Vec::new();
     for (name, program, way) in &programs {
         match made(program, *way, &sources) {
             Ok(pdf) => {
-                write::write_file(&arguments.pdf, &pdf)?;
-                complain(&format!("{}: written by {name}\n", told(&arguments.pdf, &derivation)));
+                write::write_file(target, &pdf)?;
+                complain(&format!("{}: written by {name}\n", told(target, &derivation)));
                 return Ok(Exit::Good);
             }
             Err(why) => failures.push(format!("{name} {why}")),

@@ -8,6 +8,7 @@ use super::keys;
 use super::load::{Loader, written};
 use super::model::{Claim, Form, FormKind, Formula, Measure, Written};
 use super::number::finite;
+use super::role::ClaimRole;
 use super::table::{Literal, Table, Value, text_of};
 use expr::Tensor;
 use latex::Statement;
@@ -73,7 +74,9 @@ impl Loader<'_> {
             place: table.text(problems, "place"),
             label: table.text(problems, "label"),
             printed: true,
-            added: false,
+            role: ClaimRole::Says,
+            conclusion: false,
+            rests_on: Vec::new(),
             remark: table.text(problems, "remark"),
             symbols: Vec::new(),
             formulas: Vec::new(),
@@ -92,6 +95,10 @@ impl Loader<'_> {
             id,
             span,
         };
+        if table.get("conclusion").is_some() {
+            base.conclusion = table.boolean(&mut self.problems, "conclusion").unwrap_or(false);
+        }
+        base.rests_on = self.rests_on(table, &base, ids);
         self.fill(&mut base, table, ids);
 
         let readings = table.array(&mut self.problems, "reading", "tables, [[claim.reading]]");
@@ -151,9 +158,7 @@ impl Loader<'_> {
         if table.get("printed").is_some() {
             claim.printed = table.boolean(&mut self.problems, "printed").unwrap_or(true);
         }
-        if table.get("added").is_some() {
-            claim.added = table.boolean(&mut self.problems, "added").unwrap_or(false);
-        }
+        self.role(claim, table);
         if let Some(value) = table.get("symbols") {
             let mut scope = claim.scope.clone();
             let declared = self.declare_all(value, &mut scope, true);
@@ -205,6 +210,46 @@ impl Loader<'_> {
         if let Some(inconsistent) = self.expect_units(table) {
             claim.expect_inconsistent_units = inconsistent;
         }
+    }
+
+    /// What a claim or a reading is to the paper.
+    fn role(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        if table.get("added").is_some() && table.boolean(&mut self.problems, "added") == Some(true) {
+            claim.role = ClaimRole::Added;
+        }
+        let Some(value) = table.get("role") else { return };
+        if let Some(added) = table.get("added") {
+            self.problems
+                .note("derivation::wrong-type", value.span(), "`role` and `added` say the same twice")
+                .see(added.span(), "this one")
+                .hint("write `role` alone; `added = true` is short for `role = \"added\"`");
+            return;
+        }
+        let Some(word) = text_of(&mut self.problems, value, "role") else { return };
+        match ClaimRole::of(word) {
+            Some(role) => claim.role = role,
+            None => {
+                let known = ClaimRole::ALL.map(ClaimRole::word);
+                self.problems.unknown("derivation::unknown-key", value.span(), "role", word, known);
+            }
+        }
+    }
+
+    /// What the paper's argument for a claim rests on: other claims.
+    fn rests_on(&mut self, table: &Table<'_, '_>, claim: &Claim, ids: &[String]) -> Vec<String> {
+        let mut out = Vec::new();
+        for (name, span) in table.names(&mut self.problems, "rests-on") {
+            if name == claim.id {
+                let message = format!("`{name}` cannot rest on itself");
+                self.problems.note("derivation::unknown-claim", span, message);
+            } else if ids.iter().any(|i| i == name) || self.refused.iter().any(|r| r == name) {
+                out.push(name.to_owned());
+            } else {
+                let known = ids.iter().map(String::as_str);
+                self.problems.unknown("derivation::unknown-claim", span, "claim", name, known);
+            }
+        }
+        out
     }
 
     /// Claims, systems and symbols that are known.

@@ -4,7 +4,7 @@
 pub const FILE: &[&str] =
     &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition", "picture"];
 /// Keys of `[derivation]`.
-pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark"];
+pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.
 pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "formula", "arguments", "says"];
 /// Keys of `[system.…]`.
@@ -18,6 +18,7 @@ pub const READING: &[&str] = &[
     "says",
     "remark",
     "printed",
+    "role",
     "added",
     "symbols",
     "assuming",
@@ -40,7 +41,7 @@ pub const READING: &[&str] = &[
     "expect-units",
 ];
 /// Keys of `[[claim]]` beside those of a reading.
-pub const CLAIM: &[&str] = &["place", "label", "reading"];
+pub const CLAIM: &[&str] = &["place", "label", "conclusion", "rests-on", "reading"];
 /// Keys of `same-motion`.
 pub const SAME_MOTION: &[&str] = &["as", "of"];
 /// Keys of `independent`.

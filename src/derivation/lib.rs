@@ -23,6 +23,7 @@ mod number;
 mod pictures;
 mod premise;
 mod region;
+mod role;
 mod schema;
 mod symbols;
 mod table;
@@ -37,5 +38,6 @@ pub use model::{
     Region, SymbolEntry, System, Trajectory, Values, Written,
 };
 pub use premise::Premise;
+pub use role::ClaimRole;
 pub use schema::{schema, undescribed};
 pub use unit::Unit;

@@ -133,6 +133,7 @@ impl<'s> Loader<'s> {
                     self.out.concerns = table.needed_text(problems, "concerns").unwrap_or_default();
                     self.out.source = table.text(problems, "source");
                     self.out.remark = table.text(problems, "remark");
+                    self.out.encoded_by = table.text(problems, "encoded-by");
                 }
             }
         }

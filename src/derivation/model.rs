@@ -8,6 +8,7 @@ use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
 use super::premise::Index;
+use super::role::ClaimRole;
 use super::unit::Unit;
 
 /// A formula as written, where it stands, and what it means.
@@ -34,6 +35,8 @@ pub struct Derivation {
     pub source: Option<String>,
     /// What a reader should know about the file as a whole.
     pub remark: Option<String>,
+    /// Who wrote the file: the texts that are not the paper's are theirs.
+    pub encoded_by: Option<String>,
     /// The file.
     pub file: Arc<Source>,
     /// SHA-256 of the file's bytes, in lower-case hexadecimal.
@@ -345,8 +348,12 @@ pub struct Claim {
     pub label: Option<String>,
     /// Whether its formulas are those that the paper prints under the label.
     pub printed: bool,
-    /// Whether the paper does not say it: it was added for comparison, and is not counted among what the paper says.
-    pub added: bool,
+    /// What it is to the paper: what the paper says, what it needs, what was added …
+    pub role: ClaimRole,
+    /// Whether it is something that the paper concludes: what its other claims are for.
+    pub conclusion: bool,
+    /// Claims on which the paper's argument for it rests, in words: nothing is proved from them.
+    pub rests_on: Vec<String>,
     /// What a reader should know.
     pub remark: Option<String>,
     /// Symbols that are declared for this claim only.

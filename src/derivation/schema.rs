@@ -6,6 +6,7 @@
 use serde_json::{Map, Value, json};
 
 use super::keys;
+use super::role::ClaimRole;
 
 /// What a key may have as its value, and what it means. `table` is a name of [`keys::ALL`].
 fn describe(table: &str, key: &str) -> Option<Value> {
@@ -41,6 +42,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[derivation]", "concerns") => text("The citation of what is checked"),
         ("[derivation]", "source") => text("Where the paper can be found"),
         ("[derivation]", "remark") => text("What a reader of the report should know"),
+        ("[derivation]", "encoded-by") => text("Who wrote the file: sentences and remarks are theirs"),
         ("[symbols]", "role") => json!({
             "enum": ["time", "state", "parameter", "observable", "abbreviation"], "description": "What the symbol is",
         }),
@@ -77,7 +79,12 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "says" => text("The claim in your own words; $…$ around a formula"),
             "remark" => text("What a reader should know, for instance why it fails"),
             "printed" => flag("false: the formulas are a variant of what the paper prints under the label"),
-            "added" => flag("true: the paper does not say it; it was added for comparison"),
+            "role" => json!({
+                "enum": ClaimRole::ALL.map(ClaimRole::word),
+                "description": "What it is to the paper: what the paper says (unless given), may mean or needs, what is against \
+                    it, what was added to compare, a lemma of the file, or a choice of the paper",
+            }),
+            "added" => flag("true: short for role = \"added\": the paper does not say it; it was added for comparison"),
             "symbols" => named("symbol", "Symbols for this claim only"),
             "assuming" => formulas("Relations without which the claim does not apply"),
             "follows-from" => ids("Claims, systems and symbols from which it follows"),
@@ -111,6 +118,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         },
         ("[[claim]]", "place") => text("Where it stands in the paper"),
         ("[[claim]]", "label") => text("The label of its equation in the paper's source"),
+        ("[[claim]]", "conclusion") => flag("true: it is something that the paper concludes"),
+        ("[[claim]]", "rests-on") => {
+            ids("Claims on which the paper's argument for it rests; nothing is proved from them")
+        }
         ("[[claim]]", "reading") => many("reading", "The ways in which the claim can be understood"),
         ("same-motion", "as") => text("The id of the other trajectory"),
         ("same-motion", "of") => ids("The states that are compared"),

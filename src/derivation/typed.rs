@@ -27,6 +27,7 @@ impl Derivation {
             concerns: String::new(),
             source: None,
             remark: None,
+            encoded_by: None,
             file: Arc::new(Source { path: String::new(), text: String::new() }),
             sha256: String::new(),
             conventions: Vec::new(),

@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::markdown::{prose, table};
 use crate::check::Account;
 
 /// For `report.json`: one entry for each motion.
@@ -15,23 +14,4 @@ pub(super) fn json(account: &Account) -> Value {
         })
     });
     one.collect()
-}
-
-/// The part of `report.md`: a sentence for each motion that decides little by itself, and all in a table.
-pub(super) fn section(account: &Account) -> String {
-    let poor: String = account.poor().iter().map(|a| format!("- {}\n", prose(&a.sentence()))).collect();
-    if poor.is_empty() {
-        return String::new();
-    }
-    let row = |a: crate::check::Alone| {
-        let share = format!("{} of {}", a.rejected, a.of);
-        let numbers = [a.tried, a.not_applicable, a.holds, a.misleading.len(), a.weak].map(|n| n.to_string());
-        std::iter::once(format!("`{}`", a.trajectory)).chain(numbers).chain([share]).collect::<Vec<_>>()
-    };
-    let head = ["trajectory", "claims", "do not apply", "hold", "of these fail elsewhere", "hold weakly", "rejected"];
-    format!(
-        "## What each motion alone could have decided\n\nThe evidence is that of all motions together. These would \
-         have decided the least, had there been one alone:\n\n{poor}\n<details><summary>All motions</summary>\n\n{}\n</details>\n\n",
-        table(&head, account.alone().into_iter().map(row))
-    )
 }

@@ -201,21 +201,3 @@ fn lean_equation(out: &mut String, certificate: &Certificate) {
         ));
     }
 }
-
-/// Which route a proof took, for `report.md`.
-pub(super) fn certificate_note(claim: &ClaimAccount, identity: &IdentityAccount) -> String {
-    let mut out = String::new();
-    if let Some(branch) = identity.evidence.branch {
-        out.push_str(&format!("± holds {branch}.\n\n"));
-    }
-    match (file_name(claim), &identity.evidence.no_certificate) {
-        (Some(file), _) => {
-            out.push_str(&format!("Exact, too: the certificate [`{file}`]({file}) can be expanded by hand.\n\n"));
-        }
-        (None, Some(reason)) if identity.finding.is_proved_in_part() => {
-            out.push_str(&format!("There is no certificate: {reason}.\n\n"));
-        }
-        _ => {}
-    }
-    out
-}

@@ -87,7 +87,7 @@ fn sentences(s: &Separation, style: &Style) -> Vec<String> {
     let tried = format!("{tried} tried, {} that might explain it undecided somewhere", s.undecided);
     match &s.explanation {
         Some(e) => {
-            out.push(format!("On these trajectories it holds exactly where {}.", explanation(e, style)));
+            out.push(format!("On the motions tried, it holds just where {}.", explanation(e, style)));
             out.push(format!("This is {sides}; {tried}."));
             if !s.rivals.is_empty() {
                 let all: Vec<String> = s.rivals.iter().map(|r| rival(r, style)).collect();
@@ -162,10 +162,13 @@ fn brief(s: &Separation, style: &Style) -> String {
     let parts: Vec<String> = e.conditions.iter().map(short).collect();
     let rivals = match s.rivals.len() + s.more_rivals {
         0 => String::new(),
-        1 => "; one other condition fits as well".to_owned(),
-        n => format!("; {n} other conditions fit as well"),
+        n => format!("; {} as well", fits(n).to_lowercase()),
     };
-    format!("holds exactly where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
+    format!("on the motions tried, it holds just where {}{rivals}", parts.join(&format!(" {} ", e.join.word())))
+}
+
+fn fits(rivals: usize) -> String {
+    if rivals == 1 { "One other condition fits".to_owned() } else { format!("{rivals} other conditions fit") }
 }
 
 /// For the terminal: a line for every claim that is split, and for every assumption that is not needed.
@@ -207,22 +210,10 @@ pub(super) fn terminal(account: &Account, paint: Paint) -> String {
 /// What separates the trajectories of a claim, for its section in `report.md`.
 pub(super) fn separation(conditions: &ConditionsAccount) -> String {
     let Some(separation) = &conditions.separation else { return String::new() };
-    format!("**What separates:** {}\n\n", sentences(separation, &MARKDOWN).join(" "))
-}
-
-/// What each assumption of a claim is worth, for its section in `report.md`.
-pub(super) fn assumptions(conditions: &ConditionsAccount) -> String {
-    if conditions.assumptions.is_empty() {
-        return String::new();
-    }
-    let mut out = String::from("Assumptions:\n\n");
-    for assumption in &conditions.assumptions {
-        let text = worth(assumption, &MARKDOWN);
-        let line = if assumption.need == Need::NotNeeded { format!("**{text}**") } else { text };
-        out.push_str(&format!("- {line}\n"));
-    }
-    out.push('\n');
-    out
+    let all = sentences(separation, &MARKDOWN);
+    let rivals = separation.rivals.len() + separation.more_rivals;
+    let rivals = if rivals > 0 { format!(" {} as well.", fits(rivals)) } else { String::new() };
+    format!("**What separates:** {}{rivals}\n\n", all.first().map(String::as_str).unwrap_or_default())
 }
 
 fn condition_json(c: &ConditionName) -> Value {

@@ -1,57 +1,116 @@
-//! What became of each claim as a whole: its readings taken together.
+//! What became of each sentence: the readings of a claim taken together.
 //!
 //! **In:** the account. **Out:** one [`Whole`] for each claim of the file, with its [`Fate`], and the sentence that counts them.
 //! A reader asks which claims stand; thousands of verdicts do not say it. Nothing is judged here: a fate follows from the
-//! verdicts of the readings by the table of [`Fate`].
+//! verdicts of the readings by [`Fate::of`].
 //!
-//! What the file adds for comparison is no claim of the paper: such a reading says nothing on the fate of its claim, and a claim
-//! that is added as a whole is told by itself.
+//! **A fate is that of what the paper says.** Readings that say what the paper needs, the contrary of its sentence, or what was
+//! added to compare are told beside it, and decide nothing; lemmas of the file and choices of convention are not counted among
+//! the paper's claims.
 
+use super::graph::{DerivationGraph, ProofStanding};
 use super::numbers::count;
 use super::tally::{Standing, declared};
 use crate::check::separation::{ConditionName, Explanation, Join};
-use crate::check::{Account, ClaimAccount};
-use crate::derivation::Derivation;
+use crate::check::{Account, ClaimAccount, Outcome, Strength};
+use crate::derivation::{ClaimRole, Derivation};
 
-/// What became of a claim. S is the set of the standings of its readings; those that apply to no trajectory do not count.
+/// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Fate {
-    /// None holds throughout or in part, one fails.
+    /// What it says fails wherever it applies, or the contrary is shown.
     Fails,
-    /// None holds throughout, one holds on some trajectories and fails on others.
+    /// What it says holds on some motions and fails on others.
     Partly,
-    /// One holds throughout, another fails somewhere.
+    /// Some of what it may mean holds throughout, some does not.
     Reading,
     /// None fails anywhere, one is undecided somewhere.
     Open,
+    /// Nothing that it says could be computed.
+    Untested,
     /// None applies to any trajectory.
     Nowhere,
-    /// All hold wherever they apply.
+    /// All that it says holds wherever it applies.
     Stands,
+    /// The paper chooses it: it is neither true nor false.
+    Choice,
+    /// A lemma of the file.
+    Lemma,
     /// The paper does not say it.
     Added,
 }
 
 impl Fate {
     /// In the order in which they are told: what does not stand comes first.
-    pub const ALL: [Fate; 7] =
-        [Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Nowhere, Fate::Stands, Fate::Added];
-    /// In the order of the sentence that counts them, without what is added.
-    pub const TOLD: [Fate; 6] = [Fate::Stands, Fate::Reading, Fate::Partly, Fate::Fails, Fate::Open, Fate::Nowhere];
+    pub const ALL: [Fate; 10] = [
+        Fate::Fails,
+        Fate::Partly,
+        Fate::Reading,
+        Fate::Open,
+        Fate::Untested,
+        Fate::Nowhere,
+        Fate::Stands,
+        Fate::Choice,
+        Fate::Lemma,
+        Fate::Added,
+    ];
+    /// In the order of the sentence that counts them, without what is none of the paper's claims.
+    pub const TOLD: [Fate; 7] =
+        [Fate::Stands, Fate::Fails, Fate::Partly, Fate::Reading, Fate::Open, Fate::Untested, Fate::Nowhere];
 
+    /// All that is said must hold. Of what may be meant all, some or none does. The contrary, if it holds wherever it applies,
+    /// settles what is not decided, and is against one of several meanings.
     fn of(readings: &[Reading<'_>]) -> Fate {
-        if !readings.is_empty() && readings.iter().all(|r| r.added) {
-            return Fate::Added;
+        let all = |role: ClaimRole| !readings.is_empty() && readings.iter().all(|r| r.role == role);
+        if !readings.is_empty() && readings.iter().all(|r| !r.role.is_of_the_paper()) {
+            return match (all(ClaimRole::Choice), all(ClaimRole::Lemma)) {
+                (true, _) => Fate::Choice,
+                (_, true) => Fate::Lemma,
+                _ => Fate::Added,
+            };
         }
-        let any = |standing: Standing| readings.iter().any(|r| !r.added && r.standing == standing);
-        match (any(Standing::Holds), any(Standing::Mixed), any(Standing::Fails), any(Standing::Open)) {
-            (true, true, _, _) | (true, _, true, _) => Fate::Reading,
-            (false, true, _, _) => Fate::Partly,
-            (false, false, true, _) => Fate::Fails,
-            (_, false, false, true) => Fate::Open,
-            (true, false, false, false) => Fate::Stands,
-            (false, false, false, false) => Fate::Nowhere,
+        let of = |role: ClaimRole| readings.iter().filter(move |r| r.role == role).map(|r| r.standing);
+        let has = |role: ClaimRole, standing: Standing| of(role).any(|s| s == standing);
+        let said = |standing: Standing| has(ClaimRole::Says, standing);
+        let meant = |standing: Standing| has(ClaimRole::MayMean, standing);
+        let contrary = has(ClaimRole::Against, Standing::Holds);
+        if said(Standing::Fails) {
+            return Fate::Fails;
         }
+        if said(Standing::Mixed) {
+            return Fate::Partly;
+        }
+        match (meant(Standing::Holds), meant(Standing::Mixed), meant(Standing::Fails)) {
+            (true, true, _) | (true, _, true) => return Fate::Reading,
+            (false, true, _) => return Fate::Partly,
+            (false, false, true) => return Fate::Fails,
+            (true, false, false) if contrary && !said(Standing::Holds) => return Fate::Reading,
+            (_, false, false) => {}
+        }
+        if !contrary && !readings.is_empty() && !readings.iter().any(|r| r.role.decides()) {
+            return Fate::Untested;
+        }
+        let open = said(Standing::Open) || meant(Standing::Open);
+        match (open, said(Standing::Holds) || meant(Standing::Holds), contrary) {
+            (true, _, true) | (_, false, true) => Fate::Fails,
+            (true, ..) => Fate::Open,
+            (false, true, _) => Fate::Stands,
+            (false, false, false) => Fate::Nowhere,
+        }
+    }
+
+    /// Whether the paper's sentence is not borne out as it stands.
+    pub fn is_against(self) -> bool {
+        match self {
+            Fate::Fails | Fate::Partly | Fate::Reading => true,
+            Fate::Open | Fate::Untested | Fate::Nowhere | Fate::Stands => false,
+            Fate::Choice | Fate::Lemma | Fate::Added => false,
+        }
+    }
+
+    /// Whether it is counted among the claims of the paper.
+    pub fn is_of_the_paper(self) -> bool {
+        Fate::TOLD.contains(&self)
     }
 
     /// A name for links.
@@ -61,8 +120,11 @@ impl Fate {
             Fate::Partly => "partly",
             Fate::Reading => "reading",
             Fate::Open => "open",
+            Fate::Untested => "untested",
             Fate::Nowhere => "nowhere",
             Fate::Stands => "stand",
+            Fate::Choice => "choice",
+            Fate::Lemma => "lemma",
             Fate::Added => "added",
         }
     }
@@ -74,14 +136,20 @@ impl Fate {
             (Fate::Fails, _) => "do not hold",
             (Fate::Partly, 1) => "holds on some motions and fails on others",
             (Fate::Partly, _) => "hold on some motions and fail on others",
-            (Fate::Reading, 1) => "depends on how it is read",
-            (Fate::Reading, _) => "depend on how they are read",
+            (Fate::Reading, 1) => "depends on what it means",
+            (Fate::Reading, _) => "depend on what they mean",
             (Fate::Open, 1) => "is not settled",
             (Fate::Open, _) => "are not settled",
+            (Fate::Untested, 1) => "is not tested itself",
+            (Fate::Untested, _) => "are not tested themselves",
             (Fate::Nowhere, 1) => "applies to none of the motions",
             (Fate::Nowhere, _) => "apply to none of the motions",
             (Fate::Stands, 1) => "stands",
             (Fate::Stands, _) => "stand",
+            (Fate::Choice, 1) => "is a choice of the paper",
+            (Fate::Choice, _) => "are choices of the paper",
+            (Fate::Lemma, 1) => "is a lemma of the file",
+            (Fate::Lemma, _) => "are lemmas of the file",
             (Fate::Added, 1) => "was added for comparison",
             (Fate::Added, _) => "were added for comparison",
         }
@@ -90,14 +158,77 @@ impl Fate {
     /// What the words mean.
     pub fn meaning(self) -> &'static str {
         match self {
-            Fate::Fails => "In no reading does it hold on any motion to which it applies.",
-            Fate::Partly => "What separates the motions is said beside each.",
-            Fate::Reading => "One reading holds wherever it applies, another fails somewhere.",
+            Fate::Fails => "What it says fails on every motion to which it applies, or the contrary is shown.",
+            Fate::Partly => {
+                "As it stands it is refuted; where it holds all the same is said beside each, as far as it is known."
+            }
+            Fate::Reading => {
+                "The sentence may mean several things: one holds wherever it applies, another fails somewhere."
+            }
             Fate::Open => "The evidence settles no failure, and not everything.",
+            Fate::Untested => "Nothing that the sentence says could be computed; what it needs is told.",
             Fate::Nowhere => "No motion meets what they assume.",
-            Fate::Stands => "They hold on every motion to which they apply, in every reading that was tried.",
+            Fate::Stands => {
+                "What they say holds on every motion to which they apply. Beside each stands how that is known."
+            }
+            Fate::Choice => "A convention, a laboratory: what is chosen is neither true nor false.",
+            Fate::Lemma => "The paper does not print them; proofs use them.",
             Fate::Added => "The paper does not say it. It is checked like the rest, to compare with.",
         }
+    }
+}
+
+/// How it is known that a reading holds wherever it applies; the weakest first.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Basis {
+    /// At samples of so many motions.
+    Sampled(usize),
+    /// At every time of so many motions.
+    Enclosed(usize),
+    /// At every point of its ranges.
+    Ranges,
+    /// For all values, given what is not proved.
+    Given(Vec<String>),
+    /// For all values, special cases apart.
+    Except,
+    /// For all values.
+    Proved,
+}
+
+impl Basis {
+    /// In a few words; ids between backticks.
+    pub fn words(&self) -> String {
+        match self {
+            Basis::Sampled(n) => format!("at all samples of {}", count(*n, "motion")),
+            Basis::Enclosed(n) => format!("at every time of {}", count(*n, "motion")),
+            Basis::Ranges => "at every point of its ranges".to_owned(),
+            Basis::Given(open) => format!("proved, given {}", given(open)),
+            Basis::Except => "proved, special cases of what is given apart".to_owned(),
+            Basis::Proved => "proved for all values".to_owned(),
+        }
+    }
+
+    /// The kind, for counting.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Basis::Sampled(_) => "at all samples of the motions tried",
+            Basis::Enclosed(_) => "at every time of the motions tried",
+            Basis::Ranges => "at every point of ranges",
+            Basis::Given(_) => "proved, given other claims",
+            Basis::Except => "proved, special cases apart",
+            Basis::Proved => "proved for all values",
+        }
+    }
+}
+
+/// Most premises that are named in one line.
+const MOST_GIVEN: usize = 3;
+
+fn given(open: &[String]) -> String {
+    let named: Vec<String> = open.iter().take(MOST_GIVEN).map(|id| format!("“{id}”")).collect();
+    match open.len().saturating_sub(MOST_GIVEN) {
+        0 => named.join(", "),
+        more => format!("{} and {more} more", named.join(", ")),
     }
 }
 
@@ -105,8 +236,45 @@ impl Fate {
 pub(super) struct Reading<'a> {
     pub claim: &'a ClaimAccount,
     pub standing: Standing,
-    /// Whether the paper does not say it.
-    pub added: bool,
+    /// Whose it is.
+    pub role: ClaimRole,
+    /// What its proof amounts to.
+    pub proof: ProofStanding,
+}
+
+impl Reading<'_> {
+    /// What it is beside the paper's own words, before the reading itself; empty for these.
+    pub fn whose(&self, whole: &Whole<'_>) -> &'static str {
+        match self.role {
+            ClaimRole::Says => "",
+            ClaimRole::MayMean => "it may mean",
+            ClaimRole::Needs => "the paper needs",
+            ClaimRole::Against => "against it",
+            ClaimRole::Added if whole.fate == Fate::Added => "",
+            ClaimRole::Added => "for comparison",
+            ClaimRole::Lemma if whole.fate == Fate::Lemma => "",
+            ClaimRole::Lemma => "lemma",
+            ClaimRole::Choice if whole.fate == Fate::Choice => "",
+            ClaimRole::Choice => "choice",
+        }
+    }
+
+    /// How it is known that it holds.
+    pub fn basis(&self) -> Basis {
+        match &self.proof {
+            ProofStanding::Proved => return Basis::Proved,
+            ProofStanding::Except => return Basis::Except,
+            ProofStanding::Given(open) => return Basis::Given(open.clone()),
+            ProofStanding::Circular | ProofStanding::None => {}
+        }
+        if self.claim.region.is_some() {
+            return Basis::Ranges;
+        }
+        let holds = |p: &&crate::check::PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
+        let sampled = |p: &crate::check::PairAccount| p.verdict.outcome() == Outcome::Holds(Strength::Sampled);
+        let n = self.claim.results.iter().filter(holds).count();
+        if self.claim.results.iter().any(sampled) { Basis::Sampled(n) } else { Basis::Enclosed(n) }
+    }
 }
 
 /// A claim with all its readings.
@@ -115,6 +283,8 @@ pub(super) struct Whole<'a> {
     /// What it says, in the words of the file.
     pub says: String,
     pub place: Option<&'a str>,
+    /// Whether the paper concludes it.
+    pub conclusion: bool,
     pub readings: Vec<Reading<'a>>,
     pub fate: Fate,
 }
@@ -125,29 +295,46 @@ impl Whole<'_> {
         self.readings.iter().any(|r| r.claim.reading.is_some())
     }
 
-    /// Whether every reading of the paper is proved for all values.
+    /// The readings from which its fate follows; for what is none of the paper's claims, all.
+    pub fn deciding(&self) -> impl Iterator<Item = &Reading<'_>> {
+        self.readings.iter().filter(|r| r.role.decides() || !self.fate.is_of_the_paper())
+    }
+
+    /// How it is known that it stands: the weakest of what its readings rest on.
+    pub fn basis(&self) -> Option<Basis> {
+        self.deciding().filter(|r| r.standing == Standing::Holds).map(Reading::basis).min()
+    }
+
+    /// Whether all that it says is proved for all values, given nothing that is not.
     pub fn is_proved(&self) -> bool {
-        let of_the_paper = |r: &&Reading<'_>| !r.added || self.fate == Fate::Added;
-        self.readings
-            .iter()
-            .filter(of_the_paper)
-            .all(|r| r.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved))
+        let applies = |r: &&Reading<'_>| r.standing != Standing::Nowhere;
+        self.deciding().any(|r| r.proof == ProofStanding::Proved)
+            && self.deciding().filter(applies).all(|r| r.proof == ProofStanding::Proved)
+    }
+
+    /// The reading that does not hold, of those that decide: one that fails everywhere before one that fails somewhere.
+    pub fn failing(&self) -> Option<&Reading<'_>> {
+        let with = |standing: Standing| self.deciding().find(move |r| r.standing == standing);
+        with(Standing::Fails).or_else(|| with(Standing::Mixed))
     }
 }
 
 /// The claims of an account, in the order of the file.
 pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Vec<Whole<'a>> {
+    let graph = DerivationGraph::new(derivation, account);
     let mut out: Vec<Whole<'a>> = Vec::new();
     for claim in &account.claims {
-        let added = declared(derivation, claim).is_some_and(|d| d.added);
-        let reading = Reading { claim, standing: Standing::of(claim), added };
+        let declared = declared(derivation, claim);
+        let role = declared.map(|d| d.role).unwrap_or_default();
+        let reading = Reading { claim, standing: Standing::of(claim), role, proof: graph.proof_of(claim) };
         match out.last_mut() {
             Some(whole) if whole.id == claim.id => whole.readings.push(reading),
             _ => {
-                let parent = declared(derivation, claim).and_then(|d| d.parent_says.clone());
+                let parent = declared.and_then(|d| d.parent_says.clone());
                 let says = parent.unwrap_or_else(|| claim.says.clone());
-                let place = claim.place.as_deref();
-                out.push(Whole { id: &claim.id, says, place, readings: vec![reading], fate: Fate::Nowhere });
+                let (place, conclusion) = (claim.place.as_deref(), declared.is_some_and(|d| d.conclusion));
+                let readings = vec![reading];
+                out.push(Whole { id: &claim.id, says, place, conclusion, readings, fate: Fate::Nowhere });
             }
         }
     }
@@ -157,7 +344,17 @@ pub(super) fn wholes<'a>(derivation: &'a Derivation, account: &'a Account) -> Ve
     out
 }
 
-/// The sentence that counts: `Of 61 claims 33 stand, 24 depend on how they are read, …`.
+/// Several parts as one: `a, b, and c`.
+pub(super) fn listed(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        [one] => one.clone(),
+        [one, last] => format!("{one} and {last}"),
+        [more @ .., last] => format!("{}, and {last}", more.join(", ")),
+    }
+}
+
+/// The sentence that counts: `Of 54 claims of the paper 33 stand, 4 do not hold, …`.
 pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
     let of = |fate: Fate| wholes.iter().filter(|w| w.fate == fate).count();
     let mut parts: Vec<String> = Vec::new();
@@ -167,21 +364,27 @@ pub(super) fn headline(wholes: &[Whole<'_>]) -> String {
             parts.push(format!("{n} {}", fate.words(n)));
         }
     }
-    let added = of(Fate::Added);
-    let all = count(wholes.len() - added, "claim");
-    let sentence = match parts.as_slice() {
+    let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count();
+    let all = count(told, "claim");
+    match parts.as_slice() {
         [] => format!("{all}."),
-        [one] => match wholes.iter().find(|w| w.fate != Fate::Added).map(|w| w.fate) {
-            Some(fate) if wholes.len() - added > 1 => format!("All {all} {}.", fate.words(2)),
-            _ => format!("Of {all} {one}."),
-        },
-        [one, last] => format!("Of {all} {one} and {last}."),
-        [more @ .., last] => format!("Of {all} {}, and {last}.", more.join(", ")),
-    };
-    match added {
-        0 => sentence,
-        n => format!("{sentence} {n} more {}.", Fate::Added.words(n)),
+        [_] if told > 1 => {
+            let fate = wholes.iter().map(|w| w.fate).find(|f| f.is_of_the_paper()).unwrap_or(Fate::Nowhere);
+            format!("All {all} {}.", fate.words(2))
+        }
+        parts => format!("Of {all} {}.", listed(parts)),
     }
+}
+
+/// What is in the file beside the paper's claims, in a sentence; `None` where there is nothing.
+pub(super) fn beside(wholes: &[Whole<'_>]) -> Option<String> {
+    let parts: Vec<String> = [Fate::Choice, Fate::Lemma, Fate::Added]
+        .into_iter()
+        .map(|fate| (fate, wholes.iter().filter(|w| w.fate == fate).count()))
+        .filter(|(_, n)| *n > 0)
+        .map(|(fate, n)| format!("{n} {}", fate.words(n)))
+        .collect();
+    (!parts.is_empty()).then(|| format!("Not counted: {}.", listed(&parts)))
 }
 
 /// A condition under which claims hold that fail without it.
@@ -194,7 +397,8 @@ pub(super) struct Unsaid<'a> {
 /// Every condition that separates the motions of some claim of the paper: those of most claims first.
 pub(super) fn unsaid<'a>(derivation: &Derivation, account: &'a Account) -> Vec<Unsaid<'a>> {
     let mut out: Vec<Unsaid<'a>> = Vec::new();
-    for claim in account.claims.iter().filter(|c| declared(derivation, c).is_none_or(|d| !d.added)) {
+    let of_paper = |c: &&ClaimAccount| declared(derivation, c).is_none_or(|d| d.role.is_of_the_paper());
+    for claim in account.claims.iter().filter(of_paper) {
         let Some(explanation) = claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) else {
             continue;
         };
@@ -226,6 +430,23 @@ pub(super) fn explanation(e: &Explanation) -> String {
     }
 }
 
+/// How a refutation is known, over all pairs of a reading that fail: the strongest.
+fn refuted(claim: &ClaimAccount) -> &'static str {
+    let strongest = claim
+        .results
+        .iter()
+        .filter_map(|p| match p.verdict.outcome() {
+            Outcome::Fails(strength) => Some(strength),
+            _ => None,
+        })
+        .max();
+    match strongest {
+        Some(Strength::Proved | Strength::Enclosed) => "certified",
+        Some(Strength::Sampled) => "at samples",
+        None => "",
+    }
+}
+
 /// Where a reading holds, in a few words; the beginning of a sentence.
 pub(super) fn verdict(reading: &Reading<'_>) -> String {
     if let Some(region) = &reading.claim.region {
@@ -238,24 +459,19 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         return format!("{word}{rest}");
     }
     let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
+    let how = refuted(reading.claim);
     match reading.standing {
-        Standing::Holds if reading.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved) => {
-            "Holds, proved for all values".to_owned()
-        }
-        Standing::Holds => match n("holds") {
-            1 => "Holds on the one motion to which it applies".to_owned(),
-            2 => "Holds on both motions to which it applies".to_owned(),
-            n => format!("Holds on all {n} motions to which it applies"),
-        },
+        Standing::Holds => format!("Holds, {}", reading.basis().words()),
         Standing::Fails => match n("fails") {
-            1 => "Fails on the one motion to which it applies".to_owned(),
-            n if reading.claim.results.iter().any(|r| r.verdict.outcome().word() == "undecided") => {
-                format!("Fails on {}, undecided on others", count(n, "motion"))
-            }
-            2 => "Fails on both motions to which it applies".to_owned(),
-            n => format!("Fails on all {n} motions to which it applies"),
+            1 if n("undecided") == 0 => format!("Fails on the one motion to which it applies ({how})"),
+            f if n("undecided") > 0 => format!("Fails on {} ({how}), undecided on others", count(f, "motion")),
+            2 => format!("Fails on both motions to which it applies ({how})"),
+            f => format!("Fails on all {f} motions to which it applies ({how})"),
         },
-        Standing::Mixed => format!("Holds on {}, fails on {}", count(n("holds"), "motion"), n("fails")),
+        Standing::Mixed => {
+            let of = n("holds") + n("fails") + n("undecided");
+            format!("Fails on {} of {of} motions to which it applies ({how})", n("fails"))
+        }
         Standing::Open if n("holds") > 0 => {
             format!("Holds on {}, undecided on {}", count(n("holds"), "motion"), n("undecided"))
         }
@@ -264,7 +480,7 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
     }
 }
 
-/// What a mixed reading needs: `here it holds exactly where …`, with a word on rivals.
+/// What a mixed reading needs, as far as the motions that were tried show.
 pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     let s = claim.conditions.separation.as_ref()?;
     let Some(e) = &s.explanation else {
@@ -272,10 +488,10 @@ pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     };
     let rivals = match s.rivals.len() + s.more_rivals {
         0 => "",
-        1 => " (one other condition would separate them, too)",
-        _ => " (other conditions would separate them, too)",
+        1 => " (one other condition fits as well)",
+        _ => " (other conditions fit as well)",
     };
-    Some(format!("it holds exactly where {}{rivals}", explanation(e)))
+    Some(format!("on the motions tried, it holds just where {}{rivals}", explanation(e)))
 }
 
 #[cfg(all(test, debug_assertions))]
@@ -283,43 +499,73 @@ mod tests {
     use super::super::tests::derivation;
     use super::*;
     use crate::check::sample;
+    use ClaimRole::{Added, Against, Choice, Lemma, MayMean, Needs, Says};
+    use Standing::{Fails, Holds, Mixed, Nowhere, Open};
 
-    fn fate(standings: &[Standing]) -> Fate {
+    fn fate(readings: &[(ClaimRole, Standing)]) -> Fate {
         let account = sample::account();
-        let readings: Vec<Reading<'_>> =
-            standings.iter().map(|&standing| Reading { claim: &account.claims[0], standing, added: false }).collect();
-        Fate::of(&readings)
+        let reading = |&(role, standing): &(ClaimRole, Standing)| Reading {
+            claim: &account.claims[0],
+            standing,
+            role,
+            proof: ProofStanding::None,
+        };
+        Fate::of(&readings.iter().map(reading).collect::<Vec<_>>())
     }
 
     #[test]
-    fn a_claim_stands_only_if_all_of_it_does() {
-        use Standing::{Fails, Holds, Mixed, Nowhere, Open};
+    fn a_sentence_stands_only_if_all_that_it_says_does() {
         for (standings, expected) in [
             (&[Holds][..], Fate::Stands),
             (&[Holds, Nowhere], Fate::Stands),
             (&[Holds, Open], Fate::Open),
-            (&[Holds, Mixed], Fate::Reading),
-            (&[Holds, Fails, Open], Fate::Reading),
+            (&[Holds, Mixed], Fate::Partly),
+            (&[Holds, Fails, Open], Fate::Fails),
             (&[Mixed], Fate::Partly),
-            (&[Mixed, Fails, Open], Fate::Partly),
-            (&[Fails, Open], Fate::Fails),
+            (&[Mixed, Fails, Open], Fate::Fails),
             (&[Fails, Nowhere], Fate::Fails),
             (&[Nowhere], Fate::Nowhere),
             (&[], Fate::Nowhere),
         ] {
-            assert_eq!(fate(standings), expected, "{standings:?}");
+            let readings: Vec<_> = standings.iter().map(|s| (Says, *s)).collect();
+            assert_eq!(fate(&readings), expected, "{standings:?}");
         }
     }
 
     #[test]
-    fn what_is_added_does_not_count() {
-        let account = sample::account();
-        let reading = |standing, added| Reading { claim: &account.claims[0], standing, added };
-        let fate = |readings: &[Reading<'_>]| Fate::of(readings);
-        assert_eq!(fate(&[reading(Standing::Holds, false), reading(Standing::Fails, true)]), Fate::Stands);
-        assert_eq!(fate(&[reading(Standing::Fails, false), reading(Standing::Holds, true)]), Fate::Fails);
-        assert_eq!(fate(&[reading(Standing::Holds, false), reading(Standing::Fails, false)]), Fate::Reading);
-        assert_eq!(fate(&[reading(Standing::Holds, true), reading(Standing::Fails, true)]), Fate::Added);
+    fn meanings_are_weighed_against_one_another() {
+        assert_eq!(fate(&[(MayMean, Holds), (MayMean, Mixed)]), Fate::Reading);
+        assert_eq!(fate(&[(MayMean, Holds), (MayMean, Holds)]), Fate::Stands);
+        assert_eq!(fate(&[(MayMean, Fails), (MayMean, Fails)]), Fate::Fails);
+        assert_eq!(fate(&[(MayMean, Fails), (MayMean, Mixed)]), Fate::Partly);
+        assert_eq!(fate(&[(Says, Fails), (MayMean, Holds)]), Fate::Fails);
+        assert_eq!(fate(&[(Says, Holds), (MayMean, Holds), (MayMean, Open)]), Fate::Open);
+    }
+
+    #[test]
+    fn what_the_paper_does_not_say_decides_nothing() {
+        for other in [Needs, Against, Added, Lemma, Choice] {
+            for standing in [Holds, Mixed, Fails, Open, Nowhere] {
+                assert_eq!(fate(&[(Says, Holds), (other, standing)]), Fate::Stands, "{other:?}");
+                assert_eq!(fate(&[(Says, Fails), (other, standing)]), Fate::Fails, "{other:?}");
+                assert_eq!(fate(&[(Says, Mixed), (other, standing)]), Fate::Partly, "{other:?}");
+            }
+        }
+        // But for the contrary, where the sentence itself is not decided.
+        assert_eq!(fate(&[(Says, Open), (Against, Holds)]), Fate::Fails);
+        assert_eq!(fate(&[(Says, Open), (Against, Mixed)]), Fate::Open);
+        assert_eq!(fate(&[(Against, Holds)]), Fate::Fails);
+        assert_eq!(fate(&[(Says, Open), (Added, Holds)]), Fate::Open);
+        assert_eq!(fate(&[(Needs, Fails)]), Fate::Untested);
+        assert_eq!(fate(&[(MayMean, Holds), (Against, Holds)]), Fate::Reading);
+    }
+
+    #[test]
+    fn what_is_no_claim_of_the_paper_is_not_counted() {
+        assert_eq!(fate(&[(Added, Holds), (Added, Fails)]), Fate::Added);
+        assert_eq!(fate(&[(Lemma, Holds)]), Fate::Lemma);
+        assert_eq!(fate(&[(Choice, Mixed)]), Fate::Choice);
+        assert!([Fate::Added, Fate::Lemma, Fate::Choice].iter().all(|f| !f.is_of_the_paper() && !f.is_against()));
     }
 
     #[test]

@@ -57,9 +57,6 @@ fn erratum_json(erratum: &Erratum) -> Value {
     })
 }
 
-/// Most survivors that are listed in a report for people.
-pub(super) const SURVIVORS_SHOWN: usize = 6;
-
 /// Whether a verdict says little.
 pub(super) fn is_weak(pair: &PairAccount) -> bool {
     pair.discrimination.as_ref().is_some_and(|d| d.is_weak())
@@ -109,43 +106,8 @@ pub(super) fn smallest(variants: &VariantAccount) -> String {
     }
 }
 
-/// The part of `report.md` on one claim.
-pub(super) fn section(claim: &ClaimAccount) -> String {
-    let Some(variants) = &claim.variants else { return String::new() };
-    let mut out = String::new();
-    if let Some((rejected, of)) = variants.together() {
-        out.push_str(&format!(
-            "**Discrimination:** where it holds ({}), {rejected} of {} are rejected{}. {}\n\n",
-            count(variants.tried_on, "trajectory"),
-            count(of, "altered formula"),
-            smallest(variants),
-            prose(&sentence(claim, variants))
-        ));
-        let everywhere: Vec<String> = variants
-            .survivors
-            .iter()
-            .enumerate()
-            .filter(|(_, s)| s.everywhere)
-            .map(|(n, s)| format!("- `{n}`, {}: {}\n", s.class.word(), math(&s.formula)))
-            .collect();
-        if !everywhere.is_empty() {
-            let more = everywhere.len().saturating_sub(SURVIVORS_SHOWN);
-            let shown: String = everywhere.into_iter().take(SURVIVORS_SHOWN).collect();
-            let rest = if more > 0 { format!("- and {more} more, in report.json\n") } else { String::new() };
-            out.push_str(&format!(
-                "<details><summary>Altered formulas that no motion rejects</summary>\n\n{shown}{rest}\n`rederive search \
-                 {} --variant N` looks for a motion that would.\n\n</details>\n\n",
-                name(claim)
-            ));
-        }
-    }
-    if let Some(erratum) = &variants.erratum {
-        out.push_str(&corrections_markdown(erratum));
-    }
-    out
-}
-
-fn corrections_markdown(erratum: &Erratum) -> String {
+/// The part of `report.md` on what a claim that fails should have said.
+pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
     let (single, completions, pairs) = erratum.tried;
     if single + completions + pairs == 0 && erratum.corrections.is_empty() {
         return String::new();

@@ -1,18 +1,23 @@
 //! How one verdict came about: what `rederive explain` prints.
 
+use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
 use super::summary::sides;
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
-use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 use crate::derivation::{Claim, Derivation, SymbolEntry};
 
-/// Everything that is known about every pair of the account, with escape codes if `colour`.
-pub fn explain(derivation: &Derivation, account: &Account, colour: bool) -> String {
+/// Everything that is known about every pair of some claims of the account, with escape codes if `colour`. The others are there
+/// because proofs rest on them.
+pub fn explain(derivation: &Derivation, account: &Account, wanted: &[String], colour: bool) -> String {
     let paint = Paint(colour);
+    let graph = DerivationGraph::new(derivation, account);
     let mut out = String::new();
-    for claim in &account.claims {
-        out.push_str(&about_claim(derivation, claim, paint));
+    for claim in
+        account.claims.iter().filter(|c| wanted.is_empty() || wanted.contains(&c.id) || wanted.contains(&name(c)))
+    {
+        out.push_str(&about_claim(derivation, claim, &graph, paint));
         for pair in &claim.results {
             out.push_str(&about_pair(account, pair, paint));
         }
@@ -21,17 +26,20 @@ pub fn explain(derivation: &Derivation, account: &Account, colour: bool) -> Stri
     out
 }
 
-fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
+fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &DerivationGraph, paint: Paint) -> String {
     let mut out = paint.bold(&name(claim));
     if let Some(place) = &claim.place {
         out.push_str(&format!("  ({place})"));
     }
     out.push('\n');
     out.push_str(&paragraph(&says(derivation, claim), 2));
-    if let Some(remark) = &claim.remark {
-        out.push_str(&paragraph(remark, 2));
-    }
     let declared = declared(derivation, claim);
+    if let Some(whose) = declared.and_then(|d| super::markdown::whose(d.role)) {
+        out.push_str(&paragraph(whose, 2));
+    }
+    if let Some(remark) = &claim.remark {
+        out.push_str(&paragraph(&format!("Remark of the file: {remark}"), 2));
+    }
     let list = |title: &str, lines: &[String]| match lines {
         [] => String::new(),
         lines => format!("\n  {title}\n{}", lines.iter().map(|l| format!("    {l}\n")).collect::<String>()),
@@ -49,7 +57,17 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> S
     }
     if let Some(identity) = &claim.identity {
         out.push('\n');
-        out.push_str(&paragraph(&identity.sentence(), 2));
+        out.push_str(&paragraph(&super::graph::sentence(identity, &graph.proof_of(claim)), 2));
+        if let Some(trials) = &identity.evidence.trials {
+            out.push_str(&format!(
+                "  {} of random evaluation, in {}\n",
+                count(trials.count, "trial"),
+                count(trials.cases, "case")
+            ));
+        }
+        if let Some(file) = super::certificates::file_name(claim) {
+            out.push_str(&format!("  Exact, too: the certificate {file} of the report\n"));
+        }
         for (title, lines) in identity.terms() {
             out.push_str(&list(title, &lines));
         }
@@ -124,11 +142,33 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
     for e in &evidence.excluded {
         out.push_str(&paragraph(&format!("left out from t = {} to {}: {}", time(e.from), time(e.to), e.reason), 4));
     }
+    out.push_str(&paragraph(would_change(outcome), 4));
     if let Some(w) = &evidence.witness {
-        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, None, 6)));
+        out.push_str(&format!("    at t = {}:  {}\n{}", value(w.t), w.formula, sides(w, 6)));
     }
     out.push('\n');
     out
+}
+
+/// What would lead to another verdict on the same motion.
+fn would_change(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Holds(Strength::Sampled) => {
+            "What would change it: a time between the samples at which it fails. An enclosure or a proof would exclude that."
+        }
+        Outcome::Holds(Strength::Enclosed) => {
+            "What would change it: nothing in this span; a longer one, or another motion, may differ."
+        }
+        Outcome::Holds(Strength::Proved) => "What would change it: nothing, as long as what it follows from stands.",
+        Outcome::Fails(Strength::Sampled) => {
+            "What would change it: an error bound that is wrong. With an assumption that excludes this point it would not apply there."
+        }
+        Outcome::Fails(Strength::Enclosed | Strength::Proved) => {
+            "What would change it: nothing; with an assumption that excludes this point it would not apply there."
+        }
+        Outcome::NotApplicable(_) => "What would change it: a motion that meets what it assumes.",
+        Outcome::Undecided => "What would change it: the reason above names it.",
+    }
 }
 
 #[cfg(all(test, debug_assertions))]
@@ -139,6 +179,6 @@ mod tests {
 
     #[test]
     fn everything_is_said() {
-        insta::assert_snapshot!(explain(&derivation(), &sample::account(), false));
+        insta::assert_snapshot!(explain(&derivation(), &sample::account(), &[], false));
     }
 }

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value, json};
 
 use super::tally::name;
+use crate::check::standing::Decision;
 use crate::check::{Account, ClaimAccount, IdentityAccount};
 use crate::derivation::Derivation;
 
@@ -39,10 +40,81 @@ pub(super) struct Node {
     pub kind: Kind,
     /// The verdict of the step that leads to the claim; `None` where it is no step.
     pub verdict: Option<&'static str>,
+    /// What the proof of that step amounts to.
+    proof: ProofStanding,
     /// The assumptions of the claim itself.
     assumptions: Vec<String>,
     /// What it follows from directly: positions of nodes.
     from: Vec<usize>,
+}
+
+/// What the proof of a claim amounts to, with everything that it rests on: the one place that says `proved`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum ProofStanding {
+    /// For all values; everything that it rests on is proved, or postulated.
+    Proved,
+    /// Special cases of what is given are left out.
+    Except,
+    /// The step is proved, these claims on the way are not.
+    Given(Vec<String>),
+    /// It rests on itself.
+    Circular,
+    /// It is not proved, or no question of that kind.
+    None,
+}
+
+impl ProofStanding {
+    /// What the proof of the claim `id` amounts to; what it is conditional on was seen when it was made.
+    fn of(identity: &IdentityAccount, id: &str) -> ProofStanding {
+        let open: Vec<String> = identity.conditional_on.iter().map(|g| g.name.clone()).collect();
+        match identity.finding.decision() {
+            Decision::Proved | Decision::ProvedExcept if open.iter().any(|g| g == id) => ProofStanding::Circular,
+            Decision::Proved if open.is_empty() => ProofStanding::Proved,
+            Decision::ProvedExcept if open.is_empty() => ProofStanding::Except,
+            Decision::Proved | Decision::ProvedExcept => ProofStanding::Given(open),
+            Decision::Refuted | Decision::Undecided => ProofStanding::None,
+        }
+    }
+
+    /// In a word or two.
+    pub fn word(&self) -> Option<&'static str> {
+        match self {
+            ProofStanding::Proved => Some("proved"),
+            ProofStanding::Except => Some("proved, special cases apart"),
+            ProofStanding::Given(_) => Some("proved, given others"),
+            ProofStanding::Circular => Some("circular"),
+            ProofStanding::None => None,
+        }
+    }
+}
+
+/// What is known of a step for all values, in one sentence: `proved` alone is said of what rests on nothing unproved.
+pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> String {
+    let sentence = identity.sentence();
+    match proof {
+        ProofStanding::Proved | ProofStanding::None => sentence,
+        ProofStanding::Except => format!("Special cases of what is given apart. {sentence}"),
+        ProofStanding::Circular => format!("It rests on itself, which proves nothing. The step: {sentence}"),
+        ProofStanding::Given(open) => {
+            let ids: Vec<String> = open.iter().map(|id| format!("“{id}”")).collect();
+            format!("On condition of {}, not proved for all values. The step: {sentence}", ids.join(", "))
+        }
+    }
+}
+
+/// The same in a few words.
+pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String {
+    let error = identity.log2_error.map(|e| format!(", error probability at most 2^{}", e.ceil())).unwrap_or_default();
+    let from = if identity.from.is_empty() { String::new() } else { format!(", from {}", identity.from.join(", ")) };
+    let (verdict, reason) = (identity.verdict(), identity.reason.as_deref().unwrap_or_default());
+    match proof {
+        ProofStanding::Proved => format!("proved{from}{error}."),
+        ProofStanding::Except => format!("proved{from}, special cases of what is given apart{error}."),
+        ProofStanding::Given(open) => format!("proved, given {}{from}{error}.", open.join(", ")),
+        ProofStanding::Circular => "it rests on itself, which proves nothing.".to_owned(),
+        ProofStanding::None if verdict == "refuted" => format!("not so{from}: a point refutes it."),
+        ProofStanding::None => format!("{verdict}{from}: {reason}."),
+    }
 }
 
 /// Everything that a claim rests on.
@@ -79,6 +151,7 @@ impl DerivationGraph {
         for claim in &derivation.claims {
             let id = claim.name();
             graph.nodes.push(Node {
+                proof: verdicts.get(&id).map_or(ProofStanding::None, |i| ProofStanding::of(i, &id)),
                 verdict: verdicts.get(&id).map(|i| i.verdict()),
                 id,
                 kind: Kind::Claim,
@@ -122,7 +195,14 @@ impl DerivationGraph {
     fn leaf(&mut self, kind: Kind, id: &str) -> usize {
         let known = self.nodes.iter().position(|n| n.kind == kind && n.id == id);
         known.unwrap_or_else(|| {
-            self.nodes.push(Node { id: id.to_owned(), kind, verdict: None, assumptions: Vec::new(), from: Vec::new() });
+            self.nodes.push(Node {
+                id: id.to_owned(),
+                kind,
+                verdict: None,
+                proof: ProofStanding::None,
+                assumptions: Vec::new(),
+                from: Vec::new(),
+            });
             self.nodes.len() - 1
         })
     }
@@ -172,6 +252,11 @@ impl DerivationGraph {
         (!self.nodes[at].from.is_empty()).then(|| self.rests(at))
     }
 
+    /// What the proof of a claim amounts to.
+    pub fn proof_of(&self, claim: &ClaimAccount) -> ProofStanding {
+        claim.identity.as_ref().map_or(ProofStanding::None, |i| ProofStanding::of(i, &name(claim)))
+    }
+
     /// `graph` of `report.json`.
     pub fn json(&self) -> Value {
         let nodes = self.nodes.iter().enumerate().map(|(at, node)| {
@@ -180,6 +265,7 @@ impl DerivationGraph {
                 "id": node.id,
                 "kind": node.kind.word(),
                 "verdict": node.verdict,
+                "standing": node.proof.word(),
                 "assumptions": node.assumptions,
                 "rests_on": {
                     "systems": rests.systems,
@@ -210,7 +296,7 @@ impl DerivationGraph {
         let mut out = String::from(
             "## What follows from what\n\n\
              An arrow leads from what is given to what is said to follow from it. The box says whether it does, for all values: \
-             round when it is proved, six-sided when a point refutes it, with a notch when it is undecided, square when it is \
+             round when it is proved (“given others” where something on the way is not), six-sided when a point refutes it, with a notch when it is undecided, square when it is \
              not a question of that kind. Systems are slanted; definitions of symbols have double sides. An arrow to a step \
              that is not proved is dotted.\n\n",
         );
@@ -226,7 +312,9 @@ impl DerivationGraph {
             let shape = match (node.kind, node.verdict) {
                 (Kind::System, _) => format!("[/\"{id}\"/]"),
                 (Kind::Symbol, _) => format!("[[\"{id}\"]]"),
-                (Kind::Claim, Some("proved")) => format!("([\"{id}<br>proved\"])"),
+                (Kind::Claim, Some("proved")) => {
+                    format!("([\"{id}<br>{}\"])", node.proof.word().unwrap_or("proved"))
+                }
                 (Kind::Claim, Some("refuted")) => format!("{{{{\"{id}<br>refuted\"}}}}"),
                 (Kind::Claim, Some(verdict)) => format!(">\"{id}<br>{verdict}\"]"),
                 (Kind::Claim, None) => format!("[\"{id}\"]"),
@@ -265,39 +353,6 @@ pub(super) fn unproved(verdict: Option<&str>) -> &str {
     }
 }
 
-/// What a claim rests on, in one paragraph of `report.md`; `math` writes a formula.
-pub(super) fn rests_in_words(rests: &Rests, math: impl Fn(&str) -> String) -> String {
-    let code = |ids: &[String]| ids.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
-    let mut parts = Vec::new();
-    if !rests.systems.is_empty() {
-        let word = if rests.systems.len() == 1 { "the system" } else { "the systems" };
-        parts.push(format!("{word} {}", code(&rests.systems)));
-    }
-    if !rests.symbols.is_empty() {
-        let names: Vec<String> = rests.symbols.iter().map(|s| math(s)).collect();
-        parts.push(format!("the definition of {}", names.join(", ")));
-    }
-    if !rests.claims.is_empty() {
-        parts.push(code(&rests.claims));
-    }
-    let mut out = format!("Rests on: {}.", parts.join("; "));
-    if !rests.assumptions.is_empty() {
-        let all: Vec<String> =
-            rests.assumptions.iter().map(|(text, from)| format!("{} (of `{from}`)", math(text))).collect();
-        out.push_str(&format!(" With it come the assumptions {}.", all.join(", ")));
-    }
-    if !rests.open.is_empty() {
-        let all: Vec<String> =
-            rests.open.iter().map(|(id, verdict)| format!("`{id}` ({})", unproved(*verdict))).collect();
-        out.push_str(&format!(" Taken as given on the way, for it is not proved: {}.", all.join(", ")));
-    }
-    if rests.circular {
-        out.push_str(" **It rests on itself: a circle proves nothing.**");
-    }
-    out.push_str("\n\n");
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -305,7 +360,7 @@ mod tests {
     fn node(id: &str, verdict: Option<&'static str>, assumptions: &[&str], from: &[usize]) -> Node {
         let kind = if id == "S" { Kind::System } else { Kind::Claim };
         let assumptions = assumptions.iter().map(|&a| a.to_owned()).collect();
-        Node { id: id.to_owned(), kind, verdict, assumptions, from: from.to_vec() }
+        Node { id: id.to_owned(), kind, verdict, generic: false, assumptions, from: from.to_vec() }
     }
 
     fn chain() -> DerivationGraph {
@@ -326,12 +381,20 @@ mod tests {
         assert_eq!(rests.assumptions, [("x>0".to_owned(), "b".to_owned())]);
         assert_eq!(rests.open, [("b".to_owned(), Some("refuted"))]);
         assert!(!rests.circular);
-        let words = rests_in_words(&rests, |f| format!("${f}$"));
-        assert_eq!(
-            words,
-            "Rests on: the system `S`; `b`, `a`. With it come the assumptions $x>0$ (of `b`). \
-             Taken as given on the way, for it is not proved: `b` (not so for all values).\n\n"
-        );
+    }
+
+    #[test]
+    fn what_rests_on_something_unproved_is_proved_on_condition() {
+        let mut graph = chain();
+        assert_eq!(graph.proof(1), ProofStanding::Proved);
+        assert_eq!(graph.proof(2), ProofStanding::None);
+        assert_eq!(graph.proof(3), ProofStanding::Given(vec!["b".to_owned()]));
+        graph.nodes[2].verdict = Some("proved");
+        assert_eq!(graph.proof(3), ProofStanding::Proved);
+        graph.nodes[1].generic = true;
+        assert_eq!((graph.proof(1), graph.proof(3)), (ProofStanding::Except, ProofStanding::Except));
+        graph.nodes[1].from = vec![3];
+        assert_eq!(graph.proof(3), ProofStanding::Circular);
     }
 
     #[test]
@@ -339,7 +402,6 @@ mod tests {
         let mut graph = chain();
         graph.nodes[1].from = vec![3];
         assert!(graph.rests(3).circular && graph.rests(1).circular && graph.rests(2).circular);
-        assert!(rests_in_words(&graph.rests(1), str::to_owned).contains("rests on itself"));
         assert!(!graph.rests(0).circular);
     }
 

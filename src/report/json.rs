@@ -8,7 +8,7 @@ use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
 use crate::check::{Account, ClaimAccount, PairAccount, Trials};
-use crate::derivation::Derivation;
+use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
 use diag::shown::in_json;
 
@@ -54,6 +54,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "concerns": derivation.concerns,
             "source": derivation.source,
             "remark": derivation.remark,
+            "encoded_by": derivation.encoded_by,
             "conventions": conventions,
         },
         "trajectories": account.trajectories.iter().map(|t| json!({
@@ -68,6 +69,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
         })).collect::<Vec<_>>(),
         "claims": account.claims.iter().map(|c| claim(derivation, c)).collect::<Vec<_>>(),
         "graph": DerivationGraph::new(derivation, account).json(),
+        "digest": super::front::json(derivation, account),
         "measurements": account.measurements.iter().map(|m| json!({
             "measure": m.measure,
             "trajectory": m.trajectory,
@@ -96,7 +98,10 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "says": claim.says,
         "formulas": claim.formulas,
         "kinds": declared.map(|d| d.formulas.iter().map(|f| f.kind.key()).collect::<Vec<_>>()),
-        "added": declared.is_some_and(|d| d.added),
+        "role": declared.map(|d| d.role).unwrap_or_default().word(),
+        "added": declared.is_some_and(|d| d.role == ClaimRole::Added),
+        "conclusion": declared.is_some_and(|d| d.conclusion),
+        "rests_on": declared.map(|d| d.rests_on.clone()).unwrap_or_default(),
         "place": claim.place,
         "label": declared.and_then(|d| d.label.clone()),
         "assumptions": claim.assumptions,
@@ -160,6 +165,7 @@ fn pair(pair: &PairAccount) -> Value {
             "formula": w.formula,
             "left": number(w.left),
             "right": number(w.right),
+            "difference": number(w.difference()),
             "bound": number(w.bound),
             "values": w.values.iter().map(|(n, v)| (n.clone(), number(*v))).collect::<Map<String, Value>>(),
         })),

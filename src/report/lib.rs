@@ -15,11 +15,13 @@ use ::{check, derivation, diag, expr, latex};
 mod alone;
 mod certificates;
 mod conditions;
+mod consequence;
 mod diff;
 mod digest;
 mod discrimination;
 mod explain;
 mod finding;
+mod front;
 mod github;
 mod graph;
 mod json;
@@ -49,17 +51,18 @@ pub use certificates::{CERTIFICATES, certificate_text, certificates, lean_text};
 pub use diff::{Change, Direction, diff, diff_text, is_worse};
 pub use explain::explain;
 pub use finding::{Finding, Level, Place, Region, findings, problems, rule_says};
+pub use front::{alarms, front_markdown, front_page};
 pub use github::github;
 pub use json::{json, json_with_paper};
 pub use junit::{Checked, junit};
 pub use markdown::markdown;
-pub use page::page;
+pub use page::{first_page, page, printed_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;
 pub use summary::{exceptions, summary};
-pub use tex::tex;
+pub use tex::{tex, tex_summary};
 
 /// The path as the project sees it; nothing outside the project is named.
 fn project_path(path: &str) -> String {

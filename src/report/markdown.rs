@@ -1,14 +1,12 @@
 //! `report.md`: the report for people, as a forge renders it.
 
-use super::certificates::certificate_note;
 use super::discrimination;
-use super::graph::{DerivationGraph, rests_in_words};
+use super::graph::DerivationGraph;
 use super::mathml;
 use super::numbers::{count, size, time, value};
-use super::project_path;
 use super::tally::{Group, declared, glyph, groups, name};
 use crate::check::{Account, ClaimAccount, PairAccount};
-use crate::derivation::{DEFAULT_PRECISION, Derivation};
+use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 use crate::latex::printed;
 
 /// The report.
@@ -21,7 +19,6 @@ pub fn markdown(derivation: &Derivation, account: &Account) -> String {
     out.push_str("Pictures, curves and every pair: `index.html`. All numbers: `report.json`.\n\n");
     out.push_str(&super::overview::section(derivation, account));
     out.push_str(&matrix(account));
-    out.push_str(&super::alone::section(account));
     let graph = DerivationGraph::new(derivation, account);
     out.push_str(&graph.section());
     out.push_str(&conventions(derivation));
@@ -190,13 +187,25 @@ pub(super) fn math(formula: &str) -> String {
 /// A formula on its own lines.
 fn display(formula: &str) -> String {
     let lines: Vec<&str> = formula.lines().map(str::trim).filter(|l| !l.is_empty()).collect();
-    let body = lines.join("\n").replace('`', "'");
+    let body = lines.join("\n");
     let broken = body.contains(r"\cr") || body.contains(r"\\");
     if broken && !body.contains(r"\begin{") {
         let body = body.replace(r"\cr", r"\\");
-        return format!("```math\n\\begin{{gathered}}\n{body}\n\\end{{gathered}}\n```\n\n");
+        return fenced("math", &format!("\\begin{{gathered}}\n{body}\n\\end{{gathered}}"));
     }
-    format!("```math\n{body}\n```\n\n")
+    fenced("math", &body)
+}
+
+/// Text between fences that are longer than any that it has.
+pub(super) fn fenced(kind: &str, body: &str) -> String {
+    let mut longest = 0;
+    let mut run = 0;
+    for c in body.chars() {
+        run = if c == '`' { run + 1 } else { 0 };
+        longest = longest.max(run);
+    }
+    let fence = "`".repeat(3.max(longest + 1));
+    format!("{fence}{kind}\n{body}\n{fence}\n\n")
 }
 
 pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
@@ -227,37 +236,38 @@ fn folded(summary: &str, body: &str) -> String {
     }
 }
 
+/// One letter for each pair: the whole matrix in a few kilobytes.
 fn matrix(account: &Account) -> String {
-    let mut out = String::from("## Claims and trajectories\n\n");
-    out.push_str(
-        "H holds, h holds but weakly, F fails, – does not apply, ? undecided; **!** differs from what is expected. ",
-    );
-    out.push_str("The columns, with the [trajectories](#trajectories) by number: ");
-    let columns: Vec<String> =
-        account.trajectories.iter().enumerate().map(|(i, t)| format!("{} `{}`", i + 1, t.id)).collect();
-    out.push_str(&format!("{}.\n\n", columns.join(", ")));
-    let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
-    let head: Vec<&str> = std::iter::once("claim").chain(numbers.iter().map(String::as_str)).collect();
-    let cell = |pair: Option<&PairAccount>| match pair {
-        None => String::new(),
-        Some(pair) => {
-            let glyph = if discrimination::is_weak(pair) { 'h' } else { glyph(pair.verdict.outcome()) };
-            let glyph = glyph.to_string().replace('-', "–");
-            if pair.is_unexpected() { format!("{glyph} **!**") } else { glyph }
-        }
-    };
-    let row = |claim: &ClaimAccount| {
-        let link = link_to(&name(claim));
-        let pair = |id: &str| claim.results.iter().find(|r| r.trajectory == id);
-        std::iter::once(link).chain(account.trajectories.iter().map(|t| cell(pair(&t.id)))).collect()
-    };
     // What is about ranges has no cells.
-    let rows: Vec<Vec<String>> = account.claims.iter().filter(|c| c.region.is_none()).map(row).collect();
+    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| c.region.is_none()).collect();
     if rows.is_empty() {
         return String::new();
     }
-    out.push_str(&table(&head, rows));
-    out
+    let cell = |claim: &ClaimAccount, id: &str| match claim.results.iter().find(|r| r.trajectory == id) {
+        None => ' ',
+        Some(pair) if pair.is_unexpected() => '!',
+        Some(pair) if discrimination::is_weak(pair) => 'h',
+        Some(pair) => glyph(pair.verdict.outcome()),
+    };
+    let names: Vec<String> = rows.iter().map(|c| name(c)).collect();
+    let wide = names.iter().map(|n| n.chars().count()).max().unwrap_or(0);
+    let mut body = String::new();
+    let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
+    let digits = numbers.last().map_or(1, String::len);
+    for digit in 0..digits {
+        let at = |n: &String| format!("{n:>digits$}").chars().nth(digit).unwrap_or(' ');
+        body.push_str(&format!("{:wide$}  {}\n", "", numbers.iter().map(at).collect::<String>()));
+    }
+    for (claim, name) in rows.iter().zip(&names) {
+        let cells: String = account.trajectories.iter().map(|t| cell(claim, &t.id)).collect();
+        body.push_str(format!("{name:wide$}  {cells}").trim_end());
+        body.push('\n');
+    }
+    format!(
+        "## Claims and trajectories\n\nH holds, h holds but weakly, F fails, - does not apply, ? undecided; ! differs from \
+         what is expected. Columns are the [trajectories](#trajectories) by number.\n\n{}",
+        fenced("text", body.trim_end())
+    )
 }
 
 fn conventions(derivation: &Derivation) -> String {
@@ -300,7 +310,6 @@ fn systems(derivation: &Derivation) -> String {
 fn trajectories(account: &Account) -> String {
     let mut out = String::from("## Trajectories\n\n");
     let rows = account.trajectories.iter().enumerate().map(|(i, t)| {
-        let given: Vec<String> = t.given.iter().map(|(n, v)| format!("{} = {}", math(n), values(v))).collect();
         let steps = if t.steps > 0 { t.steps.to_string() } else { String::new() };
         vec![
             (i + 1).to_string(),
@@ -308,25 +317,20 @@ fn trajectories(account: &Account) -> String {
             if t.title == t.id { String::new() } else { prose(&t.title) },
             format!("{} … {}", time(t.span.0), time(t.span.1)),
             t.source.to_owned(),
-            given.join(", "),
             steps,
             size(t.error),
         ]
     });
-    let head = ["no.", "id", "title", "t", "source", "parameters and initial values", "steps", "error at most"];
-    let summary = format!("{}, with parameters and initial values", count(account.trajectories.len(), "trajectory"));
+    let head = ["no.", "id", "title", "t", "source", "steps", "error at most"];
+    let summary = count(account.trajectories.len(), "trajectory");
     out.push_str(&folded(&summary, &table(&head, rows)));
+    out.push_str("Parameters and initial values are in the derivation file and in `report.json`.\n\n");
     for t in &account.trajectories {
         if let Some(problem) = &t.problem {
             out.push_str(&format!("`{}`: {}\n\n", t.id, prose(problem)));
         }
     }
     out
-}
-
-fn values(values: &[f64]) -> String {
-    let all: Vec<String> = values.iter().map(|v| value(*v)).collect();
-    if all.len() == 1 { all.concat() } else { format!("({})", all.join(", ")) }
 }
 
 fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -> String {
@@ -343,9 +347,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         out.push_str(&format!("<a id=\"{}\"></a>\n\n", anchor(&name(claim))));
         out.push_str(&format!("{level} {}: {}\n\n", name(claim), prose(&claim.says)));
         let mut notes: Vec<String> = claim.place.iter().map(|p| format!("Place: {}.", prose(p))).collect();
-        if declared.is_some_and(|d| d.added) {
-            notes.push("For comparison: the paper does not say it.".to_owned());
-        }
+        notes.extend(declared.and_then(|d| whose(d.role)).map(str::to_owned));
         if let Some(label) = declared.and_then(|d| d.label.as_ref()) {
             notes.push(format!("Label: {}.", prose(label)));
         }
@@ -363,11 +365,10 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
             let all: Vec<String> = claim.assumptions.iter().map(|a| math(a)).collect();
             out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
         }
-        if let Some(remark) = &claim.remark {
-            out.push_str(&format!("> {}\n\n", prose(remark)));
-        }
         if let Some(identity) = &claim.identity {
-            out.push_str(&format!("**For all values:** {}\n\n", prose(&identity.sentence())));
+            let certificate = super::certificates::file_name(claim).map(|f| format!(" [Certificate]({f})."));
+            let sentence = prose(&super::graph::brief(identity, &graph.proof_of(claim)));
+            out.push_str(&format!("**For all values:** {sentence}{}\n\n", certificate.unwrap_or_default()));
         }
         out.push_str(&super::region::section(claim));
         out.push_str(&super::conditions::separation(&claim.conditions));
@@ -376,33 +377,24 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         for group in groups {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
-        out.push_str(&folded("What it rests on, and what the evidence is worth", &evidence(claim, graph)));
+        if let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) {
+            out.push_str(&discrimination::corrections_markdown(erratum));
+        }
     }
     out
 }
 
-/// What only some readers ask: premises, conditions of the proof, assumptions, altered formulas.
-fn evidence(claim: &ClaimAccount, graph: &DerivationGraph) -> String {
-    let mut out = String::new();
-    if let Some(rests) = graph.rests_of(claim) {
-        out.push_str(&rests_in_words(&rests, math));
+/// What a claim is to the paper, where the paper does not simply say it.
+pub(super) fn whose(role: ClaimRole) -> Option<&'static str> {
+    match role {
+        ClaimRole::Says => None,
+        ClaimRole::MayMean => Some("One of several things that the sentence may mean."),
+        ClaimRole::Needs => Some("The paper needs it; it is more, or other, than it says."),
+        ClaimRole::Against => Some("Against the sentence: the contrary of what the paper says."),
+        ClaimRole::Added => Some("For comparison: the paper does not say it."),
+        ClaimRole::Lemma => Some("A lemma of the file, which proofs use: the paper does not print it."),
+        ClaimRole::Choice => Some("A choice of the paper: neither true nor false."),
     }
-    if let Some(identity) = &claim.identity {
-        if identity.generic {
-            out.push_str("The proof leaves out special cases of what is given; see below.\n\n");
-        }
-        for (title, lines) in identity.terms() {
-            let list: String = lines.iter().map(|c| format!("- `{c}`\n")).collect();
-            out.push_str(&format!("{title}:\n\n{list}\n"));
-        }
-        out.push_str(&certificate_note(claim, identity));
-        if let Some(witness) = &identity.witness {
-            out.push_str(&format!("Refuting point: `{witness}`\n\n"));
-        }
-    }
-    out.push_str(&super::conditions::assumptions(&claim.conditions));
-    out.push_str(&discrimination::section(claim));
-    out
 }
 
 fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
@@ -441,7 +433,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
 }
 
 /// Most trajectories that are named beside a verdict that is as expected.
-const NAMED: usize = 8;
+const NAMED: usize = 3;
 
 /// The pairs of a claim with the same verdict, in one line: where, the largest residual, and a witness or a reason.
 fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
@@ -468,7 +460,11 @@ fn group_section(claim: &ClaimAccount, group: &Group<'_>, of: usize) -> String {
     };
     let mut out = format!("**{verdict}** {on}{expected}.");
     if let Some(pair) = group.telling() {
-        out.push_str(&if group.word == "fails" { witness(pair) } else { told(pair, group.word == "holds") });
+        out.push_str(&match group.word {
+            "fails" => witness(pair),
+            "not-applicable" if !group.unexpected => String::new(),
+            word => told(pair, word == "holds"),
+        });
     }
     out.push_str("\n\n");
     out
@@ -480,7 +476,7 @@ fn told(pair: &PairAccount, holds: bool) -> String {
     let mut out = String::new();
     if let Some(r) = evidence.residual.as_ref().filter(|_| holds) {
         out.push_str(&format!(
-            " Largest residual {}, with the error bound {}, on `{}` at t = {} ({}, {}).",
+            " Largest residual {}, error bound {}, on `{}` at t = {} ({}, {}).",
             size(r.max),
             size(r.bound),
             pair.trajectory,
@@ -489,7 +485,7 @@ fn told(pair: &PairAccount, holds: bool) -> String {
             count(evidence.samples, "sample"),
         ));
     }
-    if let Some(reason) = &evidence.reason {
+    if let Some(reason) = evidence.reason.as_ref().filter(|_| !holds) {
         out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(reason)));
     }
     if let Some(e) = evidence.excluded.first() {
@@ -517,15 +513,21 @@ fn witness(pair: &PairAccount) -> String {
         value(w.right),
         size(w.bound)
     );
-    if !w.values.is_empty() {
+    // Values that would fill a page are in `report.json`, to be recomputed.
+    if (1..=FEW).contains(&w.values.len()) {
         let values: Vec<String> = w.values.iter().map(|(n, v)| format!("{} = {}", math(n), value(*v))).collect();
         out.push_str(&format!(" There {}.", values.join(", ")));
     }
     out
 }
 
+/// So many values of a witness are written out.
+const FEW: usize = 3;
+
+/// Most trajectories of which a measure is written.
+const MEASURED: usize = 8;
 /// Most values of a measure that are written for a trajectory.
-const VALUES_SHOWN: usize = 4;
+const VALUES_SHOWN: usize = 1;
 
 fn measures(derivation: &Derivation, account: &Account) -> String {
     let mut out = String::new();
@@ -546,8 +548,11 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
             cells.extend(m.reason.iter().map(|r| prose(r)));
             vec![format!("`{}`", m.trajectory), cells.join("; ")]
         });
-        let rows: Vec<Vec<String>> = rows.collect();
+        let mut rows: Vec<Vec<String>> = rows.collect();
         let summary = format!("Values on {}", count(rows.len(), "trajectory"));
+        let more = rows.len().saturating_sub(MEASURED);
+        rows.truncate(MEASURED);
+        rows.extend((more > 0).then(|| vec![format!("and {more} more"), "in report.json".to_owned()]));
         out.push_str(&folded(&summary, &table(&["trajectory", "value ± error bound (time)"], rows)));
     }
     if out.is_empty() { out } else { format!("## Measured\n\n{out}") }
@@ -555,7 +560,7 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
 
 /// What is needed to repeat the report.
 fn repeat(derivation: &Derivation) -> String {
-    let path = project_path(&derivation.file.path);
+    let path = super::front::project_path(&derivation.file.path);
     format!(
         "## How to repeat this\n\n\
          - {} {}\n\
@@ -583,19 +588,11 @@ mod tests {
     }
 
     #[test]
-    fn no_path_outside_the_project() {
-        assert_eq!(project_path("derivations/a.toml"), "derivations/a.toml");
-        assert_eq!(project_path("./derivations/a.toml"), "derivations/a.toml");
-        assert_eq!(project_path("/home/someone/a.toml"), "a.toml");
-        assert_eq!(project_path("../other/a.toml"), "a.toml");
-        assert_eq!(project_path("C:\\Users\\a.toml"), "a.toml");
-    }
-
-    #[test]
     fn formulas_survive_markdown() {
         assert_eq!(math("|x|_1"), r"$`\vert x\vert _1`$");
         assert_eq!(prose("`a|b` and $x|y$, <b>*"), r"`a\|b` and $`x\vert y`$, &lt;b>\*");
         assert_eq!(prose("costs 3$ or `"), r"costs 3\$ or \`");
+        assert_eq!(fenced("", "a```b"), "````\na```b\n````\n\n");
         assert!(display("a=b \\cr c=d").contains("\\begin{gathered}\na=b \\\\ c=d\n"));
     }
 }

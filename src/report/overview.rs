@@ -4,6 +4,7 @@
 //! the section on it.
 
 use super::digest::{self, Fate, Reading, Whole};
+use super::front::Front;
 use super::markdown::{link_to, prose, table};
 use super::numbers::count;
 use super::tally::{Standing, name};
@@ -14,9 +15,10 @@ use crate::derivation::Derivation;
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
     let wholes = digest::wholes(derivation, account);
     let of = |fate: Fate| -> Vec<&Whole<'_>> { wholes.iter().filter(|w| w.fate == fate).collect() };
-    let mut out = format!("## What was found\n\n**{}**\n\n", digest::headline(&wholes));
+    let front = Front::new(derivation, account);
+    let mut out = format!("## What was found\n\n{}", super::front::section(&front, link_to));
     if let Some(remark) = &derivation.remark {
-        out.push_str(&format!("{}\n\n", prose(remark)));
+        out.push_str(&format!("> Remark of the file: {}\n\n", prose(remark)));
     }
     out.push_str(&counted(account));
     for fate in Fate::ALL {
@@ -71,8 +73,9 @@ fn place(whole: &Whole<'_>) -> String {
 }
 
 fn standing(whole: &Whole<'_>) -> String {
-    let mark = if whole.is_proved() { "◆ proved: " } else { "● " };
-    format!("- {mark}{} {}\n", prose(&whole.says), place(whole))
+    let mark = if whole.is_proved() { "◆" } else { "●" };
+    let basis = whole.basis().map(|b| format!(": {}", prose(&b.words()))).unwrap_or_default();
+    format!("- {mark} {} {}{basis}.\n", prose(&whole.says), place(whole))
 }
 
 fn reasons(whole: &Whole<'_>) -> String {
@@ -85,8 +88,9 @@ fn reasons(whole: &Whole<'_>) -> String {
 
 fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     let mut parts = Vec::new();
-    if reading.added && whole.fate != Fate::Added {
-        parts.push("(For comparison)".to_owned());
+    let whose = reading.whose(whole);
+    if !whose.is_empty() {
+        parts.push(format!("({whose})"));
     }
     if whole.is_read() {
         parts.push(if reading.claim.reading.is_some() {
@@ -98,7 +102,7 @@ fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     let condition = digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c))).unwrap_or_default();
     parts.push(format!("{}{condition}.", digest::verdict(reading)));
     if let Some(remark) = &reading.claim.remark {
-        parts.push(format!("*{}*", prose(remark).trim()));
+        parts.push(format!("Remark of the file: *{}*", prose(remark).trim()));
     }
     parts.join(" ")
 }

@@ -13,6 +13,10 @@ fn text_or_null(says: &str) -> Value {
     json!({ "type": ["string", "null"], "description": says })
 }
 
+fn number_or_null(says: &str) -> Value {
+    json!({ "type": ["number", "null"], "description": says })
+}
+
 fn texts(says: &str) -> Value {
     json!({ "type": "array", "items": { "type": "string" }, "description": says })
 }
@@ -68,6 +72,7 @@ pub fn schema() -> Value {
         ("concerns", text("The citation of what is checked")),
         ("source", text_or_null("Where the paper can be found")),
         ("remark", text_or_null("What a reader should know")),
+        ("encoded_by", text_or_null("Who wrote the file")),
         ("conventions", json!({ "type": "object", "additionalProperties": { "type": "string" } })),
     ]);
     let trajectory = object(&[
@@ -128,8 +133,9 @@ pub fn schema() -> Value {
     let witness = object(&[
         ("t", number("The time")),
         ("formula", text("What is compared")),
-        ("left", number("Value of the left side")),
-        ("right", number("Value of the right side")),
+        ("left", number_or_null("Value of the left side; null where it has none")),
+        ("right", number_or_null("Value of the right side; null where it has none")),
+        ("difference", number_or_null("|left − right|, of these numbers")),
         ("bound", number("Error bound of their difference")),
         ("values", json!({ "type": "object", "additionalProperties": number("What the sides depend on") })),
     ]);
@@ -165,7 +171,10 @@ pub fn schema() -> Value {
         ("says", text("The claim in words")),
         ("formulas", texts("As written")),
         ("kinds", kinds),
+        ("role", text("What it is to the paper: says, may-mean, needs, against, added, lemma or choice")),
         ("added", flag("Whether the paper does not say it: it was added for comparison")),
+        ("conclusion", flag("Whether the paper concludes it")),
+        ("rests_on", texts("Claims on which the paper's argument for it rests")),
         ("place", text_or_null("Where it stands in the paper")),
         ("label", text_or_null("The label of its equation")),
         ("assumptions", texts("As written")),
@@ -201,6 +210,7 @@ pub fn schema() -> Value {
         ("measurements", list(measurement)),
         ("units", units()),
         ("graph", graph()),
+        ("digest", digest()),
         ("summary", summary),
     ]);
     let report = with_optional(report, &[("paper", paper()), ("alone", list(alone()))]);
@@ -414,6 +424,7 @@ fn graph() -> Value {
         ("id", text("Id or name")),
         ("kind", text("claim, system or symbol")),
         ("verdict", text_or_null("Of its step")),
+        ("standing", text_or_null("What the proof amounts to, with all that it rests on")),
         ("assumptions", texts("Its own")),
         ("rests_on", rests),
     ]);
@@ -424,6 +435,30 @@ fn graph() -> Value {
         ("verdict", text_or_null("Of the step")),
     ]);
     object(&[("nodes", list(node)), ("edges", list(edge))])
+}
+
+/// What became of each claim as a whole, and what hangs on it.
+fn digest() -> Value {
+    let claim = object(&[
+        ("id", text("Its id")),
+        ("says", text("In the file's words")),
+        ("place", text_or_null("Where it stands in the paper")),
+        ("conclusion", flag("Whether the paper concludes it")),
+        ("fate", text("fail, partly, reading, open, untested, nowhere, stand, choice, lemma or added")),
+        ("stands", text_or_null("With what strength it stands")),
+        ("proved", flag("Whether all that it says is proved for all values")),
+        ("reason", text_or_null("Why it does not stand")),
+        ("carries", texts("Claims that rest on it")),
+        ("conclusions", texts("Conclusions that rest on it")),
+    ]);
+    object(&[
+        ("verdict", text("In one sentence")),
+        ("strength", text_or_null("With what strength claims stand")),
+        ("beside", text_or_null("What is not counted")),
+        ("alarms", texts("What a reader must not overlook")),
+        ("claims", list(claim)),
+        ("against", texts("Ids of what does not stand, the heaviest first")),
+    ])
 }
 
 /// The comparison with the paper, there if `--source` was given.

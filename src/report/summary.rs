@@ -8,7 +8,9 @@ use crate::check::{Account, ClaimAccount, PairAccount, Witness};
 use crate::derivation::Derivation;
 
 /// Widest name of a claim in the matrix.
-const NAME_WIDTH: usize = 34;
+const NAME_WIDTH: usize = 60;
+/// Most groups of pairs that are told of a kind, unless everything is asked for.
+const MOST_BLOCKS: usize = 8;
 /// The most values that are shown beside a witness.
 const VALUES_SHOWN: usize = 12;
 /// The most places of a measurement that are shown.
@@ -18,33 +20,44 @@ const OTHERS_SHOWN: usize = 6;
 /// The most trajectories of which a measurement is shown; with one more, that one is shown, too.
 const MEASURED_SHOWN: usize = 6;
 
-/// The summary of one derivation, with escape codes if `colour`.
-pub fn summary(derivation: &Derivation, account: &Account, colour: bool) -> String {
+/// The summary of one derivation, with escape codes if `colour`: the first page, what differs, what is open, and the counts.
+/// With `whole` the matrix of verdicts, every failure, and all that was found beside the verdicts.
+pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: bool) -> String {
     let paint = Paint(colour);
-    let mut out = String::new();
-    out.push_str(&format!("{}\n", paint.bold(&derivation.title)));
-    out.push_str(&paragraph(&derivation.concerns, 2));
+    let mut out = super::front::front_page(derivation, account, colour);
     out.push('\n');
-    out.push_str(&matrix(account, paint));
-    out.push_str(&region::terminal(derivation, account, paint, true));
-    out.push_str(&blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected));
+    let most = if whole { usize::MAX } else { MOST_BLOCKS };
+    let blocks = |title: &str, wanted: &dyn Fn(&Group<'_>) -> bool, most: usize| {
+        blocks(derivation, account, paint, title, most, wanted)
+    };
     let known = |word: &'static str| move |g: &Group<'_>| g.word == word && !g.unexpected;
-    out.push_str(&blocks(derivation, account, paint, "Fails, as expected", known("fails")));
-    out.push_str(&blocks(derivation, account, paint, "Undecided", known("undecided")));
+    if whole {
+        out.push_str(&matrix(account, paint));
+    }
+    out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
+    out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
+    out.push_str(&blocks("Fails, as expected", &known("fails"), most));
+    out.push_str(&blocks("Undecided", &known("undecided"), most));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
-    out.push_str(&super::conditions::terminal(account, paint));
-    out.push_str(&discrimination::summary(account, paint));
-    out.push_str(&measurements(derivation, account, paint));
+    if whole {
+        out.push_str(&super::conditions::terminal(account, paint));
+        out.push_str(&discrimination::summary(account, paint));
+        out.push_str(&measurements(derivation, account, paint));
+    }
     out.push_str(&counts(account, paint));
+    if !whole {
+        out.push_str("--matrix prints the matrix of verdicts and all that was found\n");
+    }
     out
 }
 
 /// What `--quiet` prints: nothing, unless something differs or is undecided.
 pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> String {
     let paint = Paint(colour);
-    let mut out = blocks(derivation, account, paint, "Differs from what is expected", |g| g.unexpected);
-    out.push_str(&blocks(derivation, account, paint, "Undecided", |g| g.word == "undecided" && !g.unexpected));
+    let all = usize::MAX;
+    let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
+    out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
     out.push_str(&region::terminal(derivation, account, paint, false));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
@@ -104,15 +117,24 @@ fn blocks(
     account: &Account,
     paint: Paint,
     title: &str,
+    most: usize,
     wanted: impl Fn(&Group<'_>) -> bool,
 ) -> String {
     let mut body = String::new();
-    let mut number = 0;
+    let (mut number, mut told, mut more) = (0, 0, 0);
     for claim in &account.claims {
         for group in groups(claim).iter().filter(|g| wanted(g)) {
             number += group.pairs.len();
+            if told == most {
+                more += 1;
+                continue;
+            }
+            told += 1;
             body.push_str(&block(derivation, claim, group, paint));
         }
+    }
+    if more > 0 {
+        body.push_str(&format!("  and {more} more, in the report\n\n"));
     }
     if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold(title)) }
 }
@@ -152,15 +174,14 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
         out.push_str(&paragraph(&format!("{}: {reason}", pair.trajectory), indent));
     }
     match (&evidence.witness, &evidence.residual) {
-        (Some(witness), residual) => {
+        (Some(witness), _) => {
             let place = format!("{} at t = {}:", pair.trajectory, time(witness.t));
             if indent + place.chars().count() + 2 + witness.formula.chars().count() > WIDTH {
                 out.push_str(&format!("{space}{place}\n{}", paragraph(&witness.formula, indent)));
             } else {
                 out.push_str(&format!("{space}{place}  {}\n", witness.formula));
             }
-            let difference = residual.as_ref().filter(|r| r.at == witness.t).map(|r| size(r.max));
-            out.push_str(&sides(witness, difference, indent + 2));
+            out.push_str(&sides(witness, indent + 2));
         }
         (None, Some(r)) if evidence.reason.is_none() => out.push_str(&format!(
             "{space}{}: largest residual {} at t = {}, error bound {}, {}\n",
@@ -176,9 +197,9 @@ fn telling_point(pair: &PairAccount, indent: usize) -> String {
 }
 
 /// Both sides of an equation at a witness, and what they depend on.
-pub(super) fn sides(witness: &Witness, difference: Option<String>, indent: usize) -> String {
+pub(super) fn sides(witness: &Witness, indent: usize) -> String {
     let space = " ".repeat(indent);
-    let difference = difference.map(|d| format!("difference {d}, ")).unwrap_or_default();
+    let difference = format!("difference {}, ", size(witness.difference()));
     let mut out = format!("{space}left   {}\n", value(witness.left));
     out.push_str(&format!("{space}right  {}\n", value(witness.right)));
     out.push_str(&format!("{space}{difference}error bound {}\n", size(witness.bound)));
@@ -258,7 +279,7 @@ mod tests {
 
     #[test]
     fn the_summary_of_a_small_account() {
-        insta::assert_snapshot!(summary(&derivation(), &sample::account(), false));
+        insta::assert_snapshot!(summary(&derivation(), &sample::account(), false, true));
     }
 
     #[test]
@@ -279,7 +300,7 @@ mod tests {
             account.trajectories.push(crate::check::TrajectoryAccount { id: id.clone(), ..first.clone() });
             account.claims[1].results.push(PairAccount { trajectory: id, ..result.clone() });
         }
-        let text = summary(&derivation(), &account, false);
+        let text = summary(&derivation(), &account, false, true);
         for line in text.lines() {
             assert!(line.chars().count() <= WIDTH, "{line}");
         }
@@ -289,8 +310,8 @@ mod tests {
 
     #[test]
     fn colour_changes_nothing_but_colour() {
-        let plain = summary(&derivation(), &sample::account(), false);
-        let coloured = summary(&derivation(), &sample::account(), true);
+        let plain = summary(&derivation(), &sample::account(), false, true);
+        let coloured = summary(&derivation(), &sample::account(), true, true);
         assert_ne!(plain, coloured);
         assert_eq!(anstream::adapter::strip_str(&coloured).to_string(), plain);
     }

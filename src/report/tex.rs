@@ -8,6 +8,8 @@
 //! letter by letter. Letters that plain `pdflatex` does not know are replaced by commands or spelled out.
 
 use super::digest::{self, Fate, Whole};
+use super::front::Front;
+use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use super::wording::{self, Part};
@@ -64,12 +66,10 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
     let scope = &derivation.scope;
     let wholes = digest::wholes(derivation, account);
     let s = account.summary();
-    out.push_str(&format!(
-        "\\subsection*{{What was found}}\n\n\\textbf{{{}}}\n\n",
-        escaped(&digest::headline(&wholes))
-    ));
+    out.push_str("\\subsection*{What was found}\n\n");
+    front_page(derivation, account, out);
     if let Some(remark) = &derivation.remark {
-        out.push_str(&format!("{}\n\n", prose(remark, scope)));
+        out.push_str(&format!("\\emph{{Remark of the file:}} {}\n\n", prose(remark, scope)));
     }
     out.push_str(&format!(
         "Readings counted one by one, these are {} on {}: of the pairs {} hold, {} fail, {} do not apply, {} are undecided; \
@@ -110,19 +110,81 @@ fn findings(derivation: &Derivation, account: &Account, out: &mut String) {
     }
 }
 
+/// The first page as a document of its own, for a letter.
+pub fn tex_summary(derivation: &Derivation, account: &Account) -> String {
+    let scope = &derivation.scope;
+    let mut out = PREAMBLE.replace("11pt", "10pt").replace("margin=25mm", "margin=20mm");
+    out.push_str(&format!("\\section*{{{}}}\n\n", prose(&derivation.title, scope)));
+    out.push_str(&format!("What is checked: {}\n\n", prose(&derivation.concerns, scope)));
+    front_page(derivation, account, &mut out);
+    out.push_str("\\end{document}\n");
+    out
+}
+
+/// The verdict, the conclusions, and what does not stand.
+fn front_page(derivation: &Derivation, account: &Account, out: &mut String) {
+    let scope = &derivation.scope;
+    let front = Front::new(derivation, account);
+    out.push_str(&format!("\\textbf{{{}}}\n\n", prose(&front.verdict, scope)));
+    for text in front.strength.iter().chain(&front.beside) {
+        out.push_str(&format!("{}\n\n", prose(text, scope)));
+    }
+    for alarm in &front.alarms {
+        out.push_str(&format!("\\textbf{{! {}}}\n\n", prose(alarm, scope)));
+    }
+    let place = |place: &Option<String>| place.as_ref().map(|p| format!(" ({})", prose(p, scope))).unwrap_or_default();
+    let tight = "\\setlength{\\itemsep}{1pt}\\setlength{\\parskip}{0pt}\n";
+    if !front.conclusions.is_empty() {
+        out.push_str(&format!("The paper concludes:\n\\begin{{itemize}}{tight}"));
+        for c in &front.conclusions {
+            let rests = match c.without.is_empty() || c.fate.is_against() {
+                true => String::new(),
+                false => format!(", and rests on {}", escaped(&c.without.join(", "))),
+            };
+            let (says, place) = (prose(&c.says, scope), place(&c.place));
+            out.push_str(&format!("\\item[{}] {says}{place}: \\textbf{{{}}}{rests}.\n", c.letter, c.fate.words(1)));
+        }
+        out.push_str("\\end{itemize}\n\n");
+    }
+    if !front.lines.is_empty() {
+        out.push_str(&format!("What does not stand, the heaviest first:\n\\begin{{enumerate}}{tight}"));
+        for line in &front.lines {
+            let consequence = line.consequence.as_ref().map(|c| format!(" {}", prose(c, scope))).unwrap_or_default();
+            out.push_str(&format!(
+                "\\item \\textbf{{{}}}{} {}{consequence}\n",
+                prose(&line.says, scope),
+                place(&line.place),
+                prose(&line.reason, scope)
+            ));
+        }
+        out.push_str("\\end{enumerate}\n");
+        if front.more > 0 {
+            out.push_str(&format!("And {} more.\n\n", front.more));
+        }
+    }
+    out.push_str(&format!(
+        "\n{} To repeat it: \\texttt{{{}}} ({}).\n\n",
+        prose(&front.author, scope),
+        escaped(&front.command),
+        escaped(&front.version)
+    ));
+}
+
 /// An item of the list of claims; for one that does not stand, what became of each reading, and why.
 fn whole_in_words(whole: &Whole<'_>, scope: &Scope) -> String {
     let place = whole.place.map(|p| format!("{}; ", prose(p, scope))).unwrap_or_default();
-    let proved = if whole.fate == Fate::Stands && whole.is_proved() { " Proved for all values." } else { "" };
-    let mut out = format!("\\item {} ({place}{}){proved}\n", prose(&whole.says, scope), escaped(whole.id));
+    let basis = whole.basis().filter(|_| whole.fate == Fate::Stands);
+    let basis = basis.map(|b| format!(": {}", prose(&b.words(), scope))).unwrap_or_default();
+    let mut out = format!("\\item {} ({place}{}){basis}.\n", prose(&whole.says, scope), escaped(whole.id));
     if whole.fate == Fate::Stands {
         return out;
     }
     out.push_str("\\begin{itemize}\n");
     for reading in &whole.readings {
         let mut parts = Vec::new();
-        if reading.added && whole.fate != Fate::Added {
-            parts.push("(For comparison)".to_owned());
+        let whose = reading.whose(whole);
+        if !whose.is_empty() {
+            parts.push(format!("({})", escaped(whose)));
         }
         if reading.claim.reading.is_some() {
             parts.push(prose(&reading.claim.says, scope));
@@ -143,6 +205,7 @@ fn whole_in_words(whole: &Whole<'_>, scope: &Scope) -> String {
 
 fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
     out.push_str("\\subsection*{Claims}\n\n");
+    let graph = DerivationGraph::new(derivation, account);
     for claim in &account.claims {
         let declared = declared(derivation, claim);
         let scope = declared.map_or(&derivation.scope, |d| &d.scope);
@@ -184,7 +247,8 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
             out.push_str(&format!("Assuming {}.\n\n", all.join(", ")));
         }
         if let Some(identity) = &claim.identity {
-            out.push_str(&format!("For all values: {}\n\n", prose(&identity.sentence(), scope)));
+            let sentence = super::graph::sentence(identity, &graph.proof_of(claim));
+            out.push_str(&format!("For all values: {}\n\n", prose(&sentence, scope)));
         }
         for group in groups(claim) {
             verdicts(&group, scope, out);
@@ -196,7 +260,7 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
             out.push_str(&format!("{}\n\n", prose(&said.join(" "), scope)));
         }
         if let Some(remark) = &claim.remark {
-            out.push_str(&format!("\\emph{{Remark:}} {}\n\n", prose(remark, scope)));
+            out.push_str(&format!("\\emph{{Remark of the file:}} {}\n\n", prose(remark, scope)));
         }
     }
 }
@@ -478,5 +542,8 @@ mod tests {
         assert!(out.starts_with(r"\documentclass") && out.ends_with("\\end{document}\n"));
         assert_eq!(out.matches(r"\begin{").count(), out.matches(r"\end{").count());
         assert!(out.contains(r"everywhere \textless{}sic\textgreater{}"));
+        let page = tex_summary(&derivation(), &sample::account());
+        assert!(page.starts_with(r"\documentclass") && page.ends_with("\\end{document}\n"));
+        assert_eq!(page.matches(r"\begin{").count(), page.matches(r"\end{").count());
     }
 }

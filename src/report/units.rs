@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::markdown::{math, prose, table};
+use super::markdown::{math, prose};
 use super::numbers::count;
 use super::text::{Paint, paragraph};
 use crate::check::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
@@ -59,21 +59,6 @@ pub(super) fn section(units: &UnitsAccount) -> String {
     if bad + units.missed.len() > 0 {
         out.push('\n');
     }
-    let rows = units.formulas.iter().map(|f| {
-        vec![
-            f.kind.to_owned(),
-            format!("`{}`", f.of.replace('|', r"\|")),
-            math(&f.formula),
-            f.verdict.word().to_owned(),
-            words(f),
-        ]
-    });
-    let head = ["where", "of", "formula", "units", "notes"];
-    out.push_str(&format!(
-        "<details><summary>{}</summary>\n\n{}</details>\n\n",
-        count(units.formulas.len(), "formula"),
-        table(&head, rows)
-    ));
     out
 }
 

@@ -9,7 +9,9 @@
 //! part, a false conjunction as one witness, a negation as what it negates. Two rigorous findings that exclude each other are
 //! a defect of the program; the claim then has no verdict. A rigorous finding stands against a sampled one.
 
-use super::evidence::{Evidence, Proof};
+use std::sync::Arc;
+
+use super::evidence::{Evidence, Proof, Residuals, Witness};
 use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
@@ -256,6 +258,14 @@ impl Verdict {
         self.evidence.reason = Some(reason);
     }
 
+    /// Completes the witness that is shown, and gives another curve where there is one: what is shown, not what it means.
+    pub fn show(&mut self, witness: Witness, series: Option<Arc<Residuals>>) {
+        if self.evidence.witness.is_some() {
+            self.evidence.witness = Some(witness);
+            self.evidence.series = series.or(self.evidence.series.take());
+        }
+    }
+
     fn fold(&mut self) {
         // What contradicts itself stays without a verdict.
         if self.defect.is_some() {
@@ -403,7 +413,7 @@ impl Verdict {
 mod tests {
     use super::Proposition::{And, Atom};
     use super::*;
-    use crate::{Enclosed, Witness};
+    use crate::Enclosed;
 
     fn witness() -> Option<Witness> {
         Some(Witness { t: 0.0, formula: String::new(), left: 0.0, right: 1.0, bound: 0.0, values: Vec::new() })

@@ -30,14 +30,21 @@ pub struct Witness {
     pub t: f64,
     /// The formula that is compared, as written, with its component: `t9[1]`, `\dot R_{12}`.
     pub formula: String,
-    /// Value of the left side.
+    /// Value of the left side; not a number where it has none.
     pub left: f64,
-    /// Value of the right side.
+    /// Value of the right side; not a number where it has none.
     pub right: f64,
     /// Error bound of their difference.
     pub bound: f64,
     /// Values that the two sides depend on: LaTeX name, value.
     pub values: Vec<(String, f64)>,
+}
+
+impl Witness {
+    /// How far the sides are apart: |left − right|, of the very numbers that are shown.
+    pub fn difference(&self) -> f64 {
+        (self.left - self.right).abs()
+    }
 }
 
 /// A stretch of time that was left out, and why.

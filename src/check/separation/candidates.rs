@@ -6,7 +6,7 @@
 use super::PROBE;
 use super::account::ConditionName;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, SymbolEntry, Written};
-use crate::expr::{Expr, Leaf, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Node, Tensor};
 use crate::latex::{self, RelationKind, Role, Statement};
 
 /// Most conditions that are built from the symbols.
@@ -20,6 +20,9 @@ pub(super) struct Candidate {
     pub name: ConditionName,
     /// The claim that it is met at every time.
     pub claim: Claim,
+    /// Whether it does not move: it is about parameters and the start. That something which moves is not so *throughout* is an
+    /// accident of the span, and explains nothing.
+    pub fixed: bool,
 }
 
 /// What a condition says.
@@ -40,7 +43,8 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
             negated: false,
         };
         let claim = claim(derivation, out.len(), Says::Statements(condition.holds.clone()));
-        out.push(Candidate { name, claim });
+        let fixed = is_fixed(derivation, &claim);
+        out.push(Candidate { name, claim, fixed });
     }
     let mut texts = parameters(derivation);
     texts.extend(starts(derivation));
@@ -67,15 +71,34 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
         let name = ConditionName { id: None, formula, says: constant, negated: false };
         let claim = claim(derivation, out.len(), says);
         // The file may have said it in other words.
-        if !out.iter().any(|c| said(&c.claim) == said(&claim)) {
-            out.push(Candidate { name, claim });
+        let graph = &derivation.graph;
+        if !out.iter().any(|c| said(graph, &c.claim) == said(graph, &claim)) {
+            let fixed = is_fixed(derivation, &claim);
+            out.push(Candidate { name, claim, fixed });
         }
     }
     out
 }
 
+/// Whether all that a condition is about are parameters and values at fixed times.
+fn is_fixed(derivation: &Derivation, claim: &Claim) -> bool {
+    let sides = said(&derivation.graph, claim).into_iter().flat_map(|(_, l, r)| std::iter::once(l).chain(r));
+    let leaves = derivation.graph.leaves(sides.collect::<Vec<_>>());
+    leaves.iter().all(|l| l.instant.is_some() || derivation.scope.role(l.symbol) == Some(Role::Parameter))
+}
+
+/// A quantity that equals its value at a fixed time does not change.
+fn is_its_start(graph: &Graph, l: Expr, r: Expr) -> bool {
+    match (graph.node(l), graph.node(r)) {
+        (Node::Leaf(l), Node::Leaf(r)) => {
+            l.instant.is_none() && r.instant.is_some() && Leaf { instant: None, ..*r } == *l
+        }
+        _ => false,
+    }
+}
+
 /// What a claim says, in whatever words: the sides of its relations, and what is constant, in a fixed order.
-pub(super) fn said(claim: &Claim) -> Vec<(Option<RelationKind>, Expr, Option<Expr>)> {
+pub(super) fn said(graph: &Graph, claim: &Claim) -> Vec<(Option<RelationKind>, Expr, Option<Expr>)> {
     let mut out = Vec::new();
     for form in &claim.forms {
         match form {
@@ -84,7 +107,11 @@ pub(super) fn said(claim: &Claim) -> Vec<(Option<RelationKind>, Expr, Option<Exp
                     let sides = relation.left.components.iter().zip(&relation.right.components);
                     // 0 = 0 off a diagonal says nothing.
                     let telling = sides.filter(|(l, r)| l != r);
-                    out.extend(telling.map(|(l, r)| (Some(relation.kind), *l, Some(*r))));
+                    out.extend(telling.map(|(&l, &r)| match relation.kind {
+                        RelationKind::Equal if is_its_start(graph, l, r) => (None, l, None),
+                        RelationKind::Equal if is_its_start(graph, r, l) => (None, r, None),
+                        kind => (Some(kind), l, Some(r)),
+                    }));
                 }
             }
             Form::FirstIntegral(w) => out.extend(w.value.components.iter().map(|e| (None, *e, None))),
@@ -110,7 +137,9 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         reading: None,
         says: String::new(),
         parent_says: None,
-        added: false,
+        role: Default::default(),
+        conclusion: false,
+        rests_on: Vec::new(),
         place: None,
         label: None,
         remark: None,

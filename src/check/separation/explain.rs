@@ -93,7 +93,7 @@ pub(super) fn separation(
             Reason { explanation, truth, rank }
         };
         all.push(one(candidate.name.clone(), Truth::clone(truth), (built, 1, position)));
-        if built == 0 {
+        if built == 0 && candidate.fixed {
             let name = ConditionName { negated: true, ..candidate.name.clone() };
             let truth = truth.iter().map(|t| t.map(|t| !t)).collect();
             all.push(one(name, truth, (0, 2, position)));

@@ -193,10 +193,18 @@ impl Probes {
         let judged: Vec<(&Candidate, Truth)> = all().map(|k| (&self.candidates[k], stands.truth(k))).collect();
         for (&at, sides) in split.iter().zip(&sides) {
             let claim = &mut account.claims[at];
-            // A claim explains nothing about itself.
+            // A claim explains nothing about itself, and neither does a part of it.
             let same = |c: &&derivation::Claim| c.id == claim.id && c.reading == claim.reading;
-            let said = derivation.claims.iter().find(same).map(candidates::said);
-            let others = all().filter(|&k| Some(candidates::said(&self.candidates[k].claim)) != said);
+            let said = |c: &derivation::Claim| candidates::said(&derivation.graph, c);
+            let own = derivation.claims.iter().find(same).map(said).unwrap_or_default();
+            if all().filter(from_file).any(|k| !own.is_empty() && said(&self.candidates[k].claim) == own) {
+                // It is a condition of the file itself: where it holds is what it says.
+                continue;
+            }
+            let others = all().filter(|&k| {
+                let condition = said(&self.candidates[k].claim);
+                condition.is_empty() || !condition.iter().all(|part| own.contains(part))
+            });
             let others: Vec<usize> = others.collect();
             let may = |k: &&usize| from_file(k) || stands.may_explain(**k, sides);
             let useful: Vec<(&Candidate, &Truth)> =

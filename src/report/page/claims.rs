@@ -3,7 +3,8 @@
 use maud::{Markup, html};
 
 use super::super::discrimination::is_weak;
-use super::super::graph::DerivationGraph;
+use super::super::graph::{DerivationGraph, ProofStanding};
+use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
@@ -41,7 +42,13 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph, family: &[&ClaimAccount]) -> Markup {
     let Some(first) = family.first() else { return html! {} };
     let parent = declared(derivation, first).and_then(|d| d.parent_says.clone());
-    let n = |claim: &ClaimAccount, word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+    let tally = |claim: &ClaimAccount| {
+        let n = |word: &str| claim.verdicts().filter(|j| j.verdict.outcome().word() == word).count();
+        let words =
+            [("holds", "holds"), ("fails", "fails"), ("not-applicable", "does not apply"), ("undecided", "undecided")];
+        let told = words.iter().filter(|(word, _)| n(word) > 0).map(|(word, said)| format!("{said} on {}", n(word)));
+        told.collect::<Vec<_>>().join(", ")
+    };
     let own = family.iter().any(|c| c.reading.is_none());
     html! {
         div.family {
@@ -54,9 +61,9 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                     thead {
                         tr {
                             th { "reading" }
+                            th { "whose" }
                             th { "says" }
-                            th { "as a formula" }
-                            @for head in ["holds", "fails", "does not apply", "undecided"] { th { (head) } }
+                            th { "verdicts" }
                         }
                     }
                     tbody {
@@ -65,11 +72,9 @@ fn readings(derivation: &Derivation, account: &Account, graph: &DerivationGraph,
                                 th scope="row" {
                                     a href={ "#" (name(claim)) } { (claim.reading.as_deref().unwrap_or("the claim itself")) }
                                 }
+                                td { (declared(derivation, claim).map(|d| d.role).unwrap_or_default().word()) }
                                 td { (prose(&claim.says, scope_of(derivation, claim))) }
-                                td { (formulas(derivation, claim, true)) }
-                                @for word in ["holds", "fails", "not-applicable", "undecided"] {
-                                    td.number { (n(claim, word)) }
-                                }
+                                td.number { (tally(claim)) }
                             }
                         }
                     }
@@ -95,7 +100,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                 h3 { (name(claim)) ": " (prose(&claim.says, scope)) }
             }
             p.quiet {
-                @if declared.is_some_and(|d| d.added) { span.added { "for comparison" } " The paper does not say it. " }
+                @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
                 @if let Some(place) = &claim.place { (prose(place, scope)) ". " }
                 @if let Some(label) = declared.and_then(|d| d.label.as_ref()) { "Label " code { (label) } ". " }
                 @if let Some(from) = declared.map(|d| &d.follows_from).filter(|f| !f.is_empty()) {
@@ -105,7 +110,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                     "Precision asked for: " (size(p)) "."
                 }
             }
-            (formulas(derivation, claim, false))
+            (formulas(derivation, claim))
             @if !claim.assumptions.is_empty() {
                 p {
                     "Assuming "
@@ -117,9 +122,11 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                 }
             }
             @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
-            @if let Some(remark) = &claim.remark { p.remark { (prose(remark, scope)) } }
+            @if let Some(remark) = &claim.remark {
+                p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
+            }
             (support::units_of(account, claim, scope))
-            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, scope)) }
+            @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, &graph.proof_of(claim), scope)) }
             (support::rests(graph, claim, scope))
             (support::conditions(claim, scope))
             (support::discrimination(claim, scope))
@@ -129,14 +136,73 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
     }
 }
 
-/// Whether it is an identity, with its bound.
-fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scope) -> Markup {
+/// The claims as they are printed: without the tables of pairs, which are in `report.json`.
+pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
+    let graph = DerivationGraph::new(derivation, account);
+    let mut last = "";
     html! {
-        div class={ "identity " (identity.verdict()) } {
+        section.claims id="/claims" {
+            h2 { "Claims" }
+            @for claim in &account.claims {
+                @let declared = declared(derivation, claim);
+                @let scope = scope_of(derivation, claim);
+                @let parent = declared.and_then(|d| d.parent_says.as_ref());
+                @if let Some(parent) = parent.filter(|_| std::mem::replace(&mut last, &claim.id) != claim.id) {
+                    h3 { (claim.id) ": " (prose(parent, scope)) }
+                }
+                article.claim {
+                    h4 { (name(claim)) ": " (prose(&claim.says, scope)) }
+                    p.quiet {
+                        @if let Some(whose) = declared.and_then(|d| whose(d.role)) { (whose) " " }
+                        @if let Some(place) = &claim.place { (prose(place, scope)) "." }
+                    }
+                    (formulas(derivation, claim))
+                    @if !claim.assumptions.is_empty() {
+                        p {
+                            "Assuming "
+                            @for (i, a) in claim.assumptions.iter().enumerate() { @if i > 0 { ", " } (formula(a, scope)) }
+                            "."
+                        }
+                    }
+                    @if let Some(identity) = &claim.identity {
+                        p { b { "For all values: " } (sentence(identity, &graph.proof_of(claim), scope)) }
+                    }
+                    @for group in groups(claim) {
+                        p {
+                            b { (group_word(group.word)) } " on " (count(group.pairs.len(), "trajectory"))
+                            @if group.pairs.len() < account.trajectories.len() {
+                                ": "
+                                @for (i, pair) in group.pairs.iter().enumerate() { @if i > 0 { ", " } (pair.trajectory) }
+                            }
+                            "."
+                        }
+                        @if let Some(pair) = group.telling().filter(|_| group.word == "fails") { (witness(pair, scope)) }
+                    }
+                    (region::block(claim, scope))
+                }
+            }
+        }
+    }
+}
+
+fn group_word(word: &str) -> &'static str {
+    match word {
+        "holds" => "Holds",
+        "fails" => "Fails",
+        "undecided" => "Undecided",
+        _ => "Does not apply",
+    }
+}
+
+/// Whether it is an identity, with its bound.
+fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, proof: &ProofStanding, scope: &Scope) -> Markup {
+    let class =
+        if *proof == ProofStanding::Proved || identity.verdict() != "proved" { identity.verdict() } else { "given" };
+    html! {
+        div class={ "identity " (class) } {
             p {
                 b { "For all values: " }
-                (sentence(identity, scope))
-                @if identity.generic { " The proof leaves out special cases of what is given; see below." }
+                (sentence(identity, proof, scope))
                 (support::certificate(claim, identity, scope))
             }
             @for (title, lines) in identity.terms() {
@@ -153,8 +219,8 @@ fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, scope: &Scop
 }
 
 /// The sentence on an identity, its power of two as one.
-fn sentence(identity: &IdentityAccount, scope: &Scope) -> Markup {
-    let text = identity.sentence();
+fn sentence(identity: &IdentityAccount, proof: &ProofStanding, scope: &Scope) -> Markup {
+    let text = super::super::graph::sentence(identity, proof);
     match (identity.log2_error, text.split_once("2^")) {
         (Some(_), Some((before, after))) => {
             let end = after.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(after.len());
@@ -165,7 +231,7 @@ fn sentence(identity: &IdentityAccount, scope: &Scope) -> Markup {
 }
 
 /// The formulas of a claim, each with what is claimed of it.
-fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Markup {
+fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
     let scope = scope_of(derivation, claim);
     let kinds: Vec<&str> =
         declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
@@ -195,21 +261,19 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount, small: bool) -> Marku
                 @if std::mem::replace(&mut last, kind) != kind {
                     p.kind { @match over(i) { Some(text) => (prose(&text, scope)), None => (words) } }
                 }
-                @if small { div { (formula(text, scope)) } } @else { (display(text, scope)) }
+                (display(text, scope))
             }
         }
     }
 }
 
+/// Most trajectories that are named above a table.
+const NAMED: usize = 12;
+
 /// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
 fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
     let of = account.trajectories.len();
-    let word = match group.word {
-        "holds" => "Holds",
-        "fails" => "Fails",
-        "undecided" => "Undecided",
-        _ => "Does not apply",
-    };
+    let word = group_word(group.word);
     let on = match group.pairs.len() {
         n if n == claim.results.len() && n == of && n > 1 => format!("on all {}", count(n, "trajectory")),
         n if n == claim.results.len() && n > 1 => format!("on all {} on which it is tried", count(n, "trajectory")),
@@ -225,6 +289,13 @@ fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &
                     ", " strong.alarm {
                         @match group.expected { Some(word) => { "expected: " (word) }, None => { "not expected" } }
                     }
+                }
+            }
+            @if group.pairs.len() < of {
+                p.names {
+                    @for (i, pair) in group.pairs.iter().take(NAMED).enumerate() { @if i > 0 { ", " } (pair.trajectory) }
+                    @if group.pairs.len() > NAMED { " and " (group.pairs.len() - NAMED) " more" }
+                    "."
                 }
             }
             div.scroll tabindex="0" role="group" aria-label={ (word) " " (on) } { (table(account, claim, group, scope)) }

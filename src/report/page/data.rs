@@ -24,6 +24,8 @@ const FINE: usize = 12;
 /// Steps between the least and the largest value, and one more for what is not finite.
 const STEPS: usize = DIGITS.len() * FINE;
 
+/// Of what holds, one sample in so many is drawn.
+const THIN: usize = 3;
 /// Shortest text that is worth a place of its own among the strings.
 const WORTH: usize = 5;
 
@@ -35,9 +37,11 @@ const WORTH: usize = 5;
 /// equation. A witness is `[formula, t, left, right, bound, names, values…]`, with one name in each line. `events` gives the
 /// equation at which a claim is tried: its samples are events.
 ///
+/// `folds` are what is folded on the page, by the `data-k` of its element.
+///
 /// Texts and packed columns are themselves, or positions in `strings`, where they occur several times; a list is its texts
 /// one after the other.
-pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
+pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String]) -> String {
     let of_claim = |claim: &ClaimAccount| {
         let mut pairs = serde_json::Map::new();
         let declared = declared(derivation, claim);
@@ -64,7 +68,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> String {
     let strings = share([&mut events, &mut claims]);
     let time = derivation.scope.time().map(|l| l.symbol);
     let unit = derivation.symbols.iter().find(|s| Some(s.symbol) == time).and_then(|s| s.unit.clone());
-    json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims }).to_string()
+    json!({ "unit": unit, "strings": strings, "events": events, "pairs": claims, "folds": folds }).to_string()
 }
 
 /// Takes the texts that occur several times out of the maps; what is left in their place is their position in what is returned,
@@ -128,7 +132,10 @@ fn packed<'a>(
     let at_events = declared.is_some_and(|d| d.at.is_some());
     let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
-    let curves = drawn.map(|s| curves(s, span, texts.of(&s.formula)));
+    // What holds is the same line twice: fewer samples say it.
+    let holds = matches!(pair.verdict.outcome(), crate::check::Outcome::Holds(_));
+    let thin = if holds && !at_events { THIN } else { 1 };
+    let curves = drawn.map(|s| curves(s, span, texts.of(&s.formula), thin));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));
     let witness = evidence.witness.as_ref().map(|w| {
         let (names, values): (Vec<String>, Vec<f64>) = assigned(w).into_iter().unzip();
@@ -167,8 +174,12 @@ fn short(x: f64) -> Value {
     }
 }
 
-fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value) -> Value {
-    let points = &series.points;
+fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value, thin: usize) -> Value {
+    let last = series.points.len().saturating_sub(1);
+    let worst = |p: &ResidualPoint| if p.bound > 0.0 { p.residual / p.bound } else { 0.0 };
+    let most = series.points.iter().map(worst).fold(0.0, f64::max);
+    let kept = |(i, p): &(usize, &ResidualPoint)| i % thin == 0 || *i == last || worst(p) == most;
+    let points: Vec<ResidualPoint> = series.points.iter().enumerate().filter(kept).map(|(_, p)| *p).collect();
     let values = |f: &dyn Fn(&ResidualPoint) -> f64| -> Vec<f64> { points.iter().map(f).collect() };
     let (t, left, right) = (values(&|p| p.t), values(&|p| p.left), values(&|p| p.right));
     let span = span.unwrap_or((t.first().copied().unwrap_or(0.0), t.last().copied().unwrap_or(1.0)));

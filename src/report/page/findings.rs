@@ -3,6 +3,8 @@
 use maud::{Markup, html};
 
 use super::super::digest::{self, Fate, Reading, Whole};
+use super::super::front::Front;
+use super::super::graph::ProofStanding;
 use super::super::numbers::count;
 use super::super::tally::{Standing, name};
 use super::text::prose;
@@ -17,7 +19,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
         section id="/findings" {
             h2 { "What was found" }
-            p.headline { (digest::headline(&wholes)) }
+            (front(&Front::new(derivation, account), &derivation.scope))
             ul.counts aria-label="What became of the claims" {
                 @for fate in Fate::TOLD {
                     @let n = of(fate).len();
@@ -26,9 +28,11 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                     }
                 }
             }
-            @if let Some(remark) = &derivation.remark { p.lead { (prose(remark, &derivation.scope)) } }
+            @if let Some(remark) = &derivation.remark {
+                p.lead { span.quiet { "Remark of the file: " } (prose(remark, &derivation.scope)) }
+            }
             (counted(account))
-            (in_order(&wholes))
+            (in_order(&wholes, &derivation.scope))
             @for fate in Fate::ALL {
                 @let found = of(fate);
                 @if !found.is_empty() {
@@ -38,6 +42,50 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                 }
             }
             (unsaid(derivation, account))
+        }
+    }
+}
+
+/// The first page: it is printed by itself.
+pub(super) fn front(front: &Front, scope: &Scope) -> Markup {
+    let link = |id: &str| html! { a href={ "#" (id) } { (id) } };
+    let place = |place: &Option<String>| html! { @if let Some(p) = place { (prose(p, scope)) ", " } };
+    html! {
+        div.front id="/front" {
+            p.headline { (prose(&front.verdict, scope)) }
+            @for text in front.strength.iter().chain(&front.beside) { p { (prose(text, scope)) } }
+            @for alarm in &front.alarms { p { strong.alarm { "! " (prose(alarm, scope)) } } }
+            @if !front.conclusions.is_empty() {
+                h3 { "The paper concludes" }
+                ul.concludes {
+                    @for c in &front.conclusions {
+                        li {
+                            b { (c.letter) } " " (prose(&c.says, scope)) " "
+                            span.quiet { "(" (place(&c.place)) (link(&c.id)) ")" } ": " b class=(c.fate.key()) { (c.fate.words(1)) }
+                            @if !c.without.is_empty() && !c.fate.is_against() {
+                                ", and rests on "
+                                @for (i, id) in c.without.iter().enumerate() { @if i > 0 { ", " } (link(id)) }
+                            }
+                            "."
+                        }
+                    }
+                }
+            }
+            @if !front.lines.is_empty() {
+                h3 { "What does not stand, the heaviest first" }
+                ol.against {
+                    @for line in &front.lines {
+                        li {
+                            b { (prose(&line.says, scope)) } " "
+                            span.quiet { "(" (place(&line.place)) a href={ "#/why/" (line.id) } { (line.id) } ")" } " "
+                            (prose(&line.reason, scope))
+                            @if let Some(c) = &line.consequence { " " (prose(c, scope)) }
+                        }
+                    }
+                }
+                @if front.more > 0 { p.quiet { "And " (front.more) " more, below." } }
+            }
+            p.quiet { (prose(&front.author, scope)) " To repeat it: " code { (front.command) } " (" (front.version) ")." }
         }
     }
 }
@@ -60,26 +108,26 @@ fn counted(account: &Account) -> Markup {
 }
 
 /// Every claim of the paper in its order, with the shape of its fate: a map of the paper, at one glance.
-fn in_order(wholes: &[Whole<'_>]) -> Markup {
+fn in_order(wholes: &[Whole<'_>], scope: &Scope) -> Markup {
     let class = |whole: &Whole<'_>| match whole.fate {
         Fate::Stands if whole.is_proved() => "h p",
         Fate::Stands => "h",
         Fate::Reading => "r",
         Fate::Partly => "m",
         Fate::Fails => "f",
-        Fate::Open => "u",
-        Fate::Nowhere | Fate::Added => "n",
+        Fate::Open | Fate::Untested => "u",
+        Fate::Nowhere | Fate::Choice | Fate::Lemma | Fate::Added => "n",
     };
     let words = [
         ("h p", "stands, proved for all values"),
         ("h", "stands"),
-        ("r", "depends on how it is read"),
+        ("r", "depends on what it means"),
         ("m", "holds on some motions only"),
         ("f", "does not hold"),
         ("u", "is not settled"),
         ("n", "applies to no motion"),
     ];
-    let told: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate != Fate::Added).collect();
+    let told: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_of_the_paper()).collect();
     html! {
         h3 id="/order" { "The claims in their order" }
         ul.legend aria-label="Shapes" {
@@ -92,7 +140,8 @@ fn in_order(wholes: &[Whole<'_>]) -> Markup {
                 @let stands = whole.fate == Fate::Stands;
                 li {
                     span class={ "mark " (class(whole)) } aria-hidden="true" {}
-                    @if stands { a href={ "#" (whole.id) } { (whole.id) } } @else { a href={ "#/why/" (whole.id) } { (whole.id) } }
+                    @let target = if stands { format!("#{}", whole.id) } else { format!("#/why/{}", whole.id) };
+                    a href=(target) { (prose(&whole.says, scope)) }
                     span.unseen { ", " (whole.fate.words(1)) }
                 }
             }
@@ -102,7 +151,7 @@ fn in_order(wholes: &[Whole<'_>]) -> Markup {
 
 /// The shape of a standing: that of a pair, and a half circle for what holds in part.
 fn mark(reading: &Reading<'_>) -> Markup {
-    let proved = reading.claim.identity.as_ref().is_some_and(crate::check::IdentityAccount::is_proved);
+    let proved = reading.proof == ProofStanding::Proved;
     let class = match reading.standing {
         Standing::Holds if proved => "h p",
         Standing::Holds => "h",
@@ -124,7 +173,7 @@ fn standing(found: &[&Whole<'_>], scope: &Scope) -> Markup {
     let proved = found.iter().filter(|w| w.is_proved()).count();
     html! {
         @if proved > 0 {
-            p.quiet { "Proved for all values, in every reading: " (proved) " (" span class="mark h p" aria-hidden="true" {} ")." }
+            p.quiet { "Proved for all values, given nothing that is not proved: " (proved) " (" span class="mark h p" aria-hidden="true" {} ")." }
         }
         ul.stands {
             @for whole in found {
@@ -132,6 +181,7 @@ fn standing(found: &[&Whole<'_>], scope: &Scope) -> Markup {
                     span class=@if whole.is_proved() { "mark h p" } @else { "mark h" } aria-hidden="true" {} " "
                     a href={ "#" (whole.id) } { (whole.id) } " " (prose(&whole.says, scope))
                     @if let Some(place) = whole.place { span.quiet { " (" (prose(place, scope)) ")" } }
+                    @if let Some(basis) = whole.basis() { span.outcome { ": " (prose(&basis.words(), scope)) "." } }
                 }
             }
         }
@@ -155,7 +205,8 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
                     @for reading in &whole.readings {
                         li {
                             (mark(reading)) " "
-                            @if reading.added && whole.fate != Fate::Added { span.added { "for comparison" } " " }
+                            @let whose = reading.whose(whole);
+                            @if !whose.is_empty() { span.added { (whose) } " " }
                             @if whole.is_read() {
                                 @if reading.claim.reading.is_some() { (prose(&reading.claim.says, scope)) }
                                 @else { "As it stands:" }
@@ -167,7 +218,7 @@ fn reasons(derivation: &Derivation, found: &[&Whole<'_>]) -> Markup {
                                 "."
                             }
                             @if let Some(remark) = &reading.claim.remark {
-                                " " span.why { (prose(remark, scope)) }
+                                " " span.quiet { "Remark of the file: " } span.why { (prose(remark, scope)) }
                             }
                         }
                     }

@@ -61,7 +61,7 @@ pub(super) fn section(account: &Account) -> Markup {
     html! {
         section id="/matrix" {
             h2 { "Claims and trajectories" }
-            p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence." }
+            p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence; so does each name to its claim." }
             (legend())
             (filters(account))
             div.scroll.wide tabindex="0" role="group" aria-label="Matrix of verdicts" {
@@ -94,9 +94,7 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
                 @match claim.results.iter().find(|r| r.trajectory == t.id) {
                     Some(pair) => {
                         td class=(cell(pair)) {
-                            a href={ "#" (anchor(account, claim, pair)) } {
-                                (words(pair)) @if is_marked(pair) { ", weak" } @if pair.is_unexpected() { ", not as expected" }
-                            }
+                            (words(pair)) @if is_marked(pair) { ", weak" } @if pair.is_unexpected() { ", not as expected" }
                         }
                     },
                     None => { td {} },

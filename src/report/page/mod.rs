@@ -14,6 +14,8 @@
 mod claims;
 mod data;
 mod findings;
+mod folded;
+mod graph;
 mod matrix;
 mod motions;
 mod packed;
@@ -33,34 +35,78 @@ use text::{formula, prose, unit};
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("script.js");
 
+/// Pages with more pairs keep what is folded out of the document until it is unfolded.
+const MOST_PAIRS: usize = 1_000;
+
 /// The page.
 pub fn page(derivation: &Derivation, account: &Account) -> String {
-    let scope = &derivation.scope;
     let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
-    let (data, (claims, motions)) = rayon::join(|| packed::packed(&data::json(derivation, account)), large);
+    let (findings, (claims, motions)) = rayon::join(|| findings::section(derivation, account), large);
+    let folding = html! { (claims) (motions) (measures(derivation, account)) };
+    let folding = tight::tight(&folding.into_string());
+    let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
+    let (folding, folds) = if pairs > MOST_PAIRS { folded::taken_out(&folding) } else { (folding, Vec::new()) };
+    let data = packed::packed(&data::json(derivation, account, &folds));
+    let rest = html! {
+        (PreEscaped(folding))
+        (conventions(derivation))
+        (symbols(derivation))
+        (systems(derivation))
+        (support::units(account, &derivation.scope))
+        (making(derivation))
+    };
     let body = html! {
+        (header(derivation, Some(account)))
+        main id="/main" { (findings) (graph::section(derivation, account)) (matrix::section(account)) (rest) }
+    };
+    framed(derivation, &body, Some(&data))
+}
+
+/// The report as it is printed: what is folded on a screen is shown, what only a screen can show is left out.
+pub fn printed_page(derivation: &Derivation, account: &Account) -> String {
+    let body = html! {
+        (header(derivation, None))
+        main id="/main" {
+            (findings::section(derivation, account))
+            (graph::section(derivation, account))
+            (claims::printed(derivation, account))
+            (motions::listed(derivation, account))
+            (conventions(derivation))
+            (symbols(derivation))
+            (systems(derivation))
+            (support::units(account, &derivation.scope))
+            (making(derivation))
+        }
+    };
+    framed(derivation, &body, None).replace("<details", "<details open")
+}
+
+fn header(derivation: &Derivation, contents_of: Option<&Account>) -> Markup {
+    let scope = &derivation.scope;
+    html! {
         header {
-            a.skip href="#/main" { "Skip to the report" }
+            @if contents_of.is_some() { a.skip href="#/main" { "Skip to the report" } }
             p.kind { "A check of a derivation" }
             h1 { (prose(&derivation.title, scope)) }
             p { (prose(&derivation.concerns, scope)) }
             @if let Some(source) = &derivation.source { p.quiet { "Source: " (prose(source, scope)) } }
-            (contents(derivation, account))
+            @if let Some(account) = contents_of { (contents(derivation, account)) }
         }
-        main id="/main" {
-            (findings::section(derivation, account))
-            (matrix::section(account))
-            (claims)
-            (motions)
-            (conventions(derivation))
-            (symbols(derivation))
-            (systems(derivation))
-            (support::units(account, scope))
-            (measures(derivation, account))
-            (making(derivation))
-        }
+    }
+}
+
+/// The first page alone, to be printed.
+pub fn first_page(derivation: &Derivation, account: &Account) -> String {
+    let scope = &derivation.scope;
+    let body = html! {
+        (header(derivation, None))
+        main id="/main" { (findings::front(&super::front::Front::new(derivation, account), scope)) }
     };
-    let body = PreEscaped(tight::tight(&body.into_string()));
+    framed(derivation, &body, None)
+}
+
+fn framed(derivation: &Derivation, body: &Markup, data: Option<&str>) -> String {
+    let body = PreEscaped(tight::tight(&body.0));
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -76,8 +122,10 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
             }
             body {
                 (body)
-                script type="text/plain" id="/data" { (PreEscaped(data)) }
-                script { (PreEscaped(SCRIPT)) }
+                @if let Some(data) = data {
+                    script type="text/plain" id="/data" { (PreEscaped(data)) }
+                    script { (PreEscaped(SCRIPT)) }
+                }
             }
         }
     };
@@ -89,6 +137,7 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
         nav aria-label="Contents" {
             ul {
                 li { a href="#/findings" { "What was found" } }
+                li { a href="#/graph" { "What follows from what" } }
                 li { a href="#/matrix" { "Claims and trajectories" } }
                 li { a href="#/claims" { "Claims" } }
                 li { a href="#/trajectories" { "Trajectories" } }

@@ -21,6 +21,29 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     }
 }
 
+/// The trajectories as they are printed: a line for each.
+pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
+    let scope = &derivation.scope;
+    html! {
+        section id="/trajectories" {
+            h2 { "Trajectories" }
+            table {
+                thead { tr { th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
+                tbody {
+                    @for t in &account.trajectories {
+                        tr {
+                            th { (t.id) }
+                            td { @if t.title != t.id { (prose(&t.title, scope)) } }
+                            td { (time(t.span.0)) " … " (time(t.span.1)) }
+                            td { (size(t.error)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// What every picture of a kind shows, said once.
 fn what_is_drawn(derivation: &Derivation) -> Markup {
     let scope = &derivation.scope;
@@ -87,6 +110,7 @@ fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) ->
             }
             @if let Some(problem) = &t.problem { p.alarm { (problem) } }
             @if !t.given.is_empty() {
+                details { summary { "Parameters and initial values" }
                 ul.given aria-label={ "Parameters and initial values of " (t.id) } {
                     @for (name, values) in &t.given {
                         li {
@@ -95,7 +119,7 @@ fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) ->
                             @else { "(" (values.iter().map(|v| value(*v)).collect::<Vec<_>>().join(", ")) ")" }
                         }
                     }
-                }
+                } }
             }
             (integrals(derivation, account, t))
             (pictures(derivation, account, t))

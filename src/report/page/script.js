@@ -89,7 +89,10 @@ function go() {
   state = read();
   fill(state);
   filter(state);
-  const target = state.anchor && byId(placeOf(state.anchor));
+  const place = placeOf(state.anchor), target = state.anchor && byId(place), n = numbers(place);
+  // A pair may stand in a table that is still folded away.
+  const away = !target && n && byId(names[n[0]]) ? [...byId(names[n[0]]).querySelectorAll("details[data-k]")] : [];
+  if (away.length) unpacked().then(() => { away.forEach(unfold); if (byId(place)) go(); }, () => {});
   if (!target) return;
   for (let e = target; e; e = e.parentElement) { if (e.tagName === "DETAILS") e.open = true; if (e.hidden) e.hidden = false; }
   for (const old of document.querySelectorAll("tr.here")) old.classList.remove("here");
@@ -103,19 +106,28 @@ addEventListener("hashchange", go);
 // What a cell is, for those who point at it.
 table.addEventListener("mouseover", e => {
   const cell = e.target.closest("tbody td, tbody th");
-  if (!cell || cell.title) return;
-  const name = names[rows.indexOf(cell.parentNode)], a = cell.querySelector("a");
-  if (a) cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${a.textContent}` : name;
+  if (!cell || cell.title || cell.cellIndex && !cell.className) return;
+  const name = names[rows.indexOf(cell.parentNode)];
+  cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${cell.textContent}` : name;
 });
 
-// ---- keys in the matrix: one stop, arrows inside ----
+// ---- cells lead to their pairs; keys in the matrix: one stop, arrows inside ----
+const leads = cell => {
+  const i = rows.indexOf(cell.parentNode), j = cell.cellIndex - 1;
+  const to = write({ ...state, anchor: `${names[i]}@${motions[j]}` });
+  if (to === decodeURIComponent(location.hash)) go(); else location.hash = to;
+};
+table.addEventListener("click", e => {
+  const cell = e.target.closest("tbody td[class]");
+  if (cell && !cell.classList.contains("off")) leads(cell);
+});
 const cells = () => rows.filter(r => !r.hidden).map(r => [...r.cells].slice(1).filter(c => !c.hidden));
-for (const a of table.querySelectorAll("tbody td a")) a.tabIndex = -1;
-const first = table.querySelector("tbody td a");
+const first = table.querySelector("tbody td[class]");
 if (first) first.tabIndex = 0;
 table.addEventListener("keydown", e => {
-  const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[e.key];
   const here = e.target.closest("td");
+  if (here && e.key === "Enter") leads(here);
+  const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[e.key];
   if (!step || !here) return;
   const grid = cells();
   let y = grid.findIndex(r => r.includes(here)), x = y < 0 ? -1 : grid[y].indexOf(here);
@@ -123,11 +135,10 @@ table.addEventListener("keydown", e => {
     y += step[0]; x += step[1];
     const cell = grid[y] && grid[y][x];
     if (!cell) break;
-    const a = cell.querySelector("a");
-    if (a && !cell.classList.contains("off")) {
-      for (const old of table.querySelectorAll('td a[tabindex="0"]')) old.tabIndex = -1;
-      a.tabIndex = 0;
-      a.focus();
+    if (cell.className && !cell.classList.contains("off")) {
+      for (const old of table.querySelectorAll('td[tabindex="0"]')) old.tabIndex = -1;
+      cell.tabIndex = 0;
+      cell.focus();
       break;
     }
   }
@@ -229,8 +240,18 @@ function open(row) {
     if (row.classList.contains("here")) row.scrollIntoView({ block: "start" });
   }, () => element(box, "p", { class: "quiet" }, "This browser cannot unpack the curves. The numbers are in report.json."));
 }
-// A line through samples; events are points, each with its time marked below.
-const line = (p, xs, ys, name) => add(p.svg, "polyline", { class: "curve " + name, points: xs.map((x, i) => p.X(x).toFixed(1) + "," + p.Y(ys[i]).toFixed(1)).join(" ") });
+// A smooth line through samples, without values beyond theirs (tangents: harmonic means of slopes); events are points, each with its time marked below.
+const line = (p, xs, ys, name) => {
+  const X = xs.map(p.X), Y = ys.map(p.Y), n = X.length;
+  const slope = X.slice(1).map((x, i) => (Y[i + 1] - Y[i]) / (x - X[i] || 1));
+  const m = X.map((_, i) => {
+    const a = slope[Math.max(0, i - 1)], b = slope[Math.min(n - 2, i)];
+    return a * b > 0 ? 2 * a * b / (a + b) : 0;
+  });
+  const at = (x, y) => x.toFixed(1) + "," + y.toFixed(1);
+  const part = i => { const h = (X[i + 1] - X[i]) / 3; return `C${at(X[i] + h, Y[i] + m[i] * h)} ${at(X[i + 1] - h, Y[i + 1] - m[i + 1] * h)} ${at(X[i + 1], Y[i + 1])}`; };
+  add(p.svg, "path", { class: "curve " + name, d: "M" + at(X[0], Y[0]) + slope.map((_, i) => part(i)).join("") });
+};
 const points = (p, xs, ys, name) => xs.forEach((x, i) => {
   if (!Number.isFinite(ys[i])) return;
   const cx = p.X(x).toFixed(1), cy = p.Y(ys[i]).toFixed(1);
@@ -306,9 +327,18 @@ function witness(box, [label, t, left, right, bound, names, ...values]) {
   element(box, "pre", { tabindex: 0 }, stored(names).split("\n").map((name, i) => `${name} = ${values[i]}\n`).join("") + `left = ${left}\nright = ${right}`);
 }
 
+// What is folded comes into the page when it is asked for.
+function unfold(details) {
+  if (details.dataset.k === undefined) return;
+  details.insertAdjacentHTML("beforeend", data.folds[details.dataset.k]);
+  delete details.dataset.k;
+  filter(state);
+}
 // Rows get a link to their curves when their table is opened.
 document.addEventListener("toggle", e => {
-  if (!e.target.open || !e.target.matches(".verdicts")) return;
+  if (!e.target.open || !e.target.matches("details")) return;
+  if (e.target.dataset.k !== undefined) unpacked().then(() => unfold(e.target), () => {});
+  if (!e.target.matches(".verdicts")) return;
   unpacked().then(() => {
     for (const row of e.target.querySelectorAll("tbody tr[id]")) {
       if (!pairOf(row.id) || row.dataset.linked) continue;
@@ -320,6 +350,17 @@ document.addEventListener("toggle", e => {
   }, () => {});
 }, true);
 
+// A formula that is wider than its place says so.
+const wide = () => {
+  for (const box of document.querySelectorAll(".formula")) {
+    const hidden = box.scrollWidth > box.clientWidth + 1, note = box.nextElementSibling;
+    const noted = note && note.classList.contains("more");
+    if (hidden && !noted) { const p = document.createElement("p"); p.className = "more"; p.textContent = "→ the formula goes on: scroll it sideways"; box.after(p); }
+    if (!hidden && noted) note.remove();
+  }
+};
+addEventListener("resize", wide);
+wide();
 form.hidden = false;
 go();
 })();

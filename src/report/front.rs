@@ -1,0 +1,478 @@
+//! The first page of a report: the verdict in one sentence, and what does not stand, the heaviest first.
+//!
+//! **In:** the derivation and its account. **Out:** [`Front`], which terminal, Markdown, page and letter draw in their ways; so
+//! that they cannot tell different stories. Its texts are those of the file and of [`digest`](super::digest); formulas stand
+//! between dollar signs.
+//!
+//! **Guaranteed:** it fits on one printed page: so many lines are told, the rest is counted.
+
+use serde_json::{Value, json};
+
+use super::consequence::Consequences;
+use super::digest::{self, Basis, Fate, Whole};
+use super::numbers::count;
+use super::tally::{Standing, name};
+use super::text::{Paint, WIDTH, paragraph};
+use crate::check::{Account, ClaimAccount};
+use crate::derivation::{ClaimRole, Derivation};
+
+/// Most claims that are told; the rest is counted.
+const MOST: usize = 14;
+/// Most ids that are named in one line.
+const MOST_NAMED: usize = 4;
+
+/// What the paper concludes, and what became of it.
+pub(super) struct Conclusion {
+    /// A letter, by which lines refer to it.
+    pub letter: char,
+    pub id: String,
+    pub says: String,
+    pub place: Option<String>,
+    pub fate: Fate,
+    /// Claims on which it rests that do not stand.
+    pub without: Vec<String>,
+}
+
+/// A claim that does not stand.
+pub(super) struct Line {
+    pub id: String,
+    pub says: String,
+    pub place: Option<String>,
+    /// Why: a sentence.
+    pub reason: String,
+    /// What falls with it: a sentence, or nothing.
+    pub consequence: Option<String>,
+}
+
+/// The first page.
+pub(super) struct Front {
+    /// One sentence.
+    pub verdict: String,
+    /// With what strength the others stand: a sentence.
+    pub strength: Option<String>,
+    pub conclusions: Vec<Conclusion>,
+    /// The heaviest first.
+    pub lines: Vec<Line>,
+    /// How many more do not stand.
+    pub more: usize,
+    /// What asks for attention: what was not checked, and what rests on nothing.
+    pub alarms: Vec<String>,
+    /// What is in the file beside the paper's claims.
+    pub beside: Option<String>,
+    /// Who encoded the paper.
+    pub author: String,
+    /// What is needed to repeat it: a sentence, and the command.
+    pub version: String,
+    pub command: String,
+}
+
+impl Front {
+    /// The first page of an account.
+    pub fn new(derivation: &Derivation, account: &Account) -> Front {
+        let wholes = digest::wholes(derivation, account);
+        let hangs = Consequences::new(derivation);
+        let letter = |id: &str| {
+            let at = hangs.conclusions().iter().position(|c| *c == id)?;
+            char::from_u32(u32::from('A') + u32::try_from(at).ok()?)
+        };
+        let mut against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
+        // The sort is stable: equals stay in the order of the paper.
+        against.sort_by_key(|w| (std::cmp::Reverse(hangs.weight(w.id)), w.fate));
+        let more = against.len().saturating_sub(MOST);
+        let conclusion = |id: &&str| {
+            let whole = wholes.iter().find(|w| w.id == *id)?;
+            let under = |w: &&&Whole<'_>| hangs.conclusions_of(w.id).contains(id);
+            Some(Conclusion {
+                letter: letter(id)?,
+                id: whole.id.to_owned(),
+                says: whole.says.clone(),
+                place: whole.place.map(str::to_owned),
+                fate: whole.fate,
+                without: against.iter().filter(under).map(|w| w.id.to_owned()).collect(),
+            })
+        };
+        let line = |whole: &&Whole<'_>| Line {
+            id: whole.id.to_owned(),
+            says: whole.says.clone(),
+            place: whole.place.map(str::to_owned),
+            reason: reason(whole),
+            consequence: consequence(whole, &hangs, &wholes, letter),
+        };
+        let file = project_path(&derivation.file.path);
+        Front {
+            verdict: verdict(&wholes, &hangs),
+            strength: strength(&wholes),
+            conclusions: hangs.conclusions().iter().filter_map(conclusion).collect(),
+            lines: against.iter().take(MOST).map(line).collect(),
+            more,
+            alarms: alarms(derivation, account),
+            beside: digest::beside(&wholes),
+            author: match &derivation.encoded_by {
+                Some(author) => format!("Encoded by {}.", author.trim_end_matches('.')),
+                None => "Who encoded it is not said in the file.".to_owned(),
+            },
+            version: format!(
+                "{} {}, file {file}, SHA-256 {}",
+                crate::PROGRAM,
+                env!("CARGO_PKG_VERSION"),
+                derivation.sha256.get(..16).unwrap_or_default(),
+            ),
+            command: format!("{} check {file}", crate::PROGRAM),
+        }
+    }
+}
+
+/// The verdict in one sentence: of the conclusions first, then of all claims.
+fn verdict(wholes: &[Whole<'_>], hangs: &Consequences<'_>) -> String {
+    let counted = digest::headline(wholes);
+    let conclusions: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.conclusion).collect();
+    if conclusions.is_empty() {
+        return counted;
+    }
+    let against: Vec<&Whole<'_>> = wholes.iter().filter(|w| w.fate.is_against()).collect();
+    let falls = |w: &&&Whole<'_>| w.fate.is_against();
+    let loses =
+        |w: &&&Whole<'_>| !w.fate.is_against() && against.iter().any(|a| hangs.conclusions_of(a.id).contains(&w.id));
+    let (fallen, lost) = (conclusions.iter().filter(falls).count(), conclusions.iter().filter(loses).count());
+    let all = count(conclusions.len(), "conclusion");
+    let mut parts = Vec::new();
+    if fallen > 0 {
+        parts.push(format!("{fallen} {} not hold as stated", if fallen == 1 { "does" } else { "do" }));
+    }
+    if lost > 0 {
+        let verb = if lost == 1 { "rests" } else { "rest" };
+        parts.push(format!("{lost} {}{verb} on claims that do not stand", if fallen > 0 { "more " } else { "" }));
+    }
+    let of_conclusions = match parts.is_empty() {
+        true => format!("of the paper's {all} none rests on a claim that fails"),
+        false => format!("of the paper's {all} {}", digest::listed(&parts)),
+    };
+    format!("{}; {of_conclusions}.", counted.trim_end_matches('.'))
+}
+
+/// With what strength claims stand.
+fn strength(wholes: &[Whole<'_>]) -> Option<String> {
+    let mut found: Vec<Basis> = wholes.iter().filter(|w| w.fate == Fate::Stands).filter_map(Whole::basis).collect();
+    found.sort_by(|a, b| b.cmp(a));
+    let mut kinds: Vec<(&str, usize)> = Vec::new();
+    for basis in &found {
+        match kinds.last_mut() {
+            Some((kind, n)) if *kind == basis.kind() => *n += 1,
+            _ => kinds.push((basis.kind(), 1)),
+        }
+    }
+    let parts: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
+    (!parts.is_empty()).then(|| format!("Of those that stand: {}.", parts.join("; ")))
+}
+
+/// Why a claim does not stand, in a sentence.
+fn reason(whole: &Whole<'_>) -> String {
+    let contrary = whole.readings.iter().find(|r| r.role == ClaimRole::Against && r.standing == Standing::Holds);
+    let shown = contrary.map(|r| format!("the contrary holds, {}", r.basis().words()));
+    let Some(failing) = whole.failing() else {
+        return shown.map_or_else(String::new, |s| format!("{}.", capital(&s)));
+    };
+    let mut out = String::new();
+    let several = whole.deciding().count() > 1;
+    if several && failing.claim.reading.is_some() {
+        let before = if whole.fate == Fate::Reading { "In one meaning, “" } else { "“" };
+        out.push_str(&format!("{before}{}”: ", failing.claim.says.trim_end_matches('.')));
+        out.push_str(&lower(&digest::verdict(failing)));
+    } else {
+        out.push_str(&digest::verdict(failing));
+    }
+    let first = |word: &str| failing.claim.results.iter().find(|p| p.verdict.outcome().word() == word);
+    if let Some(pair) = first("fails") {
+        out.push_str(&format!(", e.g. {}", pair.trajectory));
+    }
+    if let Some(e) = failing.claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) {
+        out.push_str(&format!("; on the motions tried, it holds just where {}", digest::explanation(e)));
+    }
+    if let Some(shown) = shown {
+        out.push_str(&format!("; {shown}"));
+    }
+    format!("{out}.")
+}
+
+/// What falls with a claim, in a sentence.
+fn consequence(
+    whole: &Whole<'_>,
+    hangs: &Consequences<'_>,
+    wholes: &[Whole<'_>],
+    letter: impl Fn(&str) -> Option<char>,
+) -> Option<String> {
+    let conclusions: Vec<String> =
+        hangs.conclusions_of(whole.id).iter().filter_map(|c| letter(c)).map(String::from).collect();
+    let claims = hangs.carried_by(whole.id, wholes);
+    let others: Vec<&String> = claims.iter().filter(|c| letter(c).is_none()).collect();
+    let named: Vec<String> = others.iter().take(MOST_NAMED).map(|c| c.to_string()).collect();
+    let more = others.len().saturating_sub(MOST_NAMED);
+    let mut parts = Vec::new();
+    if !conclusions.is_empty() {
+        let word = if conclusions.len() == 1 { "conclusion" } else { "conclusions" };
+        parts.push(format!("{word} {}", conclusions.join(", ")));
+    }
+    if !named.is_empty() {
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        parts.push(format!("{}{more}", named.join(", ")));
+    }
+    let itself = if whole.conclusion { "This is a conclusion of the paper. " } else { "" };
+    match (parts.is_empty(), itself) {
+        (true, "") => None,
+        (true, itself) => Some(itself.trim().to_owned()),
+        (false, itself) => Some(format!("{itself}On it rest {}.", parts.join("; "))),
+    }
+}
+
+/// What a reader must not overlook: claims that apply nowhere, premises that are refuted, a file that decides nothing.
+pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
+    let mut out = Vec::new();
+    let quoted = |names: Vec<String>| {
+        let more = names.len().saturating_sub(MOST_NAMED);
+        let named = names.into_iter().take(MOST_NAMED).collect::<Vec<_>>().join(", ");
+        if more > 0 { format!("{named} and {more} more") } else { named }
+    };
+    let summary = account.summary();
+    if summary.holds + summary.fails == 0 {
+        out.push("No claim was decided: a run that checks nothing is no success.".to_owned());
+    }
+    let nowhere: Vec<String> =
+        account.claims.iter().filter(|c| Standing::of(c) == Standing::Nowhere).map(name).collect();
+    if !nowhere.is_empty() {
+        let verb = if nowhere.len() == 1 { "applies" } else { "apply" };
+        out.push(format!(
+            "{} {verb} to no motion, so that nothing was checked of what they say: {}.",
+            count(nowhere.len(), "claim"),
+            quoted(nowhere)
+        ));
+    }
+    let refuted = refuted_premises(derivation, account);
+    if !refuted.is_empty() {
+        out.push(format!(
+            "Proofs rest on {} that {} refuted: {}.",
+            count(refuted.len(), "premise"),
+            if refuted.len() == 1 { "is" } else { "are" },
+            quoted(refuted)
+        ));
+    }
+    out
+}
+
+/// Claims from which another is said to follow although they fail on a motion, or a point refutes them. What holds on every
+/// motion that is tried is a condition on motions, not a mistake.
+fn refuted_premises(derivation: &Derivation, account: &Account) -> Vec<String> {
+    let names: Vec<&String> = derivation.claims.iter().flat_map(|c| &c.follows_from).collect();
+    let is_premise = |c: &&ClaimAccount| names.iter().any(|n| **n == name(c) || **n == c.id && c.reading.is_none());
+    let is_refuted = |c: &&ClaimAccount| match Standing::of(c) {
+        Standing::Fails | Standing::Mixed => true,
+        Standing::Holds => false,
+        Standing::Open | Standing::Nowhere => c.identity.as_ref().is_some_and(|i| i.verdict() == "refuted"),
+    };
+    account.claims.iter().filter(is_premise).filter(is_refuted).map(name).collect()
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+}
+
+fn lower(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |c| c.to_lowercase().chain(letters).collect())
+}
+
+/// The path as the project sees it; nothing outside the project is named.
+pub(super) fn project_path(path: &str) -> String {
+    let path = path.replace('\\', "/");
+    let path = path.trim_start_matches("./");
+    let outside = path.starts_with('/') || path.split('/').any(|p| p == ".." || p.ends_with(':'));
+    if outside { path.rsplit('/').next().unwrap_or_default().to_owned() } else { path.to_owned() }
+}
+
+/// A text for a terminal: formulas without their dollars.
+fn bare(text: &str) -> String {
+    text.replace('$', "")
+}
+
+/// The first page for a terminal, with escape codes if `colour`.
+pub fn front_page(derivation: &Derivation, account: &Account, colour: bool) -> String {
+    let paint = Paint(colour);
+    let front = Front::new(derivation, account);
+    let mut out = format!("{}\n", paint.bold(&derivation.title));
+    out.push_str(&paragraph(&derivation.concerns, 2));
+    out.push_str(&format!("\n{}", paint.bold(&paragraph(&front.verdict, 0))));
+    for text in front.strength.iter().chain(&front.beside) {
+        out.push_str(&paragraph(text, 0));
+    }
+    for alarm in &front.alarms {
+        out.push_str(&paint.alarm(&paragraph(&format!("! {alarm}"), 0)));
+    }
+    let place = |place: &Option<String>| place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
+    if !front.conclusions.is_empty() {
+        out.push_str(&format!("\n{}\n", paint.bold("The paper concludes")));
+        for c in &front.conclusions {
+            let rests = match (c.without.is_empty(), c.fate.is_against()) {
+                (false, false) => {
+                    format!(", and rests on {}, which {} not stand", c.without.join(", "), does(&c.without))
+                }
+                _ => String::new(),
+            };
+            let text = format!(
+                "{}  {}{}: {}{rests}.",
+                c.letter,
+                bare(c.says.trim_end_matches('.')),
+                place(&c.place),
+                c.fate.words(1)
+            );
+            out.push_str(&hanging(&text, 2));
+        }
+    }
+    if !front.lines.is_empty() {
+        out.push_str(&format!("\n{}\n", paint.bold("What does not stand, the heaviest first")));
+    }
+    for (i, line) in front.lines.iter().enumerate() {
+        let head = hanging(&format!("{:>2}. {}{}", i + 1, bare(&line.says), place(&line.place)), 1);
+        out.push_str(&paint.bold(&head));
+        let consequence = line.consequence.as_ref().map(|c| format!(" {c}")).unwrap_or_default();
+        out.push_str(&paragraph(&bare(&format!("{}{consequence} [{}]", line.reason, line.id)), 5));
+    }
+    if front.more > 0 {
+        out.push_str(&format!("     and {} more, in the report\n", front.more));
+    }
+    out.push('\n');
+    out.push_str(&paragraph(
+        &format!("{} To repeat it: {} ({}).", bare(&front.author), front.command, front.version),
+        0,
+    ));
+    out
+}
+
+fn does(ids: &[String]) -> &'static str {
+    if ids.len() == 1 { "does" } else { "do" }
+}
+
+/// A paragraph whose further lines stand deeper than the first.
+fn hanging(text: &str, indent: usize) -> String {
+    let deeper = indent + 3;
+    let first: String = paragraph(text, deeper);
+    let cut = first.char_indices().nth(deeper - indent).map_or(0, |(at, _)| at);
+    debug_assert!(first.lines().all(|l| l.chars().count() <= WIDTH || !l.trim().contains(' ')), "{first}");
+    first[cut..].to_owned()
+}
+
+/// The first page as Markdown.
+pub fn front_markdown(derivation: &Derivation, account: &Account) -> String {
+    use super::markdown::prose;
+    let front = Front::new(derivation, account);
+    let mut out = format!("# {}\n\nWhat is checked: {}\n\n", prose(&derivation.title), prose(&derivation.concerns));
+    out.push_str(&section(&front, |id| format!("`{id}`")));
+    out
+}
+
+/// The part of `report.md` that is the first page; `link` writes the id of a claim.
+pub(super) fn section(front: &Front, link: impl Fn(&str) -> String) -> String {
+    use super::markdown::prose;
+    let mut out = format!("**{}**\n\n", prose(&front.verdict));
+    for text in front.strength.iter().chain(&front.beside) {
+        out.push_str(&format!("{}\n\n", prose(text)));
+    }
+    for alarm in &front.alarms {
+        out.push_str(&format!("**! {}**\n\n", prose(alarm)));
+    }
+    let place = |place: &Option<String>| place.as_ref().map(|p| format!("{}, ", prose(p))).unwrap_or_default();
+    if !front.conclusions.is_empty() {
+        out.push_str("The paper concludes:\n\n");
+        for c in &front.conclusions {
+            let rests = match c.without.is_empty() || c.fate.is_against() {
+                true => String::new(),
+                false => {
+                    let ids: Vec<String> = c.without.iter().map(|id| link(id)).collect();
+                    format!(", and rests on {}, which {} not stand", ids.join(", "), does(&c.without))
+                }
+            };
+            out.push_str(&format!(
+                "- **{}** {} ({}{}): **{}**{rests}.\n",
+                c.letter,
+                prose(&c.says),
+                place(&c.place),
+                link(&c.id),
+                c.fate.words(1)
+            ));
+        }
+        out.push('\n');
+    }
+    if !front.lines.is_empty() {
+        out.push_str("What does not stand, the heaviest first:\n\n");
+    }
+    for (i, line) in front.lines.iter().enumerate() {
+        let consequence = line.consequence.as_ref().map(|c| format!(" {}", prose(c))).unwrap_or_default();
+        out.push_str(&format!(
+            "{}. **{}** ({}{}) {}{consequence}\n",
+            i + 1,
+            prose(&line.says),
+            place(&line.place),
+            link(&line.id),
+            prose(&line.reason),
+        ));
+    }
+    if front.more > 0 {
+        out.push_str(&format!("\nAnd {} more.\n", front.more));
+    }
+    out.push_str(&format!(
+        "\n{} To repeat it: `{}` ({}).\n\n",
+        prose(&front.author),
+        front.command,
+        prose(&front.version)
+    ));
+    out
+}
+
+/// `digest` of `report.json`.
+pub(super) fn json(derivation: &Derivation, account: &Account) -> Value {
+    let front = Front::new(derivation, account);
+    let wholes = digest::wholes(derivation, account);
+    let hangs = Consequences::new(derivation);
+    let claims = wholes.iter().map(|w| {
+        let line = front.lines.iter().find(|l| l.id == w.id);
+        json!({
+            "id": w.id, "says": w.says, "place": w.place, "conclusion": w.conclusion, "fate": w.fate.key(),
+            "stands": w.basis().filter(|_| w.fate == Fate::Stands).map(|b| b.words()), "proved": w.is_proved(),
+            "reason": line.map(|l| l.reason.as_str()), "carries": hangs.carried_by(w.id, &wholes),
+            "conclusions": hangs.conclusions_of(w.id),
+        })
+    });
+    json!({
+        "verdict": front.verdict, "strength": front.strength, "beside": front.beside, "alarms": front.alarms,
+        "claims": claims.collect::<Vec<_>>(),
+        "against": front.lines.iter().map(|l| l.id.as_str()).collect::<Vec<_>>(),
+    })
+}
+
+#[cfg(all(test, debug_assertions))]
+mod tests {
+    use super::super::tests::derivation;
+    use super::*;
+    use crate::check::sample;
+
+    #[test]
+    fn the_first_page_of_a_small_account() {
+        insta::assert_snapshot!(front_page(&derivation(), &sample::account(), false));
+        insta::assert_snapshot!(front_markdown(&derivation(), &sample::account()));
+    }
+
+    #[test]
+    fn no_path_outside_the_project() {
+        assert_eq!(project_path("derivations/a.toml"), "derivations/a.toml");
+        assert_eq!(project_path("./derivations/a.toml"), "derivations/a.toml");
+        assert_eq!(project_path("/home/someone/a.toml"), "a.toml");
+        assert_eq!(project_path("../other/a.toml"), "a.toml");
+        assert_eq!(project_path("C:\\Users\\a.toml"), "a.toml");
+    }
+
+    #[test]
+    fn further_lines_stand_deeper() {
+        let text = hanging(&format!("A  {}", "word ".repeat(40)), 2);
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(lines[0].starts_with("  A word") && lines[1].starts_with("     word"), "{text}");
+    }
+}
