@@ -133,7 +133,8 @@ fn plain_in(format: &str, text: &str) {
     let lower = text.to_ascii_lowercase();
     let none = |words: &[&str]| {
         for word in words {
-            assert!(!lower.contains(word), "{format} has {word:?}");
+            let line = lower.lines().find(|l| l.contains(word));
+            assert!(!lower.contains(word), "{format} has {word:?}: {line:?}");
         }
     };
     match format {
@@ -143,17 +144,13 @@ fn plain_in(format: &str, text: &str) {
             assert_eq!(lower.matches("<script").count(), lower.matches("</script>").count());
         }
         "md" => {
-            none(&[
-                "<script",
-                "<img",
-                "](javascript",
-                "\n# h1",
-                "\n```\n---",
-                "\\label{",
-                "\\tag{",
-                "$`\\href",
-                "$`\\def",
-            ]);
+            // Between backticks nothing acts; a text never has one of its own there.
+            for outside in lower.lines().flat_map(|line| line.split('`').step_by(2)) {
+                for word in ["<script", "<img", "](javascript"] {
+                    assert!(!outside.contains(word), "{format} has {word:?}: {outside:?}");
+                }
+            }
+            none(&["\n# h1", "\n```\n---", "\\label{", "\\tag{", "$`\\href", "$`\\def"]);
             assert_eq!(lower.matches("```").count() % 2, 0);
         }
         "tex" => none(&["\\input", "\\write", "\\href", "\\def\\", "\\label{", "\\tag{", "^^"]),
@@ -315,8 +312,14 @@ fn the_table_has_every_writer() {
         "summary",
         "tex",
         "add_paper",
+        "first_page",
+        "front",
+        "front_markdown",
+        "front_page",
+        "printed_page",
+        "tex_summary",
     ];
-    let no_texts = ["is_worse", "rule_says", "schema"];
+    let no_texts = ["alarms", "is_worse", "rule_says", "schema"];
     let missing: Vec<&&str> = found.iter().filter(|f| !in_the_table.contains(f) && !no_texts.contains(f)).collect();
     assert!(missing.is_empty(), "write these down in the table of hostile texts: {missing:?}");
 }

@@ -129,6 +129,8 @@ impl Target {
             for (key, text) in part {
                 match (key.as_str(), edit) {
                     ("id", _) => out.push_str(&format!("id = \"{id}\"\n")),
+                    // Claims are tried alone: those that they rest on are not there.
+                    ("rests-on", _) => {}
                     (key, Some((from, to))) if FORMULAS.contains(&key) => {
                         hits += text.matches(from).count();
                         out.push_str(&text.replacen(from, to, 1));

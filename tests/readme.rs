@@ -119,7 +119,7 @@ fn the_example_prints_what_it_is_said_to_print() {
 
     // What it says about the repair, and about expectations.
     save(&format!("{example}{}", part(&page, "repair")));
-    let (code, output) = run(folder.path(), &["check", "larmor.toml", "--no-reports"]);
+    let (code, output) = run(folder.path(), &["check", "larmor.toml", "--no-reports", "--matrix"]);
     assert_eq!(code, Some(0), "{output}");
     assert!(output.contains("radius            H -"), "{output}");
     let expectation = "expect = { holds = [\"circle\"], fails = [\"helix\"] }";

@@ -53,6 +53,8 @@ fn value(graph: &Graph, e: Expr, values: &BTreeMap<String, f64>) -> Option<f64> 
                 Op::Div => a / b,
                 Op::Pow => a.powf(b),
                 Op::Arctan2 => a.atan2(b),
+                Op::Restrict => a,
+                Op::Agm => (0..40).fold((a, b), |(a, b), _| (0.5 * (a + b), (a * b).sqrt())).0,
                 _ => panic!("an operation that is not known here"),
             }
         }
@@ -260,11 +262,12 @@ fn witnesses_of_the_comment_on_some_motions() {
             "t15-lab",
             "generic-generic",
         ]),
+        ..Options::default()
     };
     let (mut derivation, report) = of("deriglazov-comment.toml", &options);
     let mut counts = Counts::default();
     recompute(&mut derivation, &report, &mut counts);
-    assert!(counts.compared > 40, "{counts:?}");
+    assert!(counts.compared > 30, "{counts:?}");
     assert!(counts.ranks > 0 && counts.undefined > 0 && counts.limits > 0, "{counts:?}");
 }
 

@@ -448,6 +448,8 @@ impl<'a> Step<'a> {
                     let clean = !has_exceptions(&case);
                     if clean {
                         proof.log2_error = proof.log2_error.max(case.log2_error) + 1.0;
+                        // Perhaps what is given can hold in this case only.
+                        proof.example = proof.example.take().or(case.example);
                     }
                     clean
                 }

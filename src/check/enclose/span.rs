@@ -23,6 +23,8 @@ struct Covered {
     settled: f64,
     /// How long those are on which it says nothing.
     silent: f64,
+    /// The stretch that was looked at last and is not settled.
+    open: Option<Interval>,
     /// A stretch on which it is false at some time that counts.
     apart: Option<Interval>,
     /// Which signs of ± serve so far.
@@ -52,6 +54,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
             Quantifier::Every => now.iter().all(|n| *n),
         };
         if !enough {
+            found.open = Some(time);
             return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
         }
         found.settled += time.width();
@@ -76,7 +79,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         Ok(looked) => looked,
         // It may be false for certain at single times that are known exactly.
         Err(reason) => {
-            return match exact_times(along).into_iter().find_map(|t| ready.witness(along, t)) {
+            let open = found.open.iter().flat_map(|time| [time.mid(), time.lo(), time.hi()]);
+            let times: Vec<f64> = open.chain(exact_times(along)).collect();
+            return match times.into_iter().find_map(|t| ready.witness(along, t)) {
                 Some(witness) => {
                     let reason = format!("certified at t = {}", witness.t);
                     Shown::Fails(witness, reason)
