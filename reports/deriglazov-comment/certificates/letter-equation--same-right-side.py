@@ -1,4 +1,4 @@
-# deriglazov-comment / letter-equation/same-right-side: The right sides agree, squared.
+# deriglazov-comment / letter-equation/same-right-side: The right side of t11 and that of the form known to us agree, squared.
 #
 # Given: the definitions, the assumptions and I_{(n-k)}.
 #

@@ -75,10 +75,10 @@ impl<'a> Rank<'a> {
                 settled += time.width();
                 return Judgement::Settled;
             }
-            may_say = true;
-            says |= selected == Some(true);
             match self.independent(ranges) {
                 true => {
+                    may_say = true;
+                    says |= selected == Some(true);
                     settled += time.width();
                     Judgement::Settled
                 }

@@ -10,6 +10,9 @@ use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 
+/// Times are isolated if all stretches around them take less than this part of those that are settled otherwise.
+const ALONE: f64 = 1e-2;
+
 /// What a cover of the span found.
 #[derive(Default)]
 struct Covered {
@@ -42,7 +45,6 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
             found.silent += time.width();
             return Judgement::Settled;
         }
-        found.may_say = true;
         if selected == Some(true) && (known == Possible::FALSE || ready.crosses(ranges, time)) {
             found.apart = Some(time);
             return Judgement::Stop("it is false for certain".to_owned());
@@ -57,6 +59,8 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
             found.open = Some(time);
             return Judgement::Open(each.into_iter().find_map(Result::err).unwrap_or_default());
         }
+        // What a whole stretch leaves open its parts may settle.
+        found.may_say = true;
         found.settled += time.width();
         found.says |= selected == Some(true) && !known.may_be(Truth::Void);
         found.gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min).max(found.gap);
@@ -109,7 +113,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     let reason = format!("for every t of the span: in {looked} stretches{apart}");
     match found.says || says_at_a_time(ready, along) {
         true => Shown::Holds(enclosed, reason),
-        false => Shown::Unless(enclosed, reason, found.silent > 0.0),
+        false => Shown::Unless(enclosed, reason, found.settled - found.silent < ALONE * found.silent),
     }
 }
 
