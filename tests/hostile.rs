@@ -145,7 +145,8 @@ fn plain_in(format: &str, text: &str) {
         }
         "md" => {
             // Between backticks nothing acts; a text never has one of its own there.
-            for outside in lower.lines().flat_map(|line| line.split('`').step_by(2)) {
+            let unescaped = lower.replace("\\]", "");
+            for outside in unescaped.lines().flat_map(|line| line.split('`').step_by(2)) {
                 for word in ["<script", "<img", "](javascript"] {
                     assert!(!outside.contains(word), "{format} has {word:?}: {outside:?}");
                 }

@@ -140,6 +140,7 @@ struct Counts {
     ranks: usize,
     limits: usize,
     motions: usize,
+    shadowed: usize,
 }
 
 /// Recomputes every witness of a report.
@@ -164,6 +165,11 @@ fn recompute(derivation: &mut Derivation, report: &Value, counts: &mut Counts) {
                 .filter_map(|(name, v)| Some((name.clone(), v.as_f64()?)))
                 .collect();
             assert!(!values.is_empty(), "{place}: nothing to recompute `{label}` from");
+            if values.keys().any(|name| name.ends_with(" (of the file)")) {
+                // Two symbols with one name: here values are looked up by names.
+                counts.shadowed += 1;
+                continue;
+            }
             let (left, right) = (witness["left"].as_f64(), witness["right"].as_f64());
             let bound = witness["bound"].as_f64().unwrap_or(0.0);
             if let (Some(left), Some(right)) = (left, right) {
@@ -285,5 +291,5 @@ fn witnesses_of_the_committed_reports() {
             recompute(&mut derivation, &report, &mut counts);
         }
     }
-    eprintln!("{counts:?}");
+    assert!(counts.compared > 300 && counts.shadowed < 60, "{counts:?}");
 }

@@ -13,8 +13,11 @@ use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, along};
 use super::program::{Assumption, Part, What};
 use crate::derivation::{Claim, Derivation, Motion};
+use crate::expr::domain::Sign;
+use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{RelationKind, Scope};
+use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use rayon::prelude::*;
 
@@ -38,6 +41,35 @@ pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claim
     let found: Vec<_> = tried.par_iter().with_max_len(1).map(column).collect();
     for (k, at, verdict) in found.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
+    }
+}
+
+/// Places at which a formula is looked at for a change of its sign.
+const LOOKS: u32 = 256;
+/// The largest denominator of a time that is tried exactly.
+const LARGEST_DENOMINATOR: i64 = 1000;
+
+/// The fraction with a small denominator that a number rounds to, by its continued fraction.
+fn simple_fraction(number: f64) -> Option<Rational> {
+    let (mut rest, mut old, mut now) = (number, (1_i64, 0_i64), (number.floor() as i64, 1_i64));
+    if number.abs() > 1e9 {
+        return None;
+    }
+    loop {
+        if (now.0 as f64 / now.1 as f64 - number).abs() <= 1e-12 * number.abs().max(1.0) {
+            return Some(Rational::from(now.0) / Rational::from(now.1));
+        }
+        let part = rest - rest.floor();
+        if part.abs() < 1e-15 {
+            return None;
+        }
+        rest = 1.0 / part;
+        let digit = rest.floor() as i64;
+        let next = (digit.checked_mul(now.0)?.checked_add(old.0)?, digit.checked_mul(now.1)?.checked_add(old.1)?);
+        if next.1 > LARGEST_DENOMINATOR {
+            return None;
+        }
+        (old, now) = (now, next);
     }
 }
 
@@ -202,15 +234,9 @@ impl<'a> Setting<'a> {
                     e.samples = e.samples.max(1);
                     (e.witness, e.reason, e.proof) = (None, None, Some(Proof::default()));
                 }),
-                Some(Err((formula, Apart { time, left, right, bound }))) => {
-                    verdict.prove(position, Possible::FALSE, |e| {
-                        e.witness = Some(Witness { t: time, formula, left, right, bound, values: Vec::new() });
-                        e.reason = Some(format!(
-                            "with the formulas of the motion put in it is an equation in time alone, whose sides differ for \
-                             certain at t = {time}"
-                        ));
-                    });
-                }
+                Some(Err((witness, reason))) => verdict.prove(position, Possible::FALSE, |e| {
+                    (e.witness, e.reason) = (Some(witness), Some(reason));
+                }),
                 None => {}
             }
             if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved))
@@ -227,8 +253,24 @@ impl<'a> Setting<'a> {
         guards: &InTime,
         presupposed: &[Expr],
         part: &Part,
-    ) -> Option<Result<(), (String, Apart)>> {
+    ) -> Option<Result<(), (Witness, String)>> {
         let group = &part.group;
+        if group.asserted || part.is_definedness() {
+            self.needs.clear();
+            let put = |this: &mut Self, e: Expr| this.put(&claim.scope, e);
+            let sides: Vec<Expr> =
+                group.comparisons.iter().flat_map(|c| [c.left, c.right]).filter_map(|e| put(self, e)).collect();
+            let all: Vec<Expr> = sides.into_iter().chain(std::mem::take(&mut self.needs)).collect();
+            if let (Some((t, what)), Some(first)) = (self.missing(guards, presupposed, all), group.comparisons.first())
+            {
+                let formula = first.label.clone();
+                let witness = Witness { t, formula, left: 0.0, right: 0.0, bound: 0.0, values: Vec::new() };
+                return Some(Err((
+                    witness,
+                    format!("with the formulas of the motion put in, {what} at t = {t} exactly"),
+                )));
+            }
+        }
         let equations = group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
         if group.formula.is_some() || group.branching || !equations || group.comparisons.is_empty() {
             return None;
@@ -255,11 +297,77 @@ impl<'a> Setting<'a> {
             };
             match self.ask(guards, needs, sides) {
                 Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
-                Along::Differ(apart) => return Some(Err((c.label.clone(), apart))),
+                Along::Differ(Apart { time, left, right, bound }) => {
+                    let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
+                    let reason = format!(
+                        "with the formulas of the motion put in it is an equation in time alone, whose sides differ for \
+                         certain at t = {time}"
+                    );
+                    return Some(Err((witness, reason)));
+                }
                 Along::Agree { .. } | Along::Open => holds = false,
             }
         }
         holds.then_some(Ok(()))
+    }
+
+    /// A time that counts at which one of these formulas has no value, shown in exact arithmetic; and why.
+    fn missing(&mut self, guards: &InTime, presupposed: &[Expr], formulas: Vec<Expr>) -> Option<(f64, &'static str)> {
+        let needs = self.graph.needs_below(formulas);
+        for need in needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotZero) {
+            for time in self.rational_zeros(need.value) {
+                let counts = guards.positive.iter().map(|&e| (e, Sign::Positive));
+                let counts = counts.chain(guards.not_negative.iter().map(|&e| (e, Sign::NotNegative)));
+                let counts: Vec<(Expr, Sign)> =
+                    counts.chain(guards.nonzero.iter().map(|&e| (e, Sign::NotZero))).collect();
+                let met = |value: &Rational, sign: Sign| match sign {
+                    Sign::Positive => *value > Rational::ZERO,
+                    Sign::NotNegative => *value >= Rational::ZERO,
+                    Sign::NotZero => *value != Rational::ZERO,
+                };
+                let mut exactly = |e: Expr| {
+                    let at = self.graph.constant(time.clone());
+                    let clock = self.time;
+                    let then = self.graph.substitute(e, |_, l| (l == clock).then_some(at));
+                    self.graph.as_constant(then).cloned()
+                };
+                let vanishes = exactly(need.value).is_some_and(|v| v == Rational::ZERO);
+                let selected = counts.into_iter().all(|(e, sign)| exactly(e).is_some_and(|v| met(&v, sign)));
+                // What has no value for another reason does not count.
+                let valued = presupposed.iter().all(|&e| exactly(e).is_some());
+                if vanishes && selected && valued {
+                    return Some((time.to_f64().value(), "it divides by 0"));
+                }
+            }
+        }
+        None
+    }
+
+    /// Candidates for rational zeros of a formula in time, on the span: simple fractions close to where its sign changes.
+    fn rational_zeros(&mut self, e: Expr) -> Vec<Rational> {
+        let Ok(tape) = Tape::compile(&self.graph, &[self.time], &[e]) else { return Vec::new() };
+        let mut slots = tape.slots::<Bounded>(&());
+        let mut value = |t: f64| tape.evaluate(&(), &[Ok(Bounded::exact(t))], &mut slots).pop()?.ok().map(|v| v.value);
+        let (from, to) = self.span;
+        let place = |k: u32| from + (to - from) * f64::from(k) / f64::from(LOOKS);
+        let mut out = Vec::new();
+        for k in 0..LOOKS {
+            let (mut a, mut b) = (place(k), place(k + 1));
+            let (Some(at_a), Some(at_b)) = (value(a), value(b)) else { continue };
+            if at_a != 0.0 && at_b != 0.0 && (at_a > 0.0) == (at_b > 0.0) {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (a + b);
+                match value(middle) {
+                    Some(v) if v != 0.0 && (v > 0.0) == (at_a > 0.0) && at_a != 0.0 => a = middle,
+                    _ => b = middle,
+                }
+            }
+            out.extend([a, b].into_iter().filter_map(simple_fraction));
+        }
+        out.dedup();
+        out
     }
 
     /// Whether something has, wherever it has a value, the value that it has at some time of the span that counts.

@@ -7,12 +7,14 @@
 use nalgebra::DMatrix;
 
 use super::comparison::traced_now;
+use super::stage::Fields;
 use super::trial::{Trial, Tried};
 use super::weigh::Left;
-use crate::derivation::Written;
+use crate::derivation::{Derivation, Form, Motion, Written};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
-use crate::latex::{Scope, Statement};
+use crate::flow::VectorField;
+use crate::latex::{Role, Scope, Statement};
 use crate::number::{Bounded, NoValue};
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 
@@ -38,17 +40,52 @@ pub(super) struct Gradients {
 }
 
 impl Gradients {
-    /// Gradients with respect to `variables`.
+    /// The gradients that a claim asks for; `None` if it asks for none. A rate that a system gives is what it gives; on motions by
+    /// formulas, without a system, rates are variables of their own.
     ///
     /// # Errors
-    /// [`NoDerivative`] where a function has no derivative among the known operations.
-    pub fn new(
+    /// A function without a derivative among the known operations; rates that several systems give differently.
+    pub fn of_claim(derivation: &mut Derivation, claim: usize, fields: &Fields) -> Option<Result<Gradients, String>> {
+        let Derivation { graph, claims, trajectories, .. } = derivation;
+        let claim = &claims[claim];
+        let (functions, subject_to) = claim.forms.iter().find_map(|form| match form {
+            Form::Independent { functions, subject_to } => Some((functions, subject_to)),
+            _ => None,
+        })?;
+        let system = |t: &usize| match trajectories[*t].motion {
+            Motion::Integrated { system, .. } => Some(system),
+            Motion::Formula { .. } | Motion::Derived { .. } => None,
+        };
+        let mut systems: Vec<Option<usize>> = claim.trajectories.iter().map(system).collect();
+        systems.sort_unstable();
+        systems.dedup();
+        let mut found: Option<Gradients> = None;
+        for system in systems {
+            let field = system.map(|s| &fields.all()[s]);
+            let one = Gradients::new(graph, &claim.scope, field, &fields.state_leaves, functions, subject_to);
+            let one = match one {
+                Ok(one) => one,
+                Err(reason) => return Some(Err(reason)),
+            };
+            if found.as_ref().is_some_and(|f| (&f.variables, &f.entries) != (&one.variables, &one.entries)) {
+                let reason =
+                    "the rates in the functions are others for each of the systems: ask for one system at a time";
+                return Some(Err(reason.to_owned()));
+            }
+            found = Some(one);
+        }
+        found.map(Ok)
+    }
+
+    /// Gradients on the motions of one system, or of none.
+    fn new(
         graph: &mut Graph,
         scope: &Scope,
-        variables: &[Leaf],
+        field: Option<&VectorField>,
+        states: &[Leaf],
         functions: &[Written<Tensor>],
         subject_to: &[Written<Statement>],
-    ) -> Result<Gradients, NoDerivative> {
+    ) -> Result<Gradients, String> {
         let mut rows: Vec<Expr> = Vec::new();
         for relation in subject_to.iter().flat_map(|w| &w.value.relations) {
             for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
@@ -57,16 +94,31 @@ impl Gradients {
         }
         let constraints = rows.len();
         rows.extend(functions.iter().flat_map(|w| &w.value.components));
+        for row in &mut rows {
+            *row = traced_now(graph, scope, *row);
+            if let Some(field) = field {
+                *row = with_rates(graph, field, *row);
+            }
+        }
+        let mut variables = states.to_vec();
+        let moves = |l: &Leaf| l.instant.is_none() && l.rate > 0 && scope.role(l.symbol) == Some(Role::State);
+        if field.is_none() {
+            variables.extend(graph.leaves(rows.iter().copied()).into_iter().filter(moves));
+            variables.sort_unstable();
+            variables.dedup();
+        }
+        if let Some(leaf) = graph.leaves(rows.iter().copied()).iter().find(|l| moves(l) && !variables.contains(l)) {
+            return Err(format!("a function names a rate of order {} that the system does not give", leaf.rate));
+        }
         let mut entries = Vec::new();
         for &row in &rows {
-            let row = traced_now(graph, scope, row);
-            for &variable in variables {
-                entries.push(graph.partial_derivative(row, variable)?);
+            for &variable in &variables {
+                entries.push(graph.partial_derivative(row, variable).map_err(|e: NoDerivative| e.to_string())?);
             }
         }
         let names: Vec<&str> = functions.iter().map(|w| w.text.as_str()).collect();
         let text = format!("rank of the gradients of {}", names.join(", "));
-        Ok(Gradients { constraints, functions: rows.len() - constraints, variables: variables.to_vec(), entries, text })
+        Ok(Gradients { constraints, functions: rows.len() - constraints, variables, entries, text })
     }
 
     /// The number of constraints, and the gradients: those of the constraints first.
@@ -78,6 +130,16 @@ impl Gradients {
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         graph.leaves(self.entries.iter().copied())
     }
+}
+
+/// A function with the rates that a system gives put in. Higher rates than those stay.
+fn with_rates(graph: &mut Graph, field: &VectorField, e: Expr) -> Expr {
+    graph.substitute(e, |_, leaf| {
+        let below = Leaf { rate: leaf.rate.checked_sub(1)?, ..leaf };
+        let given = leaf.instant.is_none() && !field.states().contains(&leaf);
+        let at = field.states().iter().position(|s| given && *s == below)?;
+        field.rates().get(at).copied()
+    })
 }
 
 /// Tries the independence along a motion.

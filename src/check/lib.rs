@@ -78,7 +78,7 @@ pub use verdict::{
 };
 
 use crate::diag::Diagnostic;
-use derivation::{Claim, Derivation, Form, Premise};
+use derivation::{Claim, Derivation, Premise};
 use expr::Rational;
 use flow::Motion;
 use independence::Gradients;
@@ -218,17 +218,7 @@ fn check_and(
     let mut gradients = Vec::new();
     for &c in &claimed {
         programs.push(starts.iter().map(|s| Program::new(derivation, c, s)).collect());
-        let variables = fields.state_leaves.clone();
-        let claim = derivation.claims[c].clone();
-        gradients.push(claim.forms.iter().find_map(|form| {
-            match form {
-                Form::Independent { functions, subject_to } => Some(
-                    Gradients::new(&mut derivation.graph, &claim.scope, &variables, functions, subject_to)
-                        .map_err(|e| e.to_string()),
-                ),
-                _ => None,
-            }
-        }));
+        gradients.push(Gradients::of_claim(derivation, c, &fields));
     }
     let tried: Vec<usize> = (0..derivation.trajectories.len())
         .filter(|&t| chosen(&options.trajectories, &derivation.trajectories[t].id))

@@ -32,7 +32,11 @@ pub(super) struct Points<'a> {
     pub wanted: &'a [Leaf],
 }
 
-/// Named values, in an order that does not depend on what was written before.
+/// What is added to the name of a symbol of the file where a claim has one of the same name.
+const OF_THE_FILE: &str = " (of the file)";
+
+/// Named values, in an order that does not depend on what was written before. Of two symbols with one name the first declared is
+/// that of the file.
 pub(super) fn named(
     graph: &Graph,
     of: impl IntoIterator<Item = Expr>,
@@ -40,7 +44,13 @@ pub(super) fn named(
 ) -> Vec<(String, f64)> {
     let mut leaves = graph.leaves(of);
     leaves.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, graph.leaf_latex(*l)));
-    leaves.into_iter().filter_map(|leaf| Some((graph.leaf_latex(leaf), value(leaf)?))).collect()
+    let names: Vec<String> = leaves.iter().map(|&l| graph.leaf_latex(l)).collect();
+    let own = |leaf: &Leaf, name: &str| leaves.iter().zip(&names).all(|(l, n)| n != name || l.symbol <= leaf.symbol);
+    let shown = leaves.iter().zip(&names).filter_map(|(leaf, name)| {
+        let name = if own(leaf, name) { name.clone() } else { format!("{name}{OF_THE_FILE}") };
+        Some((name, value(*leaf)?))
+    });
+    shown.collect()
 }
 
 /// Gives every witness the values of its own comparison. The claims are in the order of what was prepared.
