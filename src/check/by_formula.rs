@@ -256,11 +256,14 @@ impl<'a> Setting<'a> {
     ) -> Option<Result<(), (Witness, String)>> {
         let group = &part.group;
         if group.asserted || part.is_definedness() {
-            self.needs.clear();
-            let put = |this: &mut Self, e: Expr| this.put(&claim.scope, e);
-            let sides: Vec<Expr> =
-                group.comparisons.iter().flat_map(|c| [c.left, c.right]).filter_map(|e| put(self, e)).collect();
-            let all: Vec<Expr> = sides.into_iter().chain(std::mem::take(&mut self.needs)).collect();
+            let sides: Vec<Expr> = group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
+            // A formula for a rate may divide by 0 where there is a rate; that of the quantity itself may not.
+            let leaves = self.graph.leaves(sides.iter().copied());
+            let moving = leaves.iter().filter(|l| l.instant.is_none());
+            let own: Vec<Expr> = moving.map(|l| self.graph.leaf(Leaf { rate: 0, ..*l })).collect();
+            let plain = |e: &Expr| self.graph.leaves([*e]).iter().all(|l| l.rate == 0);
+            let asked: Vec<Expr> = sides.into_iter().filter(plain).chain(own).collect();
+            let all: Vec<Expr> = asked.into_iter().filter_map(|e| self.put(&claim.scope, e)).collect();
             if let (Some((t, what)), Some(first)) = (self.missing(guards, presupposed, all), group.comparisons.first())
             {
                 let formula = first.label.clone();

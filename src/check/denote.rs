@@ -277,11 +277,17 @@ impl Denotation<'_> {
                 }
                 Form::Never(w) => {
                     let (limits, others) = self.taken_apart(w, sign);
-                    let mut ways: Vec<Proposition> =
-                        limits.into_iter().map(|said| self.relation(said, &selected).negated()).collect();
+                    let limits: Vec<Proposition> =
+                        limits.into_iter().map(|said| self.relation(said, &selected)).collect();
+                    let mut ways: Vec<Proposition> = limits.iter().cloned().map(Proposition::negated).collect();
                     if !others.is_empty() {
                         let group = self.group(&others, true, &selected);
                         ways.push(self.part(What::Every, group));
+                        if let Some(void) = one_is_void(&limits) {
+                            // What is false of the others at some time makes the whole false then, whatever the limit is.
+                            let otherwise = self.sometimes_false(&others, &selected);
+                            ways.push(Proposition::And(vec![void, otherwise]));
+                        }
                     }
                     says.push(one_or(ways, Proposition::Or));
                 }
@@ -289,9 +295,14 @@ impl Denotation<'_> {
                     let (limits, others) = self.taken_apart(w, sign);
                     let mut both: Vec<Proposition> =
                         limits.into_iter().map(|said| self.relation(said, &selected)).collect();
+                    let void = one_is_void(&both);
                     if !others.is_empty() {
                         let group = self.group(&others, true, &selected);
                         both.push(self.part(What::Denied, group).negated());
+                        if let Some(void) = void {
+                            let otherwise = self.sometimes_false(&others, &selected);
+                            both.push(Proposition::And(vec![void, otherwise]).negated());
+                        }
                     }
                     says.push(one_or(both, Proposition::And));
                 }
@@ -376,6 +387,12 @@ impl Denotation<'_> {
         Proposition::Atom(self.parts.len() - 1)
     }
 
+    /// That the relations are not all true at some time that counts: one of them is false.
+    fn sometimes_false(&mut self, relations: &[Said], selected: &[Said]) -> Proposition {
+        let group = self.group(relations, false, selected);
+        self.part(What::Denied, group).negated()
+    }
+
     /// The comparisons of relations that must be true at once, or, `denied`, that must not be; where the selected ones are.
     fn group(&mut self, relations: &[Said], denied: bool, selected: &[Said]) -> Group {
         let mut group = Group::default();
@@ -453,6 +470,13 @@ impl Denotation<'_> {
 /// Whether a relation with ± says that it is so for neither sign.
 fn is_denied(relation: &Relation) -> bool {
     relation.has_branches && relation.kind == RelationKind::NotEqual
+}
+
+/// That these together are neither true nor false; `None` if there are none.
+fn one_is_void(all: &[Proposition]) -> Option<Proposition> {
+    let whole = (!all.is_empty()).then(|| one_or(all.to_vec(), Proposition::And))?;
+    let asserted = |p: Proposition| Proposition::Assert(Box::new(p)).negated();
+    Some(Proposition::And(vec![asserted(whole.clone()), asserted(whole.negated())]))
 }
 
 /// The single one, or all of them joined.

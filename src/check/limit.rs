@@ -29,14 +29,31 @@ pub(super) fn limit(
         return Finding::open("the point of the limit has no value on this motion");
     };
     let (from, to) = course.stage.span(course.trajectory);
-    let t0 = t0.value;
+    let (t0, exact) = (t0.value, t0.error == 0.0);
     if t0 < from || t0 > to {
         return Finding::open(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
-    let (times, points) = ([t0], Arc::new([course.values(t0)].into_iter().collect()));
-    let measured = measure(program, &points, None);
-    let describer = Describer::new(trial, &times, &points);
-    let finding = weigh(describer.setting(vec![Left::In]), group(&measured));
+    // A time that is no number of binary64 lies between two of them: a quotient that is 0/0 there has other values beside it.
+    let beside = [t0, t0.next_down(), t0.next_up()];
+    let beside = if exact { &beside[..1] } else { &beside[..] };
+    let found: Vec<Finding> = beside
+        .iter()
+        .filter(|&&t| (from..=to).contains(&t))
+        .map(|&t| {
+            let (times, points) = ([t], Arc::new([course.values(t)].into_iter().collect()));
+            let measured = measure(program, &points, None);
+            let describer = Describer::new(trial, &times, &points);
+            weigh(describer.setting(vec![Left::In]), group(&measured))
+        })
+        .collect();
+    let decided = |f: &Finding| f.known(Strength::Sampled);
+    let Some(finding) = found.first().cloned().filter(|first| found.iter().all(|f| decided(f) == decided(first)))
+    else {
+        return Finding::open(format!(
+            "t = {} is known to rounding only, and beside it other values are taken",
+            short(t0)
+        ));
+    };
     if finding.known(Strength::Sampled) == Some(Possible::VOID) {
         let why = finding.evidence().reason.clone().unwrap_or_default();
         return Finding::open(format!(

@@ -307,6 +307,13 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
         evidence.reason = Some(reason.to_string());
         return Finding::sampled(Possible::ANY, evidence);
     }
+    // Times that may count, and at which it would be true.
+    if let (true, Some(Left::Open(reason))) =
+        (counted.is_empty(), setting.left.iter().find(|l| matches!(l, Left::Open(_))))
+    {
+        evidence.reason = Some(reason.to_string());
+        return Finding::sampled(Possible::TRUE_OR_VOID, evidence);
+    }
     if counted.is_empty() {
         let reason = setting.left.iter().find_map(|l| match l {
             Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),

@@ -127,6 +127,7 @@ impl Loader<'_> {
                 (false, false) => self.note_empty(&claim.span, &format!("the reading `{}`", claim.name())),
             }
             self.confine(&mut claim, &[&reading, table]);
+            self.refuse_ambiguity(&claim);
             if reading.get("expect").is_some() {
                 self.expect(&mut claim, &reading);
             } else if !has_forms(table) {
@@ -140,6 +141,7 @@ impl Loader<'_> {
             }
             self.forms(&mut base, table);
             self.confine(&mut base, &[table]);
+            self.refuse_ambiguity(&base);
             self.expect(&mut base, table);
             self.out.claims.push(base);
         }

@@ -13,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+mod ambiguity;
 mod claims;
 mod conditions;
 pub mod keys;

@@ -139,7 +139,17 @@ pub(super) fn strengthen(
         let near = seen.as_ref().filter(|_| before == Some(Possible::FALSE));
         let shown = match one {
             Prepared::Compared(Ok(mut ready)) => match position >= beyond {
-                false => shown(&mut ready, near, along),
+                false => {
+                    let all = ready.event.is_none() && !matches!(part.what, What::Limit(_));
+                    match shown(&mut ready, near, along) {
+                        open @ (Shown::Nothing(_) | Shown::Isolated(_) | Shown::Unless(..))
+                            if all && before == Some(Possible::VOID) =>
+                        {
+                            span::silent(&ready, along, open)
+                        }
+                        shown => shown,
+                    }
+                }
                 true => {
                     let text = format!("{:?}", program.hypotheses[position - beyond].text);
                     let key = (ready.roots.roots().to_vec(), text, ready.precision.to_bits());
@@ -193,9 +203,6 @@ pub(super) fn strengthen(
                     reasons.push(reason.clone());
                 }
             }
-            Shown::Unless(_, _, true) if before == Some(Possible::VOID) => {
-                verdict.doubt(position, "whether any time counts is open at isolated times".to_owned());
-            }
             Shown::Nothing(reason) | Shown::Isolated(reason) => reasons.push(reason.clone()),
             Shown::Holds(..) | Shown::Excluded(..) | Shown::Unless(..) | Shown::Fails(..) | Shown::Void(_) => {}
         }
@@ -224,7 +231,7 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
             e.witness = Some(witness);
             e.reason = Some(format!("excluded {reason}"));
         }),
-        Shown::Unless(enclosed, reason, _) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
+        Shown::Unless(enclosed, reason) => verdict.enclose(position, Possible::TRUE_OR_VOID, |e| {
             e.enclosed = Some(enclosed);
             e.reason = Some(format!("{reason}, wherever it says something"));
         }),

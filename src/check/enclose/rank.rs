@@ -68,18 +68,16 @@ impl<'a> Rank<'a> {
         if self.ready.event.is_some() {
             return Shown::Nothing("independence at events is not enclosed".to_owned());
         }
-        let (mut may_say, mut says, mut settled) = (false, false, 0.0);
-        let judge = |time: Interval, ranges: &Ranges| {
+        let (mut may_say, mut says) = (false, false);
+        let judge = |_: Interval, ranges: &Ranges| {
             let selected = self.ready.selected(ranges);
             if selected == Some(false) {
-                settled += time.width();
                 return Judgement::Settled;
             }
             match self.independent(ranges) {
                 true => {
                     may_say = true;
                     says |= selected == Some(true);
-                    settled += time.width();
                     Judgement::Settled
                 }
                 false => Judgement::Open("the gradients may be dependent".to_owned()),
@@ -90,10 +88,11 @@ impl<'a> Rank<'a> {
             Ok(looked) => {
                 let enclosed = Enclosed { places: looked, gap: 0.0, scale: 1.0 };
                 let reason = format!("for every t of the span: in {looked} stretches");
-                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason, false) }
+                if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
             }
-            Err(reason) if settled > 0.0 => Shown::Isolated(reason),
-            Err(reason) => Shown::Nothing(reason),
+            Err(reason) => super::span::alone(along, &self.ready.roots, reason, |ranges| {
+                self.ready.selected(ranges) == Some(false) || self.independent(ranges)
+            }),
         }
     }
 

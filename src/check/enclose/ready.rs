@@ -31,9 +31,9 @@ pub(super) enum Shown {
     Fails(Witness, String),
     /// It says nothing, for the reason given.
     Void(String),
-    /// It is true if it says anything; and whether it does is open at isolated times only.
-    Unless(Enclosed, String, bool),
-    /// It tells of some stretches, and not of another that comes after them: anything may be so there, alone.
+    /// It is true if it says anything.
+    Unless(Enclosed, String),
+    /// It tells of nearly all times, and not of a stretch between: anything may be so there, alone.
     Isolated(String),
     /// It does not tell.
     Nothing(String),

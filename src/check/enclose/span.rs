@@ -4,14 +4,14 @@
 //! settled: its times do not count; or false is excluded on it; or it is false for certain at a time of it. A place at which it is
 //! false for certain stands against every allowance, however small the difference is.
 
-use super::cover::{Along, Judgement, Ranges};
+use super::cover::{Along, Judgement, Ranges, Selection};
 use super::ready::{POINTS, Ready, Shown, median};
 use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 
-/// Times are isolated if all stretches around them take less than this part of those that are settled otherwise.
-const ALONE: f64 = 1e-2;
+/// So many times are looked at to see whether an open stretch stands alone.
+const LOOKS: usize = 16;
 
 /// What a cover of the span found.
 #[derive(Default)]
@@ -22,10 +22,6 @@ struct Covered {
     says: bool,
     /// Whether anything but void is possible on a stretch that may count.
     may_say: bool,
-    /// How long the stretches are together that are settled.
-    settled: f64,
-    /// How long those are on which it says nothing.
-    silent: f64,
     /// The stretch that was looked at last and is not settled.
     open: Option<Interval>,
     /// A stretch on which it is false at some time that counts.
@@ -41,8 +37,6 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         let selected = ready.selected(ranges);
         let known = ready.value(ranges);
         if selected == Some(false) || known == Possible::VOID {
-            found.settled += time.width();
-            found.silent += time.width();
             return Judgement::Settled;
         }
         if selected == Some(true) && (known == Possible::FALSE || ready.crosses(ranges, time)) {
@@ -61,7 +55,6 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         }
         // What a whole stretch leaves open its parts may settle.
         found.may_say = true;
-        found.settled += time.width();
         found.says |= selected == Some(true) && !known.may_be(Truth::Void);
         found.gap = each.into_iter().flatten().fold(f64::INFINITY, f64::min).max(found.gap);
         found.serves.iter_mut().zip(now).for_each(|(s, n)| *s &= n);
@@ -90,8 +83,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
                     let reason = format!("certified at t = {}", witness.t);
                     Shown::Fails(witness, reason)
                 }
-                None if found.settled > 0.0 => Shown::Isolated(reason),
-                None => Shown::Nothing(reason),
+                None => alone(along, &ready.roots, reason, |ranges| {
+                    is_silent(ready, ranges) || (0..ready.signs).any(|s| ready.within(ranges, s).is_ok())
+                }),
             };
         }
     };
@@ -113,7 +107,40 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     let reason = format!("for every t of the span: in {looked} stretches{apart}");
     match found.says || says_at_a_time(ready, along) {
         true => Shown::Holds(enclosed, reason),
-        false => Shown::Unless(enclosed, reason, found.settled - found.silent < ALONE * found.silent),
+        false => Shown::Unless(enclosed, reason),
+    }
+}
+
+/// Whether a part says nothing at the times of these ranges: they do not count, or it has no value.
+fn is_silent(ready: &Ready, ranges: &Ranges) -> bool {
+    ready.selected(ranges) == Some(false) || ready.value(ranges) == Possible::VOID
+}
+
+/// What is shown where one stretch stays open: whether nearly all single times are settled.
+pub(super) fn alone(
+    along: &mut Along,
+    roots: &Selection,
+    reason: String,
+    is_settled: impl Fn(&Ranges) -> bool,
+) -> Shown {
+    let every = along.pieces().len().div_ceil(LOOKS).max(1);
+    let times: Vec<f64> = along.pieces().iter().step_by(every).map(|time| 0.3 * time.lo() + 0.7 * time.hi()).collect();
+    let settled = times.iter().filter(|&&t| is_settled(&along.over(roots, Interval::point(t)))).count();
+    if 4 * settled >= 3 * times.len() { Shown::Isolated(reason) } else { Shown::Nothing(reason) }
+}
+
+/// That a part says nothing at any time; or at no time but perhaps single ones.
+pub(super) fn silent(ready: &Ready, along: &mut Along, shown: Shown) -> Shown {
+    let judge = |_: Interval, ranges: &Ranges| match is_silent(ready, ranges) {
+        true => Judgement::Settled,
+        false => Judgement::Open("whether any time counts is open".to_owned()),
+    };
+    match along.cover(&ready.roots, judge, |_| false) {
+        Ok(_) => Shown::Void("at no time of the span that counts does it have a value".to_owned()),
+        Err(reason) => match alone(along, &ready.roots, reason, |ranges| is_silent(ready, ranges)) {
+            Shown::Isolated(reason) => Shown::Isolated(reason),
+            _ => shown,
+        },
     }
 }
 
@@ -275,11 +302,10 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
     let mut hulls: Vec<Option<Interval>> = vec![None; count];
     let mut certain: Vec<(Bound, Bound)> = vec![(None, None); count];
-    let (mut says, mut settled) = (false, 0.0);
+    let mut says = false;
     let judge = |time: Interval, ranges: &Ranges| {
         let selected = ready.selected(ranges);
         if selected == Some(false) {
-            settled += time.width();
             return Judgement::Settled;
         }
         let mut void = true;
@@ -312,7 +338,6 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
                 }
             }
         }
-        settled += time.width();
         says |= selected == Some(true) && !void;
         Judgement::Settled
     };
@@ -338,11 +363,11 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     }
     let looked = match covered {
         Ok(looked) => looked,
-        Err(reason) if settled > 0.0 => return Shown::Isolated(reason),
         Err(reason) => return Shown::Nothing(reason),
     };
     let gap = hulls.iter().flatten().map(Interval::width).fold(0.0, f64::max);
-    if hulls.iter().all(Option::is_none) {
+    // A component without a value leaves the others without a say.
+    if hulls.iter().any(Option::is_none) {
         return Shown::Void("at no time of the span that counts does it have a value".to_owned());
     }
     if gap > room {
@@ -351,5 +376,5 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let reason =
         format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");
     let enclosed = Enclosed { places: looked, gap, scale };
-    if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason, false) }
+    if says { Shown::Holds(enclosed, reason) } else { Shown::Unless(enclosed, reason) }
 }
