@@ -1,5 +1,7 @@
 //! The table of domains against the operations themselves: where they have values, how large these are, how they move.
 
+#![allow(clippy::disallowed_methods, reason = "an oracle may use the platform's functions")]
+
 use rederive::expr::Graph;
 use rederive::expr::domain::{Bound, Change, Order, Place, Sides, Sign, Slope, Term, row};
 use rederive::number::{NoValue, Op};

@@ -368,7 +368,7 @@ fn check_and(
     witness::complete(&points, &mut account.claims);
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
-        let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of: &start_of };
+        let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of };
         altered.conclude(derivation, &mut account.claims, &weighed, &places, &courses)?;
     }
     // They are large.

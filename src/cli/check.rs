@@ -53,7 +53,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let folders: Vec<PathBuf> = derivations.iter().filter_map(folder).collect();
     write::check_outputs(&outputs, &all_inputs, &folders)?;
 
-    let (limits, plain, rigor) = (arguments.limits.from_now(), arguments.only_verdicts, arguments.rigor.into());
+    let (limits, plain, rigor) = (arguments.limits.begun(), arguments.only_verdicts, arguments.rigor.into());
     let options = Options { rigor, plain, limits, ..Options::default() };
     let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();

@@ -227,7 +227,7 @@ struct LimitArguments {
 
 impl LimitArguments {
     /// The limits, counted from now.
-    fn from_now(&self) -> Limits {
+    fn begun(&self) -> Limits {
         let deadline = self.deadline.and_then(|after| Instant::now().checked_add(after));
         Limits { deadline, memory: self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000)) }
     }

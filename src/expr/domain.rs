@@ -200,8 +200,9 @@ pub fn row(op: Op) -> Row {
     use Term::{Cosine, Excess, First, Opposite, Second, Sine, Squares, Support, Unit};
     let smooth = |range: Range, a: Slope, b: Slope| Row { needs: vec![], edges: vec![], range, slopes: [a, b] };
     let from_zero = Range { low: end(0, 0, true), high: None };
-    let pole =
-        |order: u32| Change::Pole(Order::Whole(order), if order % 2 == 0 { Sides::Alike } else { Sides::Opposite });
+    let pole = |order: u32| {
+        Change::Pole(Order::Whole(order), if order.is_multiple_of(2) { Sides::Alike } else { Sides::Opposite })
+    };
     match op {
         Op::Neg => smooth(REAL, Falling, Flat),
         Op::Sqrt => Row {

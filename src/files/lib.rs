@@ -1,7 +1,7 @@
 //! What may be read and written, and how.
 //!
 //! **In:** paths that a user named, and what lies at them, which a stranger may have written. **Out:** bytes of regular files,
-//! the derivation files of a folder, and files and reports on disk, whole or not at all ([`write`]).
+//! the derivation files of a folder, and files and reports on disk, whole or not at all ([`mod@write`]).
 //!
 //! A check in continuous integration runs in a folder that somebody else filled. Three rules keep what lies there from
 //! reaching further than its own text; nothing else in the program opens a file (`tests/files.rs` looks).
@@ -10,7 +10,7 @@
 //!    named inside the current folder must lie in it, links resolved; a path that begins elsewhere is the user's own business.
 //! 2. **A search follows no link**, whether to a file or to a folder. So it ends, and reads nothing but what is there.
 //! 3. **Write: no link on the way**, from the current folder on; nothing but a regular file or a report is replaced, and no
-//!    file that was read. See [`write`].
+//!    file that was read. See [`mod@write`].
 //!
 //! Paths that differ in spelling only are one: [`named`] gives all of them the same name, so that reports have the same bytes.
 

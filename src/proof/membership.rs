@@ -403,11 +403,11 @@ impl Search<'_> {
         let values = origin.solved.definitions.values().copied();
         for e in graph.reachable(texts.chain(values)) {
             let Node::Leaf(leaf) = *graph.node(e) else { continue };
-            if !names.contains_key(&e) {
+            names.entry(e).or_insert_with(|| {
                 let name = free(leaf_name(graph, leaf), &list);
                 list.push(name.clone());
-                names.insert(e, name);
-            }
+                name
+            });
         }
         let none = FastMap::default();
         let mut claimed = Writer::new(graph, &names, &origin.solved.definitions, false, "e");

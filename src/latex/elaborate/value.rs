@@ -405,9 +405,9 @@ impl Elaborator<'_> {
             "agm" => Op::Agm,
             _ => return refuse("latex::unknown-function", format!("`{function}` is not known"), span, ""),
         };
-        let e = match values.as_slice() {
-            &[x] if op.arity() == 1 => g.unary(op, x),
-            &[a, b] if op.arity() == 2 => g.binary(op, a, b),
+        let e = match *values.as_slice() {
+            [x] if op.arity() == 1 => g.unary(op, x),
+            [a, b] if op.arity() == 2 => g.binary(op, a, b),
             _ => return refuse("latex::arity", format!("`{function}` has another number of arguments"), span, ""),
         };
         Ok(Tensor::scalar(e))

@@ -220,8 +220,9 @@ impl Parser<'_> {
                     Some(arguments) if !applied => arguments.iter().all(|a| self.is_time(a)),
                     _ => true,
                 };
-                now && (self.scope.is_moving(&s.name, s.sub.as_deref()) || self.is_time(node))
-                    || node.children().into_iter().any(|n| self.moves(n)) && now
+                now && (self.scope.is_moving(&s.name, s.sub.as_deref())
+                    || self.is_time(node)
+                    || node.children().into_iter().any(|n| self.moves(n)))
             }
             _ => node.children().into_iter().any(|n| self.moves(n)),
         }
