@@ -13,7 +13,7 @@ const reports = path.resolve(process.argv[2] ?? "../../reports");
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync"];
-const LARGEST = 1_500_000;
+const LARGEST = 2_000_000;
 
 let checks = 0;
 const check = (good, what) => { checks++; assert.ok(good, what); };
@@ -128,14 +128,15 @@ for (const id of fs.readdirSync(reports).sort()) {
       const out = [], rows = [...document.querySelectorAll(".matrix tbody tr")];
       for (const row of rows.slice(0, 12)) {
         row.querySelector("td[class]").click();
-        await new Promise(r => setTimeout(r, 20));
-        if (decodeURIComponent(location.hash).slice(1).split("@")[0] !== row.cells[0].textContent) out.push(row.cells[0].textContent);
+        const there = () => decodeURIComponent(location.hash).slice(1).split("@")[0] === row.cells[0].textContent;
+        for (let waited = 0; waited < 2000 && !there(); waited += 20) await new Promise(r => setTimeout(r, 20));
+        if (!there()) out.push(`${row.cells[0].textContent} to ${location.hash}`);
       }
       return out;
     });
     check(astray.length === 0, `${id}: cells that lead to another claim: ${astray.slice(0, 3)}`);
     const elements = await page.evaluate(() => document.querySelectorAll("*").length);
-    check(elements < 30000, `${id}: ${elements} elements`);
+    check(elements < 35000, `${id}: ${elements} elements`);
     // Formulas, with everything unfolded that is not a table of verdicts.
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
     await page.waitForTimeout(50);

@@ -57,7 +57,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
                  it for. Red does not stand; what a red line reaches has lost a ground. Conclusions of the paper have a thick border."
             }
             div.scroll.wide tabindex="0" role="group" aria-label="Graph of the claims" {
-                svg.hangs viewBox={ "0 0 " (width) " " (height) } width=(width) role="img" {
+                svg.hangs viewBox={ "0 0 " (width) " " (height) } width=(width) role="group" {
                     title { "What follows from what" }
                     desc { (count(&drawn, &edges)) }
                     @for (from, to) in &edges {
