@@ -28,7 +28,8 @@ const numbers = place => { const m = /^\/p(\d+)-(\d+)$/.exec(place); return m &&
 const addressOf = place => { const n = numbers(place); return n ? `${names[n[0]]}@${motions[n[1]]}` : place; };
 
 // ---- filters ----
-const passes = (cell, s) => cell.className && (!s.verdict.length || s.verdict.some(v => cell.classList.contains(v)));
+// A cell of no pair is empty.
+const passes = (cell, s) => cell.textContent && (!s.verdict.length || s.verdict.some(v => cell.classList.contains(v)));
 const like = (name, part) => !part || name.toLowerCase().includes(part.toLowerCase());
 function filter(s) {
   const columns = motions.map(m => like(m, s.trajectory)), used = columns.map(() => false);
@@ -106,7 +107,7 @@ addEventListener("hashchange", go);
 // What a cell is, for those who point at it.
 table.addEventListener("mouseover", e => {
   const cell = e.target.closest("tbody td, tbody th");
-  if (!cell || cell.title || cell.cellIndex && !cell.className) return;
+  if (!cell || cell.title || cell.cellIndex && !cell.textContent) return;
   const name = names[rows.indexOf(cell.parentNode)];
   cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${cell.textContent}` : name;
 });
