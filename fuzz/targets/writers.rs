@@ -64,7 +64,7 @@ fuzz_target!(|text: &str| {
         let page = report::page(derivation, account);
         let tex = report::tex(derivation, account);
         let markdown = report::markdown(derivation, account);
-        let said = report::summary(derivation, account, false);
+        let said = report::summary(derivation, account, false, true);
         for out in [&json, &page, &tex, &markdown, &said] {
             assert!(out.chars().all(|c| !c.is_control() || "\n\t".contains(c)));
         }

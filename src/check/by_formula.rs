@@ -9,13 +9,14 @@
 //! to other methods, and so is everything at events.
 
 use super::account::ClaimAccount;
+use super::comparison::may_leap;
 use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, along};
 use super::program::{Assumption, Part, What};
 use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
-use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
@@ -150,7 +151,7 @@ impl<'a> Setting<'a> {
                 self.put(scope, component)?
             }
         };
-        if self.is_angle(leaf.symbol) && self.may_leap(value) {
+        if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, value) {
             return None;
         }
         let now = leaf.instant.is_none();
@@ -164,23 +165,6 @@ impl<'a> Setting<'a> {
         let time = self.time;
         let fixed = !self.graph.leaves([instant]).contains(&time);
         fixed.then(|| self.graph.substitute(value, |_, l| (l == time).then_some(instant)))
-    }
-
-    fn is_angle(&self, symbol: Symbol) -> bool {
-        let of_claims = self.derivation.claims.iter().flat_map(|c| &c.symbols);
-        self.derivation.symbols.iter().chain(of_claims).any(|s| s.symbol == symbol && s.angle)
-    }
-
-    /// Whether a formula contains what may leap: then an angle is continued across it, and is not its formula.
-    fn may_leap(&self, e: Expr) -> bool {
-        self.graph.reachable([e]).iter().any(|&e| match *self.graph.node(e) {
-            Node::Unary(op, _) => {
-                matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
-                    || matches!(op, Op::Powi(n) if n < 0)
-            }
-            Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
-        })
     }
 
     /// Both sides, with everything put in.

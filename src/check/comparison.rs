@@ -139,6 +139,18 @@ pub(super) fn traced_now(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     replaced(graph, scope, e, false)
 }
 
+/// Whether the value of a formula may leap along a motion.
+pub(super) fn may_leap(graph: &Graph, e: Expr) -> bool {
+    graph.reachable([e]).into_iter().any(|e| match *graph.node(e) {
+        Node::Unary(op, _) => {
+            matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
+                || matches!(op, Op::Powi(n) if n < 0)
+        }
+        Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
+        Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
+    })
+}
+
 /// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays.
 pub(super) fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let Some(time) = scope.time() else { return e };

@@ -36,6 +36,8 @@ fn gap(text: &str, out: &mut String) {
                     head
                 };
             }
+            // Any other space (a tab, the half of a line break) is a space: `shown` would make a sign of it.
+            c if c.is_whitespace() && c != '\n' => out.push(' '),
             c => out.push(c),
         }
         rest = &rest[length..];
@@ -70,6 +72,7 @@ mod tests {
             ("x=a % </script>\n +b", "x=a \n +b"),
             (r"\left( x\,\right)\quad y \hspace{1em}\cr z", r"\left( x\,\right)\quad y \cr z"),
             (r"\dot x=-\frac{k}{m}x~", r"\dot x=-\frac{k}{m}x~"),
+            ("10^{\r12}=0", "10^{ 12}=0"),
             ("", ""),
         ] {
             assert_eq!(printed(text).as_deref(), Some(left), "{text}");

@@ -33,11 +33,6 @@ pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
     }
 }
 
-/// Whether there is a verdict.
-fn is_decided(outcome: Outcome) -> bool {
-    outcome != Outcome::Undecided
-}
-
 /// Whether a verdict holds for every time, or for all values.
 pub(super) fn is_rigorous(outcome: Outcome) -> bool {
     match outcome {
@@ -199,7 +194,7 @@ pub(super) fn strengthen(
             // Samples do not tell of times at which something else is possible, all around being settled.
             Shown::Isolated(reason) if before == Some(Possible::VOID) || part.needs_a_complete_search() => {
                 verdict.doubt(position, format!("samples do not decide it, and the enclosure does not: {reason}"));
-                if is_decided(verdict.outcome()) {
+                if verdict.outcome() != Outcome::Undecided {
                     reasons.push(reason.clone());
                 }
             }

@@ -1,6 +1,6 @@
 //! What a step may use: the claims and systems that it names, assumptions, definitions.
 
-use super::super::comparison::at_instant;
+use super::super::comparison::{at_instant, may_leap};
 use super::super::identity::Premises;
 use super::{MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise};
@@ -346,27 +346,9 @@ impl Step<'_> {
         }
     }
 
-    fn is_angle(&self, leaf: Leaf) -> bool {
-        let Derivation { symbols, claims, .. } = self.derivation;
-        let mut all = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols));
-        all.any(|s| s.symbol == leaf.symbol && s.angle)
-    }
-
-    /// Whether the value of a formula may leap along a motion.
-    fn may_leap(&self, e: Expr) -> bool {
-        self.graph.reachable([e]).into_iter().any(|e| match *self.graph.node(e) {
-            Node::Unary(op, _) => {
-                matches!(op, Op::Abs | Op::Arcsin | Op::Arccos | Op::Arctan | Op::Tan | Op::Ln | Op::Sqrt)
-                    || matches!(op, Op::Powi(n) if n < 0)
-            }
-            Node::Binary(op, ..) => matches!(op, Op::Arctan2 | Op::Div | Op::Pow | Op::Agm),
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) => false,
-        })
-    }
-
     /// What an angle that is continued along motions has of its formula, where more of it occurs than its sine and cosine.
     fn continued(&mut self, leaf: Leaf, e: Expr, equations: &Pairs, premises: &Premises) -> Continued {
-        if !self.is_angle(leaf) || !self.may_leap(e) {
+        if !self.derivation.is_angle(leaf.symbol) || !may_leap(&self.graph, e) {
             return Continued::No;
         }
         let node = self.graph.leaf(leaf);
@@ -428,7 +410,7 @@ impl Step<'_> {
                 continue;
             }
             if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
-                if self.is_angle(leaf) && self.may_leap(e) {
+                if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, e) {
                     self.loosened = true;
                     continue;
                 }
