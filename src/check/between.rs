@@ -26,8 +26,8 @@ const POINT: f64 = 1e-9;
 /// What a time is looked at for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Role {
-    /// left − right changes its sign there; how well the time is known.
-    Crossing(f64),
+    /// left − right of a comparison changes its sign there; how well the time is known.
+    Crossing { comparison: usize, slack: f64 },
     /// It is farthest from 0 there, between two changes of sign.
     Peak,
     /// Whether the part may be false there, whatever the comparison is, decides whether a reason stays open.
@@ -45,6 +45,12 @@ struct Between<'a> {
     open: Vec<String>,
     measured: Measurements<'a>,
     position: usize,
+}
+
+/// Whether a zero lies beyond an end of the span, up to the error of its time.
+pub(super) fn may_lie_beyond((from, to): (f64, f64), t: f64, slack: f64) -> bool {
+    let exact = slack <= 4.5 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
+    !exact && (t - slack < from || t + slack > to)
 }
 
 /// Whether a relation admits equality, for which touching sides make no difference.
@@ -66,7 +72,16 @@ impl<'a> Between<'a> {
                 found.extend([from, to].map(|t| (t, role)));
                 continue;
             };
-            found.extend(zeros.times.iter().zip(&zeros.slack).map(|(&t, &slack)| (t, Role::Crossing(slack))));
+            for (&t, &slack) in zeros.times.iter().zip(&zeros.slack) {
+                let role = match may_lie_beyond((from, to), t, slack) {
+                    false => Role::Crossing { comparison, slack },
+                    true => {
+                        open.push(format!("whether the sides meet in the span, near t = {}, cannot be told", short(t)));
+                        Role::Probe { reason: open.len() - 1, comparison }
+                    }
+                };
+                found.push((t, role));
+            }
             found.extend(zeros.peaks.iter().map(|&t| (t, Role::Peak)));
             for &t in zeros.touching.iter().filter(|_| !is_weak(kind)) {
                 let text = format!("the sides touch near t = {}: whether they meet there cannot be told", short(t));
@@ -92,16 +107,21 @@ impl<'a> Between<'a> {
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let event = |&(t, role): &(f64, Role)| match role {
-            Role::Crossing(slack) => (t, Some(slack)),
+            Role::Crossing { slack, .. } => (t, Some(slack)),
             Role::Peak | Role::Probe { .. } => (t, None),
         };
         let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
         let mut measured = measure(program, &points, Some(along));
-        // Where the sign changes, the sides are equal.
-        for group in measured.parts.iter_mut().chain(&mut measured.selectors) {
+        for group in &mut measured.selectors {
             group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
         }
-        let (times, roles) = found.into_iter().unzip();
+        let (times, roles): (Vec<f64>, Vec<Role>) = found.into_iter().unzip();
+        // Where its sign changes, the sides of a comparison are equal; what else is 0 within its error there may not be.
+        let crosses = |role: &Role| match role {
+            Role::Crossing { comparison, .. } => Some(*comparison),
+            Role::Peak | Role::Probe { .. } => None,
+        };
+        measured.parts[position].crossing = roles.iter().map(crosses).collect();
         Between { times, points, roles, open, measured, position }
     }
 
@@ -123,6 +143,16 @@ impl<'a> Between<'a> {
         self.roles.iter().enumerate().find_map(reason)
     }
 
+    /// Why a part that has no value at any sample may have one at a time between them.
+    fn valued(&self, trial: &Trial) -> Option<String> {
+        let describer = Describer::new(trial, &self.times, &self.points);
+        let left = selected(trial, &self.measured, &describer);
+        let judged = Judged::new(&self.measured.parts[self.position], trial.claim.precision);
+        let valued = |i: &usize| !matches!(left[*i], Left::Out(_)) && judged.at(*i) != Possible::VOID;
+        let i = (0..self.times.len()).find(valued)?;
+        Some(format!("at t = {}, between two samples, it may be true or false", short(self.times[i])))
+    }
+
     /// What is known of a part that is true at all samples; `None` where there is nothing to add.
     fn held(&self, trial: &Trial) -> Option<Finding> {
         let group = &self.measured.parts[self.position];
@@ -136,7 +166,7 @@ impl<'a> Between<'a> {
         // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
         let weighed = |(left, role): (&Left, &Role)| match role {
             Role::Probe { .. } => Left::Out(Arc::from("")),
-            Role::Crossing(_) | Role::Peak => left.clone(),
+            Role::Crossing { .. } | Role::Peak => left.clone(),
         };
         let counting: Vec<Left> = left.iter().zip(&self.roles).map(weighed).collect();
         let undecided = |reason: String, samples: usize| {
@@ -167,10 +197,21 @@ impl<'a> Between<'a> {
     }
 }
 
-/// What is known of a part that is true at all samples, with what lies between them.
+/// What is known of a part that is true, or has no value, at all samples, with what lies between them.
 pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let known = finding.known(Strength::Sampled);
-    if known != Some(Possible::TRUE) || trial.program.parts[position].boundaries().next().is_none() {
+    if trial.program.parts[position].boundaries().next().is_none() {
+        return finding;
+    }
+    if known == Some(Possible::VOID) {
+        return match Between::look(trial, along, position).valued(trial) {
+            Some(reason) => {
+                Finding::sampled(Possible::ANY, Evidence { reason: Some(reason), ..finding.evidence().clone() })
+            }
+            None => finding,
+        };
+    }
+    if known != Some(Possible::TRUE) {
         return finding;
     }
     let Some(found) = Between::look(trial, along, position).held(trial) else { return finding };

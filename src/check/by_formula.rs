@@ -5,13 +5,13 @@
 //! derivatives, and values at fixed times by values. What is left is an equation in time alone, which [`along`] decides.
 //!
 //! **Guaranteed.** A part is *true* if each of its equations is such an identity, and there is a time that counts at which the
-//! sides have values; *false* if sides differ for certain at a time of the span that counts. Inequalities, ± and limits are left
-//! to other methods, and so is everything at events.
+//! sides have values; *false* if sides differ for certain at a time of the span that counts, in the direction that an inequality
+//! forbids. That an inequality is true, ± and limits are left to other methods, and so is everything at events.
 
 use super::account::ClaimAccount;
-use super::comparison::may_leap;
+use super::comparison::{Comparison, may_leap};
 use super::denote::denote;
-use super::identity::{Along, Apart, InTime, Memory, along};
+use super::identity::{Along, Apart, InTime, Memory, Refuted, along};
 use super::program::{Assumption, Part, What};
 use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::domain::Sign;
@@ -21,21 +21,30 @@ use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use rayon::prelude::*;
+use std::cmp::Ordering;
 
 /// Settles what can be settled; `tried` are the motions of the results.
 pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claimed: &[usize], tried: &[usize]) {
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
-        let Some(mut setting) = Setting::of(derivation, t) else { return Vec::new() };
+        let mut setting = Setting::of(derivation, t, None);
+        let mut start: Option<Option<Setting>> = None;
         let id = &derivation.trajectories[t].id;
         let mut out = Vec::new();
         for (k, &c) in claimed.iter().enumerate() {
             let Some(at) = claims[k].results.iter().position(|r| r.trajectory == *id) else { continue };
             let mut verdict = claims[k].results[at].verdict.clone();
+            let (claim, motion) = (&derivation.claims[c], &derivation.trajectories[t]);
             // What an assumption or a formula leaves out stays out.
-            if !matches!(verdict.outcome(), Outcome::NotApplicable(_)) {
-                setting.claim(&derivation.claims[c], &derivation.trajectories[t], &mut verdict);
-                out.push((k, at, verdict));
+            if let (Some(setting), false) = (&mut setting, matches!(verdict.outcome(), Outcome::NotApplicable(_))) {
+                setting.claim(claim, motion, &mut verdict);
             }
+            // What no change of sign shows may be so at the start, exactly.
+            if matches!(verdict.outcome(), Outcome::Undecided)
+                && let Some(start) = start.get_or_insert_with(|| Setting::at_start(derivation, t))
+            {
+                start.at_once(claim, motion, &mut verdict);
+            }
+            out.push((k, at, verdict));
         }
         out
     };
@@ -74,48 +83,66 @@ fn simple_fraction(number: f64) -> Option<Rational> {
     }
 }
 
-/// A motion by formulas.
+/// A motion by formulas, or any motion at its start.
 struct Setting<'a> {
     derivation: &'a Derivation,
     graph: Graph,
     memory: Memory,
     time: Leaf,
     span: (f64, f64),
-    /// Components of states, as formulas in time, and of parameters, as numbers.
+    /// The time, where the motion is looked at at its start alone.
+    start: Option<Expr>,
+    /// Components of states, as formulas in time or by their values at the start, and of parameters, as numbers.
     values: FastMap<(Symbol, u16), Expr>,
     /// What has a value wherever the formulas have.
     needs: Vec<Expr>,
 }
 
 impl<'a> Setting<'a> {
-    /// The motion, where it is given by formulas in the end.
-    fn of(derivation: &'a Derivation, t: usize) -> Option<Setting<'a>> {
+    /// The motion at its start, where its initial values are exact.
+    fn at_start(derivation: &'a Derivation, t: usize) -> Option<Setting<'a>> {
+        let start = Rational::try_from(derivation.trajectories[t].initial_time).ok()?;
+        Setting::of(derivation, t, Some(&start))
+    }
+
+    /// The motion, where it is given by formulas in the end; at a time, where it is given then.
+    fn of(derivation: &'a Derivation, t: usize, start: Option<&Rational>) -> Option<Setting<'a>> {
         let time = derivation.scope.time()?;
         let trajectory = &derivation.trajectories[t];
-        let mut setting = match &trajectory.motion {
-            Motion::Integrated { .. } => return None,
-            Motion::Formula { .. } => Setting {
-                derivation,
-                graph: derivation.graph.clone(),
-                memory: Memory::default(),
-                time,
-                span: trajectory.span,
-                values: FastMap::default(),
-                needs: Vec::new(),
-            },
-            Motion::Derived { from, .. } => Setting { span: trajectory.span, ..Setting::of(derivation, *from)? },
+        let alone = |span: (f64, f64)| {
+            let mut graph = derivation.graph.clone();
+            let start = start.map(|start| graph.constant(start.clone()));
+            let (memory, values) = (Memory::default(), FastMap::default());
+            Setting { derivation, graph, memory, time, span, start, values, needs: Vec::new() }
         };
+        let mut setting = match (&trajectory.motion, start) {
+            (Motion::Integrated { .. }, None) => return None,
+            (Motion::Integrated { .. }, Some(start))
+                if Rational::try_from(trajectory.initial_time) != Ok(start.clone()) =>
+            {
+                return None;
+            }
+            (Motion::Integrated { .. } | Motion::Formula { .. }, _) => alone(trajectory.span),
+            (Motion::Derived { from, .. }, _) => {
+                Setting { span: trajectory.span, ..Setting::of(derivation, *from, start)? }
+            }
+        };
+        if start.is_some() {
+            setting.span = (trajectory.initial_time, trajectory.initial_time);
+        }
         let mut known: Vec<(Symbol, Vec<Expr>)> =
             trajectory.parameters.iter().map(|(s, w)| (*s, w.value.clone())).collect();
         setting.note(&mut known);
-        let states = match &trajectory.motion {
-            Motion::Formula { states } => states,
-            Motion::Derived { map, .. } => map,
-            Motion::Integrated { .. } => return None,
+        let states: Vec<(Symbol, &derivation::Written<Vec<Expr>>)> = match &trajectory.motion {
+            Motion::Formula { states } => states.iter().map(|(s, w)| (*s, w)).collect(),
+            Motion::Derived { map, .. } => map.iter().map(|(s, w)| (*s, w)).collect(),
+            Motion::Integrated { initial, .. } => {
+                initial.iter().filter(|i| i.1 == 0).map(|(s, _, w)| (*s, w)).collect()
+            }
         };
         for (symbol, written) in states {
             let put: Option<Vec<Expr>> = written.value.iter().map(|&e| setting.put(&derivation.scope, e)).collect();
-            known.push((*symbol, put?));
+            known.push((symbol, put?));
         }
         setting.note(&mut known);
         setting.needs.clear();
@@ -134,10 +161,11 @@ impl<'a> Setting<'a> {
     fn put(&mut self, scope: &Scope, e: Expr) -> Option<Expr> {
         let mut images: FastMap<Leaf, Expr> = FastMap::default();
         for leaf in self.graph.leaves([e]) {
-            if leaf != self.time {
-                let image = self.leaf(scope, leaf)?;
-                images.insert(leaf, image);
-            }
+            match self.start {
+                Some(start) if leaf == self.time => images.insert(leaf, start),
+                None if leaf == self.time => continue,
+                Some(_) | None => images.insert(leaf, self.leaf(scope, leaf)?),
+            };
         }
         Some(self.graph.substitute(e, |_, l| images.get(&l).copied()))
     }
@@ -153,6 +181,10 @@ impl<'a> Setting<'a> {
         };
         if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, value) {
             return None;
+        }
+        if let Some(start) = self.start {
+            let then = leaf.instant.map_or(Some(start), |at| self.put(scope, at))?;
+            return (leaf.rate == 0 && then == start).then_some(value);
         }
         let now = leaf.instant.is_none();
         self.needs.extend(now.then_some(value));
@@ -195,8 +227,9 @@ impl<'a> Setting<'a> {
         Some(out)
     }
 
-    fn ask(&mut self, guards: &InTime, needs: Vec<Expr>, sides: (Expr, Expr)) -> Along {
-        let question = InTime { time: Some(self.time), span: self.span, sides: Some(sides), needs, ..guards.clone() };
+    fn ask(&mut self, guards: &InTime, needs: Vec<Expr>, sides: (Expr, Expr), refuted: Refuted) -> Along {
+        let (time, sides) = (Some(self.time), Some(sides));
+        let question = InTime { time, span: self.span, sides, needs, refuted, ..guards.clone() };
         along(&mut self.memory, &mut self.graph, &question)
     }
 
@@ -230,6 +263,67 @@ impl<'a> Setting<'a> {
         }
     }
 
+    /// What is proved of a claim by the motion's start alone: that something is not so at every time.
+    fn at_once(&mut self, claim: &Claim, motion: &derivation::Trajectory, verdict: &mut Verdict) {
+        let (Ok(start), None, None) = (Rational::try_from(motion.initial_time), &claim.at, &claim.region) else {
+            return;
+        };
+        let denoted = denote(&mut self.graph, &self.derivation.systems, claim, &start);
+        let met = |this: &mut Self, part: &Part| this.now(&claim.scope, part).is_some_and(|(k, _)| k == Possible::TRUE);
+        if !denoted.selectors.iter().all(|s| met(self, &s.part)) {
+            return;
+        }
+        for (position, part) in denoted.parts.iter().enumerate() {
+            // Agreement to within a precision is no matter of single times.
+            let strict =
+                |c: &Comparison| matches!(c.kind, RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater);
+            let strict = matches!(part.what, What::Every) && part.group.comparisons.iter().all(strict);
+            if !strict && !matches!(part.what, What::Denied) {
+                continue;
+            }
+            if let Some((Possible::FALSE, Some(witness))) = self.now(&claim.scope, part) {
+                verdict.prove(position, Possible::FALSE, |e| {
+                    e.samples = e.samples.max(1);
+                    (e.witness, e.residual) = (Some(witness), None);
+                    e.reason = Some(format!("by the initial values, at t = {} exactly", motion.initial_time));
+                });
+            }
+        }
+    }
+
+    /// What a part is at the start, with a comparison there.
+    fn now(&mut self, scope: &Scope, part: &Part) -> Option<(Possible, Option<Witness>)> {
+        let group = &part.group;
+        if group.branching || group.comparisons.is_empty() {
+            return None;
+        }
+        let (mut known, mut witness) = (Vec::new(), None);
+        for c in &group.comparisons {
+            let sides = self.sides(scope, (c.left, c.right))?;
+            let (order, left, right, bound) = match self.ask(&InTime::default(), Vec::new(), sides, Refuted::Apart) {
+                Along::Agree { seen: Some((_, v)), .. } => (Ordering::Equal, v.value, v.value, v.error),
+                Along::Differ(Apart { left, right, bound, .. }) if left != right => {
+                    (left.partial_cmp(&right)?, left, right, bound)
+                }
+                Along::Differ(_) | Along::Agree { .. } | Along::Open => return None,
+            };
+            let holds = match c.kind {
+                RelationKind::Equal => order.is_eq(),
+                RelationKind::NotEqual => order.is_ne(),
+                RelationKind::Less => order.is_lt(),
+                RelationKind::LessEqual => order.is_le(),
+                RelationKind::Greater => order.is_gt(),
+                RelationKind::GreaterEqual => order.is_ge(),
+            };
+            if !holds {
+                let (t, formula) = (self.span.0, c.label.clone());
+                witness.get_or_insert(Witness { t, formula, left, right, bound, values: Vec::new() });
+            }
+            known.push(if holds { Possible::TRUE } else { Possible::FALSE });
+        }
+        Some((group.value(|c| known[c]), witness))
+    }
+
     /// Whether a part is true, or where it is false; `None` where neither is proved.
     fn part(
         &mut self,
@@ -258,14 +352,14 @@ impl<'a> Setting<'a> {
                 )));
             }
         }
-        let equations = group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
-        if group.formula.is_some() || group.branching || !equations || group.comparisons.is_empty() {
+        if group.formula.is_some() || group.branching || group.comparisons.is_empty() {
             return None;
         }
         match part.what {
             What::Every => {}
+            What::Constant if group.comparisons.iter().any(|c| c.kind != RelationKind::Equal) => return None,
             What::Constant => {
-                let constant = |c: &super::comparison::Comparison| self.is_constant(claim, guards, presupposed, c.left);
+                let constant = |c: &Comparison| self.is_constant(claim, guards, presupposed, c.left);
                 return group.comparisons.iter().all(constant).then_some(Ok(()));
             }
             What::Denied | What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
@@ -282,13 +376,24 @@ impl<'a> Setting<'a> {
                 holds = false;
                 continue;
             };
-            match self.ask(guards, needs, sides) {
+            let refuted = match c.kind {
+                RelationKind::Equal => Refuted::Apart,
+                RelationKind::Less | RelationKind::LessEqual => Refuted::Above,
+                RelationKind::Greater | RelationKind::GreaterEqual => Refuted::Below,
+                RelationKind::NotEqual => {
+                    holds = false;
+                    continue;
+                }
+            };
+            match self.ask(guards, needs, sides, refuted) {
                 Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
                 Along::Differ(Apart { time, left, right, bound }) => {
                     let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
+                    let what = if refuted == Refuted::Apart { "an equation" } else { "an inequality" };
+                    let size = if left == right { ", by less than binary64 shows" } else { "" };
                     let reason = format!(
-                        "with the formulas of the motion put in it is an equation in time alone, whose sides differ for \
-                         certain at t = {time}"
+                        "with the formulas of the motion put in it is {what} in time alone, whose sides differ for \
+                         certain at t = {time}{size}"
                     );
                     return Some(Err((witness, reason)));
                 }
@@ -368,7 +473,7 @@ impl<'a> Setting<'a> {
             let Ok(start) = Rational::try_from(at) else { return false };
             let start = self.graph.constant(start);
             let then = self.graph.substitute(e, |_, l| (l == time).then_some(start));
-            matches!(self.ask(guards, needs.clone(), (e, then)), Along::Agree { seen: Some(_), .. })
+            matches!(self.ask(guards, needs.clone(), (e, then), Refuted::Apart), Along::Agree { seen: Some(_), .. })
         })
     }
 }

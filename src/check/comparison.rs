@@ -119,7 +119,14 @@ impl Group {
 
     /// The same for all signs of ± together, where one sign need not serve the whole motion.
     pub fn over_signs(&self, signs: impl Iterator<Item = Possible>) -> Possible {
-        signs.reduce(|a, b| self.signs.join(a, b)).unwrap_or(Possible::ANY)
+        let mut silent = false;
+        let joined = signs.inspect(|s| silent |= *s == Possible::VOID).reduce(|a, b| self.signs.join(a, b));
+        match joined {
+            // The sign that serves throughout may be the one that says nothing here.
+            Some(Possible::FALSE) if silent && self.throughout => Possible::ANY,
+            Some(joined) => joined,
+            None => Possible::ANY,
+        }
     }
 
     /// Whether agreement to within an allowance may count as equality of a comparison: in a conjunction, for some sign.

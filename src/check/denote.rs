@@ -112,6 +112,18 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
     (out, edges)
 }
 
+/// What must not be negative for the sides to have values, as it is under a root: where it is negative and touches 0, they have
+/// values at single times.
+fn closed_edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<Item = &'c Comparison>) -> Vec<Expr> {
+    let sides: Vec<Expr> = compared.flat_map(|c| [c.left, c.right]).map(|e| traced(graph, scope, e)).collect();
+    let needs = graph.needs_below(sides);
+    let closed = needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotNegative).map(|n| n.value);
+    let mut out: Vec<Expr> = closed.filter(|&e| !graph.leaves([e]).is_empty()).collect();
+    out.sort_unstable();
+    out.dedup();
+    out
+}
+
 /// What is asked of a term, as a relation to 0.
 pub(super) fn relation(sign: Sign) -> RelationKind {
     match sign {
@@ -175,7 +187,10 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
     let compared: Vec<&Comparison> =
         parts.iter().filter(|p| p.is_compared()).flat_map(|p| &p.group.comparisons).collect();
     let steep = exponents(graph, &claim.scope, &compared);
-    Denoted { selectors, hypotheses, parts, claim: whole, at, steep, sign }
+    let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
+    let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
+    let scarce = closed_edges(graph, &claim.scope, compared);
+    Denoted { selectors, hypotheses, parts, claim: whole, at, steep, scarce, sign }
 }
 
 /// A claim while it is read.

@@ -26,6 +26,8 @@ const NONZERO: f64 = 1e-6;
 const MINIMA: usize = 12;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// How far beside an event the rank is taken, too: this share of the span.
+const BESIDE: f64 = 1e-3;
 /// Number of sample times at which the rank is taken.
 const POINTS: usize = 33;
 
@@ -190,6 +192,10 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
         }
     }
     if dependent > 0 && dependent == evidence.samples {
+        // The time of an event is a number of binary64: the rank that falls there alone may be whole at the event itself.
+        if trial.program.at.is_some() && !dependent_beside(of, trial, &tape, evidence.witness.as_ref()) {
+            return Finding::open("the rank falls at the event alone, whose time is not known exactly");
+        }
         return Finding::sampled(Possible::FALSE, evidence);
     }
     if dependent > 0 {
@@ -217,11 +223,34 @@ pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
             _ => Finding::open("the gradients have no value at any sample"),
         };
     }
+    let open = |l: &Left| match l {
+        Left::Open(reason) => Some(reason.to_string()),
+        Left::In | Left::Out(_) => None,
+    };
+    if let Some(reason) = tried.left.iter().find_map(open) {
+        return Finding::open(reason);
+    }
     if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
         return Finding::open(format!("near t = {t}, between two samples, a singular value falls to {gap:.1e}"));
     }
     evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
     Finding::sampled(Possible::TRUE, evidence)
+}
+
+/// Whether the functions are dependent also a little before and after a time.
+fn dependent_beside(of: &Gradients, trial: &Trial, tape: &Tape, witness: Option<&Witness>) -> bool {
+    let Some(t) = witness.map(|w| w.t) else { return false };
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    let mut slots = tape.slots::<Bounded>(&());
+    let beside = [-BESIDE, BESIDE].map(|d| t + d * (to - from)).into_iter().filter(|t| (from..=to).contains(t));
+    beside.into_iter().all(|t| {
+        let values = tape.evaluate(&(), &trial.course.values(t), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { return false };
+        let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0;
+        let full = rank(&normalised(rows, n, &values)).0;
+        full.zip(base).is_some_and(|(full, base)| full < base + of.functions)
+    })
 }
 
 /// A time between samples near which the rank may fall, with the smallest singular value in units of the largest: where it is

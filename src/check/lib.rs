@@ -465,6 +465,12 @@ fn strengthen(
     let here = |premise: usize| claimed.binary_search(&premise).ok();
     for k in premises_first(derivation, claimed, claims) {
         let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
+        // Where the sign that is proved has no value, the other one may be false.
+        if !identity.conditions.is_empty()
+            && derivation.claims[claimed[k]].forms.iter().any(derivation::Form::has_branches)
+        {
+            continue;
+        }
         let mut ready: Vec<usize> = Vec::new();
         for (at, pair) in claims[k].results.iter().enumerate() {
             let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };

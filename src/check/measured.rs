@@ -267,6 +267,8 @@ pub(super) struct MeasuredGroup<'a> {
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
     /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
     pub equal: Vec<Vec<bool>>,
+    /// For each time, where a search found it, the comparison that changes its sign there: its sides are equal.
+    pub crossing: Vec<Option<usize>>,
     /// For each sign the sizes of terms, those of the group from position `first` on.
     sizes: Vec<Sizes<'a>>,
     first: usize,
@@ -305,7 +307,18 @@ impl<'a> MeasuredGroup<'a> {
         };
         let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(along).collect()).collect();
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
-        MeasuredGroup { group, signs, definedness, strict: false, mute, equal, sizes, first, floors }
+        MeasuredGroup {
+            group,
+            signs,
+            definedness,
+            strict: false,
+            mute,
+            equal,
+            crossing: Vec::new(),
+            sizes,
+            first,
+            floors,
+        }
     }
 
     /// The same group at other points, for which `along` says what is typical.
@@ -318,7 +331,7 @@ impl<'a> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
         let (definedness, strict) = (along.definedness, along.strict);
-        MeasuredGroup { group, signs, definedness, strict, mute, equal, sizes, first, floors }
+        MeasuredGroup { group, signs, definedness, strict, mute, equal, crossing: Vec::new(), sizes, first, floors }
     }
 
     /// What is typical of the size of the terms of the group. The components of a vector share it: that one of them vanishes
@@ -353,9 +366,10 @@ impl<'a> MeasuredGroup<'a> {
     }
 
     /// Whether the sides are equal within an error, where that does not refute a strict relation.
-    fn is_open(&self, sign: usize, comparison: usize, difference: Bounded) -> bool {
+    fn is_open(&self, sign: usize, comparison: usize, time: usize, difference: Bounded) -> bool {
         let strict = is_strict(self.group.comparisons[comparison].kind);
-        strict && difference.error > 0.0 && difference.contains_zero() && !self.equal[sign][comparison]
+        let equal = || self.equal[sign][comparison] || self.crossing.get(time) == Some(&Some(comparison));
+        strict && difference.error > 0.0 && difference.contains_zero() && !equal()
     }
 
     /// What is known of the group at every time, for one sign.
@@ -402,7 +416,7 @@ impl<'a> MeasuredGroup<'a> {
                     true => self.scale(sign, comparison, time),
                 };
                 match judge(kind, d, scale, precision) {
-                    Possible::FALSE if self.is_open(sign, comparison, d) => Possible::OPEN,
+                    Possible::FALSE if self.is_open(sign, comparison, time, d) => Possible::OPEN,
                     Possible::TRUE if self.strict && d.error > 0.0 && d.contains_zero() => Possible::OPEN,
                     known => known,
                 }

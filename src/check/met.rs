@@ -20,6 +20,8 @@ use crate::verdict::Possible;
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
 const FEW: usize = 8;
+/// How far beside a time the assumptions are looked at: this share of the span.
+const BESIDE: f64 = 1e-7;
 /// Most stretches that get times of their own.
 const MOST: usize = 64;
 
@@ -59,6 +61,10 @@ pub(super) fn look(trial: &Trial) -> Search {
                 "the assumption `{text}` is met at most near single times such as t = {}: whether it is cannot be told",
                 short(t)
             ));
+        }
+        // Where several meet, each may be met at that time alone.
+        if let (true, Some(&t)) = (is_weak(kind), zeros.times.iter().find(|&&t| is_met_alone(trial, t))) {
+            found.touches.get_or_insert(format!("the assumptions may be met at t = {} alone", short(t)));
         }
         for gap in &zeros.incomplete {
             let (start, end) = gap.stretch();
@@ -104,6 +110,14 @@ pub(super) fn look(trial: &Trial) -> Search {
     times.sort_by(f64::total_cmp);
     found.more = Some(Met { times, points });
     found
+}
+
+/// Whether the inequalities among the assumptions may be met at a time, and are violated a little before and after it.
+fn is_met_alone(trial: &Trial, t: f64) -> bool {
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let beside = BESIDE * (to - from);
+    let violated = |t: f64| t < from || t > to || !is_met(trial, t);
+    violated(t - beside) && violated(t + beside) && is_met(trial, t)
 }
 
 /// Whether the inequalities among the assumptions are not violated at a time.

@@ -109,6 +109,8 @@ pub(super) struct Program {
     pub at: Option<Expr>,
     /// Exponents in what it says of every time: see `steep`.
     pub steep: Vec<Expr>,
+    /// What touches 0 where something may have a value at a single time only.
+    pub scarce: Vec<Expr>,
     /// Left, right, and left − right of every comparison.
     sides: Option<Block>,
     /// The size of the terms of every comparison.
@@ -126,14 +128,15 @@ pub(super) struct Denoted {
     pub claim: Proposition,
     pub at: Option<Expr>,
     pub steep: Vec<Expr>,
+    pub scarce: Vec<Expr>,
     pub sign: Leaf,
 }
 
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
-        let Denoted { selectors, hypotheses, parts, claim, at, steep, sign } = of;
+        let Denoted { selectors, hypotheses, parts, claim, at, steep, scarce, sign } = of;
         let (sides, sizes, inputs) = (None, None, Vec::new());
-        Program { selectors, hypotheses, parts, claim, at, steep, sides, sizes, inputs, sign }
+        Program { selectors, hypotheses, parts, claim, at, steep, scarce, sides, sizes, inputs, sign }
     }
 }
 
@@ -158,7 +161,10 @@ impl Program {
         let met = || self.met().map(|(_, _, e)| e);
         // What is tried at events only is not looked at between them.
         match self.at {
-            None => parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e).chain(met()).collect(),
+            None => {
+                let parts = parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e);
+                parts.chain(met()).chain(self.scarce.iter().copied()).collect()
+            }
             Some(e) => {
                 let hypotheses = self.hypotheses.iter().flat_map(|a| a.part.boundaries()).map(|(_, _, e)| e);
                 [e].into_iter().chain(hypotheses).collect()
@@ -192,7 +198,7 @@ impl Program {
     /// The leaves that must be known to measure it, the sign of ± apart.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
-        let roots = roots.chain(self.at).chain(self.steep.iter().copied()).collect::<Vec<_>>();
+        let roots = roots.chain(self.at).chain(self.steep.iter().chain(&self.scarce).copied()).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 

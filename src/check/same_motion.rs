@@ -4,7 +4,7 @@ use super::comparison::{Comparison, Group};
 use super::describe::Describer;
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
 use super::trial::{Trial, Tried};
-use super::weigh::weigh;
+use super::weigh::{Left, weigh};
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::flow::Sample;
@@ -62,6 +62,12 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, othe
     }
     if comparisons.is_empty() {
         return Finding::open("the motions have no state in common that could be compared");
+    }
+    // Both are known on a stretch of which no sample counts: an end of it may, as a single time.
+    let both = |i: usize| tried.left[i] == Left::In && theirs[i].is_some();
+    let (own_from, own_to) = course.stage.span(course.trajectory);
+    if tried.left.contains(&Left::In) && !(0..theirs.len()).any(both) && from <= own_to && own_from <= to {
+        return Finding::open("no sample at which both motions are known counts; an end of their common span may");
     }
     let group = Group { comparisons, ..Group::default() };
     let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);

@@ -5,11 +5,11 @@
 
 use std::sync::Arc;
 
-use super::between::between_samples;
+use super::between::{between_samples, may_lie_beyond};
 use super::describe::{Describer, short};
 use super::independence::{self, Gradients};
 use super::limit::limit;
-use super::measured::{Measurements, measure, measure_first};
+use super::measured::{MeasuredGroup, Measurements, measure, measure_first};
 use super::met;
 use super::program::{Assumption, Program, What};
 use super::same_motion;
@@ -195,7 +195,8 @@ pub(super) fn try_claim(
         (None, _) => {
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
-                unless_met_elsewhere(&met, finding)
+                let finding = unless_met_elsewhere(&met, finding);
+                unless_valued_between(trial, &measured, &measured.parts[position], &along, finding)
             };
             (0..program.parts.len()).map(each).collect()
         }
@@ -211,7 +212,8 @@ pub(super) fn try_claim(
             let describer = Describer::new(trial, &zeros.times, &points);
             let mut measured = measure(program, &points, None);
             silence(trial.graph, program, course.leaves, &points, &mut measured);
-            let left = selected(trial, &measured, &describer);
+            let mut left = selected(trial, &measured, &describer);
+            beyond_the_span(trial, zeros, &mut left);
             let tried = Tried { times: &zeros.times, points: &points, left };
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
@@ -285,7 +287,8 @@ fn met_on(
     };
     // What is left out where a hypothesis has no value is no matter of the claim.
     let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
-    unless_met_elsewhere(met, unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence)))
+    let finding = unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence));
+    unless_valued_between(trial, measured, &measured.hypotheses[position], along, unless_met_elsewhere(met, finding))
 }
 
 /// What is known of one part of a claim, at the times that count.
@@ -336,7 +339,7 @@ fn part(
 fn limit_where(
     trial: &Trial,
     tried: &Tried,
-    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m super::measured::MeasuredGroup<'p>,
+    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
     point: &latex::LimitPoint,
 ) -> Finding {
     let out = |l: &Left| match l {
@@ -400,7 +403,7 @@ fn constant(
     let Trial { program, course, .. } = *trial;
     let group = &measured.parts[position];
     let start = course.stage.initial_time(course.trajectory);
-    let valued = |group: &super::measured::MeasuredGroup, i: usize| {
+    let valued = |group: &MeasuredGroup, i: usize| {
         group.signs.iter().all(|s| s.iter().all(|series| series.difference(i).is_ok()))
     };
     let counts = |i: usize| tried.left[i] == Left::In;
@@ -421,12 +424,41 @@ fn constant(
 /// What is known of a part whose selectors may be met at other times than those at which it was tried.
 fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Finding {
     let reason = match known(&finding).decided() {
-        Some(Truth::True) => met.open.clone(),
-        Some(Truth::Void) => met.open.clone().or(met.touches.clone()),
+        Some(Truth::True | Truth::Void) => met.open.clone().or(met.touches.clone()),
         Some(Truth::False) | None => None,
     };
     match reason {
         Some(reason) => reopened(finding, Possible::ANY, reason),
+        None => finding,
+    }
+}
+
+/// What is known of a part that is true, or void, and may have a value at a single time of a stretch without one.
+fn unless_valued_between(
+    trial: &Trial,
+    measured: &Measurements,
+    part: &MeasuredGroup,
+    tried: &Tried,
+    finding: Finding,
+) -> Finding {
+    if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) {
+        return finding;
+    }
+    let missing = |i: usize| {
+        let mut groups = measured.selectors.iter().chain([part]);
+        groups.any(|g| g.signs.iter().flatten().any(|series| series.difference(i).is_err()))
+    };
+    let single = |t: &&f64| {
+        let after = tried.times.partition_point(|x| x < t);
+        let beside = [after.checked_sub(1), Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
+        beside.into_iter().any(missing)
+    };
+    let touching = trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e)).flat_map(|z| &z.touching);
+    match touching.into_iter().find(single) {
+        Some(&t) => {
+            let reason = format!("near t = {} it may have a value at a single time", short(t));
+            reopened(finding, Possible::ANY, reason)
+        }
         None => finding,
     }
 }
@@ -539,6 +571,17 @@ fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> boo
     }
     let open = zeros.incomplete.iter().find(|i| counts(i));
     open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
+}
+
+/// Events at an end of the span, up to the error of their times: whether they lie in it is not known.
+fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
+    let span = trial.course.stage.span(trial.course.trajectory);
+    for ((&t, &slack), left) in zeros.times.iter().zip(&zeros.slack).zip(left) {
+        if *left == Left::In && may_lie_beyond(span, t, slack) {
+            *left =
+                Left::Open(format!("whether the event near t = {} lies in the span cannot be told", short(t)).into());
+        }
+    }
 }
 
 /// What is known of a part that was tried at events: where some may be missing, it is not known to be true, or void.

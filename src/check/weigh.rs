@@ -297,7 +297,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             *left = Left::Out(fault(c, i, reason));
         }
     }
-    let open = |i: &usize| matches!(setting.left[*i], Left::Open(_)) && judged.at(*i).may_be(Truth::False);
+    // One sign that serves throughout serves there, too.
+    let each = group.group.throughout && group.signs.len() > 1;
+    let open = |i: &usize| matches!(setting.left[*i], Left::Open(_)) && (each || judged.at(*i).may_be(Truth::False));
     let doubtful: Vec<usize> = (0..count).filter(open).collect();
     let counted: Vec<usize> = (0..count).filter(|&i| setting.left[i] == Left::In).collect();
     evidence.excluded = exclusions(setting.times, &setting.left);

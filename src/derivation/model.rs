@@ -315,6 +315,19 @@ pub struct Region {
 }
 
 impl Form {
+    /// Whether ± stands in what it says of a statement.
+    pub fn has_branches(&self) -> bool {
+        match self {
+            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => w.value.relations.iter().any(|r| r.has_branches),
+            Form::FirstIntegral(_)
+            | Form::Defined(_)
+            | Form::Solves { .. }
+            | Form::SameMotion { .. }
+            | Form::Independent { .. }
+            | Form::Exists { .. } => false,
+        }
+    }
+
     /// What it is.
     pub fn kind(&self) -> FormKind {
         match self {

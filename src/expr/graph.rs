@@ -104,11 +104,24 @@ fn turned(node: &Node) -> Option<Node> {
     }
 }
 
+/// The size of a constant.
+fn bits(r: &Rational) -> usize {
+    use dashu_int::ops::BitTest;
+    r.numerator().bit_len().max(r.denominator().bit_len())
+}
+
 /// Whether a power of a constant is small enough to be written out: towers of powers must not exhaust the memory.
 fn folds(r: &Rational, n: i32) -> bool {
-    use dashu_int::ops::BitTest;
-    let bits = r.numerator().bit_len().max(r.denominator().bit_len());
-    bits.saturating_mul(n.unsigned_abs() as usize) <= 4096
+    bits(r).saturating_mul(n.unsigned_abs() as usize) <= 4096
+}
+
+/// Most bits of two constants that are combined.
+const LARGEST_FOLDED: usize = 1 << 16;
+
+/// Whether a product, quotient or sum of constants is small enough to be written out: repeated squares must not exhaust the
+/// memory, either.
+pub fn combines(x: &Rational, y: &Rational) -> bool {
+    bits(x) + bits(y) <= LARGEST_FOLDED
 }
 
 impl Graph {
@@ -270,7 +283,9 @@ impl Graph {
     /// An operation of two arguments, with constants folded where that is exact, and neutral elements dropped.
     pub fn binary(&mut self, op: Op, a: Expr, b: Expr) -> Expr {
         debug_assert_eq!(op.arity(), 2);
-        if let (Node::Constant(x), Node::Constant(y)) = (self.node(a), self.node(b)) {
+        if let (Node::Constant(x), Node::Constant(y)) = (self.node(a), self.node(b))
+            && combines(x, y)
+        {
             let folded = match op {
                 Op::Add => Some(&**x + &**y),
                 Op::Sub => Some(&**x - &**y),

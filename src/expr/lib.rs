@@ -21,7 +21,7 @@ pub mod tape;
 mod tensor;
 
 pub use calculus::NoDerivative;
-pub use graph::{Expr, Graph, Leaf, Node, Symbol};
+pub use graph::{Expr, Graph, Leaf, Node, Symbol, combines};
 pub use hash::{FastHasher, FastMap, FastSet};
 pub use number::{Op, Rational};
 pub use tensor::{Shape, Tensor};

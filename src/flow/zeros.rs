@@ -13,6 +13,10 @@ use number::{Bounded, NoValue};
 
 /// Degree of the polynomials.
 const DEGREE: usize = 20;
+/// A minimum below this share of the values around it may be 0.
+const FLAT: f64 = 64.0 * f64::EPSILON;
+/// What is around it: up to this share of the span away.
+const AROUND: f64 = 1e-2;
 
 /// The zeros of an expression along a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -364,13 +368,20 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     for mut run in runs {
         separate(&mut explorer, &mut run, shortest);
         out.peaks(&mut explorer, &run);
-        // A kink that is no wider than the errors is not seen as one: what comes so close to 0 there may reach it.
-        for three in run.windows(3) {
-            let [a, b, c] = [three[0], three[1], three[2]];
-            let size = |n: &Node| n.value.value.abs();
-            let lowest = size(&b) < size(&a) && size(&b) < size(&c) && size(&b) <= 16.0 * b.value.error;
-            if lowest && b.sign() != 0 && a.sign() == b.sign() && b.sign() == c.sign() {
-                out.touch(&mut explorer, b);
+        // A kink that is no wider than the errors is not seen as one, the place of a flat minimum is not known better than the
+        // values beside it, and a zero may lie just beyond an end: what comes so close to 0 there may reach it.
+        let size = |n: &Node| n.value.value.abs();
+        for (at, b) in run.iter().enumerate() {
+            let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| run.get(i));
+            let lowest = |n: &Node| size(b) < size(n) && b.sign() == n.sign();
+            if b.sign() == 0 || !beside.clone().all(lowest) {
+                continue;
+            }
+            let near = |n: &&Node| (n.time - b.time).abs() <= AROUND * (to - from);
+            let around = run[..at].iter().rev().take_while(near).chain(run[at + 1..].iter().take_while(near));
+            let largest = around.chain(beside).map(size).fold(0.0, f64::max);
+            if size(b) <= (16.0 * b.value.error).max(FLAT * largest) {
+                out.touch(&mut explorer, *b);
             }
         }
         let mut at = 0;
@@ -417,6 +428,15 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
             *gap = pole(gap.stretch().0);
         }
     }
+    // A root ends at an edge of its domain with the value 0, which no sign tells.
+    let edges: Vec<(f64, f64)> = out.incomplete.iter().filter_map(edge).collect();
+    for (start, end) in edges {
+        for (at, onwards) in [(start, false), (end, true)] {
+            if vanishes_towards(&mut explorer, at, onwards) {
+                out.touching.push(at);
+            }
+        }
+    }
     for kink in kinks {
         let near = |t: &f64| (t - kink).abs() <= 2.0 * shortest;
         let known = out.times.iter().chain(&out.touching).any(near);
@@ -444,6 +464,29 @@ fn beside(explorer: &mut Explorer, t: f64) -> Option<f64> {
 /// A pole as a gap of the search.
 fn pole(time: f64) -> Incomplete {
     Incomplete::NoValue { start: time, end: time, reason: NoValue::OutOfDomain }
+}
+
+/// A stretch outside of the domain.
+fn edge(gap: &Incomplete) -> Option<(f64, f64)> {
+    matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. }).then(|| gap.stretch())
+}
+
+/// Whether the expression falls to 0 towards an edge of its domain, from the side on which it has values.
+fn vanishes_towards(explorer: &mut Explorer, at: f64, onwards: bool) -> bool {
+    let (from, to) = explorer.core.reach();
+    let length = (to - from) * if onwards { 1.0 } else { -1.0 };
+    // A power of the distance falls by the same factor at each step, whatever its size; a sum with a number does not.
+    let mut last: Option<f64> = None;
+    for share in [1e-4, 1e-7, 1e-10, 1e-13] {
+        let t = at + share * length;
+        let value = (from..=to).contains(&t).then(|| explorer.values(t).first().copied());
+        let Some(Some(Ok(x))) = value else { return false };
+        if last.is_some_and(|last| x.value.abs() > 0.7 * last + x.error) {
+            return false;
+        }
+        last = Some(x.value.abs());
+    }
+    true
 }
 
 /// Whether the expression grows towards a point from both sides: it has no value there, and no zero near.
@@ -526,9 +569,18 @@ impl Zeros {
             (Some(a), Some(b)) => (b - a).abs() / (after - before),
             _ => 0.0,
         };
+        // At a zero of order 3 or more the speed grows like the square of the distance, or faster, and the time is known less
+        // well than it says.
+        let far = 10.0 * step;
+        let (ahead, behind) = ((time + far).min(to), (time - far).max(from));
+        let steeper = match (value(behind), value(ahead)) {
+            (Some(a), Some(b)) => (b - a).abs() / (ahead - behind) > 50.0 * speed,
+            _ => false,
+        };
         let floor = 4.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE);
         self.times.push(time);
-        self.slack.push(if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor });
+        let slack = if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor };
+        self.slack.push(if steeper { slack.max(step) } else { slack });
     }
 
     /// Records the change of sign between two nodes: a zero, unless the expression jumps there.

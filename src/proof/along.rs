@@ -7,7 +7,8 @@
 //! **Guaranteed.** That sides agree is an identity, with the error bound of [`identity_test`](super::identity_test). That they
 //! differ is shown by balls that lie apart at a time that is a number of binary64, at which every formula has a value. The
 //! difference is computed twice: as it is written, and with its sums and products expanded over the generators, so that terms that
-//! cancel along the motion, however large, are gone before a number is put in.
+//! cancel along the motion, however large, are gone before a number is put in; and divided by its largest coefficient, so that
+//! what is too small for binary64 has a sign.
 
 use super::conditions::raised;
 use super::linear::{Combination, Combinations, expression};
@@ -17,8 +18,20 @@ use super::memory::Memory;
 use super::outcome::{Identity, Options, Premises, Wanted};
 use super::prove::identity_test_after;
 use super::witness::decimals;
-use expr::{Expr, FastMap, Graph, Leaf};
+use expr::{Expr, FastMap, Graph, Leaf, Rational};
 use number::Bounded;
+
+/// Which differences of the sides make a relation false.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Refuted {
+    /// Any: an equation.
+    #[default]
+    Apart,
+    /// left > right.
+    Above,
+    /// left < right.
+    Below,
+}
 
 /// What is asked.
 #[derive(Clone, Debug, Default)]
@@ -27,8 +40,10 @@ pub struct InTime {
     pub time: Option<Leaf>,
     /// First and last time; finite.
     pub span: (f64, f64),
-    /// The equation.
+    /// The sides of the relation.
     pub sides: Option<(Expr, Expr)>,
+    /// What makes it false; only of an equation it is asked whether the sides agree.
+    pub refuted: Refuted,
     /// What must have a value beside the sides: the states, and the observables whose rates occur.
     pub needs: Vec<Expr>,
     /// Times count at which these are > 0.
@@ -44,7 +59,7 @@ pub struct InTime {
 pub struct Apart {
     /// The time.
     pub time: f64,
-    /// Left side there, as far as binary64 shows it.
+    /// Left side there, as far as binary64 shows it: a difference that is smaller than its numbers is not in it.
     pub left: f64,
     /// Right side there.
     pub right: f64,
@@ -59,8 +74,8 @@ pub enum Along {
     Agree {
         /// Whether the identity has no condition at all: nothing in it lacks a value at any time.
         everywhere: bool,
-        /// A time that counts and at which both sides have values, if one was seen.
-        seen: Option<f64>,
+        /// A time that counts and at which both sides have values, with the value, if one was seen.
+        seen: Option<(f64, Bounded)>,
     },
     /// They do not.
     Differ(Apart),
@@ -81,6 +96,7 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     }
     let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
     let agrees = match left == right {
+        _ if question.refuted != Refuted::Apart => None,
         true => Some(Vec::new()),
         false => match identity_test_after(memory, graph, &[(left, right)], &Premises::default(), &options) {
             Identity::Proved(proof) => Some(proof.conditions),
@@ -97,7 +113,10 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
         }
     };
     if let Some(conditions) = agrees {
-        let seen = (0..TIMES).map(place).find(|&t| sides_at(graph, question, time, t).is_some());
+        let seen = (0..TIMES).map(place).find_map(|t| {
+            let (l, r) = sides_at(graph, question, time, t)?;
+            Some((t, if l.error < r.error { l } else { r }))
+        });
         let mut formulas = question.needs.clone();
         formulas.extend([left, right]);
         let everywhere = conditions.is_empty() && super::domains(graph, &formulas).is_empty();
@@ -106,15 +125,25 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     let expanded = expanded(graph, left, right);
     let apart = (0..TIMES).map(place).find_map(|t| {
         let (l, r) = sides_at(graph, question, time, t)?;
+        let refutes = |difference: f64, error: f64| {
+            let certain = difference.is_finite() && error.is_finite() && difference.abs() > 2.0 * error;
+            certain
+                && match question.refuted {
+                    Refuted::Apart => true,
+                    Refuted::Above => difference > 0.0,
+                    Refuted::Below => difference < 0.0,
+                }
+        };
         let error = l.error + r.error;
-        if (l.value - r.value).abs() > 2.0 * error && (l.value - r.value).is_finite() && error.is_finite() {
+        if refutes(l.value - r.value, error) {
             return Some(Apart { time: t, left: l.value, right: r.value, bound: error });
         }
         // What is left when everything that cancels is gone.
         let values = FastMap::from_iter([(time, Bounded::exact(t))]);
-        let rest = decimals(graph, &[expanded?], &values)[0]?;
-        let certain = rest.value.is_finite() && rest.error.is_finite() && rest.value.abs() > 2.0 * rest.error;
-        certain.then_some(Apart { time: t, left: r.value + rest.value, right: r.value, bound: rest.error })
+        let (expanded, unit) = expanded.as_ref()?;
+        let rest = decimals(graph, &[*expanded], &values)[0]?;
+        let left = r.value + rest.value * unit;
+        refutes(rest.value, rest.error).then_some(Apart { time: t, left, right: r.value, bound: rest.error * unit })
     });
     apart.map_or(Along::Open, Along::Differ)
 }
@@ -135,20 +164,23 @@ fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bo
     counts.then_some(sides[0]?).zip(sides[1])
 }
 
-/// left − right with all sums and products expanded over the generators, written in the formulas as given.
-fn expanded(graph: &mut Graph, left: Expr, right: Expr) -> Option<Expr> {
+/// left − right with all sums and products expanded over the generators, written in the formulas as given, divided by its
+/// largest coefficient; and that coefficient.
+fn expanded(graph: &mut Graph, left: Expr, right: Expr) -> Option<(Expr, f64)> {
     let mut combinations = Combinations::default();
     let lowered = lower(graph, &[], &[(left, right)], [&[], &[], &[]], &[], false, &mut combinations).ok()?;
     let &(l, r) = lowered.claim.first()?;
     let difference = graph.sub(l, r);
     let combination: Combination = Combinations::default().of(graph, difference);
+    let size = |q: &Rational| if *q < Rational::ZERO { -q.clone() } else { q.clone() };
+    let unit = combination.values().map(size).max()?;
     let mut sum = graph.integer(0);
     for (monomial, q) in &combination {
-        let term = expression(graph, monomial, q);
+        let term = expression(graph, monomial, &(q.clone() / unit.clone()));
         sum = graph.add(sum, term);
     }
     let generators: &Generators = &lowered.generators;
-    Some(raised(graph, generators, sum))
+    Some((raised(graph, generators, sum), unit.to_f64().value()))
 }
 
 #[cfg(test)]

@@ -131,7 +131,7 @@ mod witness;
 #[cfg(feature = "certificates")]
 mod written;
 
-pub use along::{Along, Apart, InTime, along};
+pub use along::{Along, Apart, InTime, Refuted, along};
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use memory::Memory;

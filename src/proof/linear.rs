@@ -55,6 +55,9 @@ fn product(a: &Combination, b: &Combination) -> Option<Combination> {
     let mut out = Combination::new();
     for (m, q) in a {
         for (n, r) in b {
+            if !expr::combines(q, r) {
+                return None;
+            }
             add_to(&mut out, times(m, n), q * r);
         }
     }

@@ -221,14 +221,16 @@ fn replaced(graph: &mut Graph, e: Expr, part: Expr, by: Expr) -> Option<Expr> {
 
 /// A limit as the time goes to +∞, or to −∞.
 fn at_infinity(ready: &Ready, c: &Comparison, onwards: bool, along: &mut Along) -> Result<Shown, String> {
+    const INTEGRATED: &str =
+        "an integrated motion is not known for all times; limits at infinity are found for motions given by formulas";
+    // Also of what does not depend on the motion: a limit goes through the times that are known.
+    if !along.enclosure.is_known_for_all_times() {
+        return Err(INTEGRATED.to_owned());
+    }
     let tail = |along: &mut Along, e: Expr| {
         let resolved = along.enclosure.resolved(&mut along.graph, e).map_err(|e| e.to_string())?;
         along.enclosure.tail(&mut along.graph, resolved, onwards).map_err(|reason| match reason {
-            NoValue::Unsupported => {
-                "an integrated motion is not known for all times; limits at infinity are found for \
-                                     motions given by formulas"
-                    .to_owned()
-            }
+            NoValue::Unsupported => INTEGRATED.to_owned(),
             other => format!("after some time the quantity is {other}"),
         })
     };

@@ -42,6 +42,11 @@ impl Enclosure {
         found
     }
 
+    /// Whether the motion is given by formulas: then it is known for all times at which they have values.
+    pub fn is_known_for_all_times(&self) -> bool {
+        self.tube.is_none()
+    }
+
     fn leaf_tail(&self, leaf: Leaf, from: f64, onwards: bool) -> Result<Tail, NoValue> {
         if leaf == self.time {
             return Ok(Tail::time(from, onwards));
