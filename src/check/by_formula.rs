@@ -32,10 +32,19 @@ pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claim
         let mut out = Vec::new();
         for (k, &c) in claimed.iter().enumerate() {
             let Some(at) = claims[k].results.iter().position(|r| r.trajectory == *id) else { continue };
-            let mut verdict = claims[k].results[at].verdict.clone();
+            let found = &claims[k].results[at].verdict;
+            // What an assumption or a formula leaves out stays out; of integrated motions only what is open is looked at.
+            let asked = match found.outcome() {
+                Outcome::NotApplicable(_) => false,
+                Outcome::Undecided => true,
+                Outcome::Holds(_) | Outcome::Fails(_) => setting.is_some(),
+            };
+            if !asked {
+                continue;
+            }
+            let mut verdict = found.clone();
             let (claim, motion) = (&derivation.claims[c], &derivation.trajectories[t]);
-            // What an assumption or a formula leaves out stays out.
-            if let (Some(setting), false) = (&mut setting, matches!(verdict.outcome(), Outcome::NotApplicable(_))) {
+            if let Some(setting) = &mut setting {
                 setting.claim(claim, motion, &mut verdict);
             }
             // What no change of sign shows may be so at the start, exactly.
