@@ -83,7 +83,8 @@ impl<'a> Between<'a> {
                 found.push((t, role));
             }
             found.extend(zeros.peaks.iter().map(|&t| (t, Role::Peak)));
-            for &t in zeros.touching.iter().filter(|_| !is_weak(kind)) {
+            // What is true beside a point and continuous is true at it, unless one side alone is seen.
+            for &t in if is_weak(kind) { &zeros.cut_off } else { &zeros.touching } {
                 let text = format!("the sides touch near t = {}: whether they meet there cannot be told", short(t));
                 open.push(text);
                 found.push((t, Role::Probe { reason: open.len() - 1, comparison }));

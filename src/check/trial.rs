@@ -433,7 +433,11 @@ fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Finding {
     }
 }
 
-/// What is known of a part that is true, or void, and may have a value at a single time of a stretch without one.
+/// Times that are closer than this share of the span are one.
+const SINGLE: f64 = 1e-9;
+
+/// What is known of a part that is true, or void, and may have a value at a single time of a stretch without one; or that is
+/// false at such a time.
 fn unless_valued_between(
     trial: &Trial,
     measured: &Measurements,
@@ -441,9 +445,16 @@ fn unless_valued_between(
     tried: &Tried,
     finding: Finding,
 ) -> Finding {
-    if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) {
-        return finding;
-    }
+    let seen = match known(&finding).decided() {
+        Some(Truth::True | Truth::Void) => None,
+        Some(Truth::False) => match &finding.evidence().witness {
+            Some(witness) => Some(witness.t),
+            None => return finding,
+        },
+        None => return finding,
+    };
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let counts = |t: &&f64| seen.is_none_or(|seen| (seen - **t).abs() <= SINGLE * (to - from));
     let missing = |i: usize| {
         let mut groups = measured.selectors.iter().chain([part]);
         groups.any(|g| g.signs.iter().flatten().any(|series| series.difference(i).is_err()))
@@ -454,7 +465,7 @@ fn unless_valued_between(
         beside.into_iter().any(missing)
     };
     let touching = trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e)).flat_map(|z| &z.touching);
-    match touching.into_iter().find(single) {
+    match touching.into_iter().filter(counts).find(single) {
         Some(&t) => {
             let reason = format!("near t = {} it may have a value at a single time", short(t));
             reopened(finding, Possible::ANY, reason)

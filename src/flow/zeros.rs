@@ -28,6 +28,9 @@ pub struct Zeros {
     /// Times at which the expression comes within its error of 0 and turns back: a double zero, or two close ones, or
     /// none; the values cannot tell.
     pub touching: Vec<f64>,
+    /// Those of these times that are an edge of the domain towards which the expression falls in proportion to time: a
+    /// coincidence, as where it has a zero of its own within the error of the edge, and may have values beyond it.
+    pub cut_off: Vec<f64>,
     /// For every stretch of time on which the expression keeps its sign, the time among those looked at at which it is
     /// farthest from 0.
     pub peaks: Vec<f64>,
@@ -432,8 +435,9 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     let edges: Vec<(f64, f64)> = out.incomplete.iter().filter_map(edge).collect();
     for (start, end) in edges {
         for (at, onwards) in [(start, false), (end, true)] {
-            if vanishes_towards(&mut explorer, at, onwards) {
+            if let Some(in_proportion) = vanishes_towards(&mut explorer, at, onwards) {
                 out.touching.push(at);
+                out.cut_off.extend(in_proportion.then_some(at));
             }
         }
     }
@@ -471,22 +475,24 @@ fn edge(gap: &Incomplete) -> Option<(f64, f64)> {
     matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. }).then(|| gap.stretch())
 }
 
-/// Whether the expression falls to 0 towards an edge of its domain, from the side on which it has values.
-fn vanishes_towards(explorer: &mut Explorer, at: f64, onwards: bool) -> bool {
+/// Whether the expression falls to 0 towards an edge of its domain, from the side on which it has values; if it does, whether
+/// in proportion to the distance.
+fn vanishes_towards(explorer: &mut Explorer, at: f64, onwards: bool) -> Option<bool> {
     let (from, to) = explorer.core.reach();
     let length = (to - from) * if onwards { 1.0 } else { -1.0 };
     // A power of the distance falls by the same factor at each step, whatever its size; a sum with a number does not.
-    let mut last: Option<f64> = None;
+    let mut sizes: Vec<f64> = Vec::new();
     for share in [1e-4, 1e-7, 1e-10, 1e-13] {
         let t = at + share * length;
         let value = (from..=to).contains(&t).then(|| explorer.values(t).first().copied());
-        let Some(Some(Ok(x))) = value else { return false };
-        if last.is_some_and(|last| x.value.abs() > 0.7 * last + x.error) {
-            return false;
+        let Some(Some(Ok(x))) = value else { return None };
+        if sizes.last().is_some_and(|last| x.value.abs() > 0.7 * last + x.error) {
+            return None;
         }
-        last = Some(x.value.abs());
+        sizes.push(x.value.abs());
     }
-    true
+    let ratio = sizes[2] / sizes[1];
+    Some((0.3e-3..3e-3).contains(&ratio))
 }
 
 /// Whether the expression grows towards a point from both sides: it has no value there, and no zero near.
@@ -519,6 +525,7 @@ impl Zeros {
         let kept = self.times.iter().zip(&self.slack).filter(|(t, _)| inside(t)).map(|(&t, &s)| (t, s));
         (self.times, self.slack) = kept.unzip();
         self.touching.retain(inside);
+        self.cut_off.retain(inside);
         self.peaks.retain(inside);
         self.incomplete.retain(|i| i.stretch().0 <= to && i.stretch().1 >= from);
         self
