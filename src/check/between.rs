@@ -9,10 +9,10 @@
 
 use std::sync::Arc;
 
-use super::describe::{Describer, short};
+use super::describe::{Describer, incomplete, short};
 use super::measured::{Measurements, measure};
 use super::program::What;
-use super::trial::{Trial, incomplete, selected};
+use super::trial::{Trial, selected};
 use super::weigh::{Judged, Left, weigh};
 use crate::flow::{Incomplete, Points};
 use crate::latex::RelationKind;

@@ -95,12 +95,22 @@ pub(super) struct Group {
     pub throughout: bool,
     /// Whether a value is promised: what has none is false, not void.
     pub asserted: bool,
+    /// What leaves one comparison without a value and not another, or for one sign of ±: where it vanishes, the sign that serves
+    /// elsewhere may not count, and the other is false.
+    pub one_sided: Vec<Expr>,
 }
 
 impl Default for Group {
     fn default() -> Group {
-        let (comparisons, formula, signs) = (Vec::new(), None, Quantifier::Some);
-        Group { comparisons, formula, branching: false, signs, throughout: false, asserted: false }
+        Group {
+            comparisons: Vec::new(),
+            formula: None,
+            branching: false,
+            signs: Quantifier::Some,
+            throughout: false,
+            asserted: false,
+            one_sided: Vec::new(),
+        }
     }
 }
 

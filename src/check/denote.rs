@@ -124,6 +124,30 @@ fn closed_edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<It
     out
 }
 
+/// What some comparisons of a group with ±, or one sign, need to have a value, and others do not.
+fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
+    if !group.branching || group.throughout || group.signs != Quantifier::Some {
+        return Vec::new();
+    }
+    let sign = scope.branch_sign();
+    let mut all: Vec<Vec<Expr>> = Vec::new();
+    for c in &group.comparisons {
+        let sides = [c.left, c.right].map(|e| traced(graph, scope, e));
+        for n in [1, -1] {
+            let of_sign = sides.map(|e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(n))));
+            let mut needs: Vec<Expr> = graph.needs_below(of_sign).iter().map(|need| need.value).collect();
+            needs.sort_unstable();
+            needs.dedup();
+            all.push(needs);
+        }
+    }
+    let mut some: Vec<Expr> = all.iter().flatten().copied().collect();
+    some.sort_unstable();
+    some.dedup();
+    some.retain(|e| !all.iter().all(|needs| needs.contains(e)) && !graph.leaves([*e]).is_empty());
+    some
+}
+
 /// What is asked of a term, as a relation to 0.
 pub(super) fn relation(sign: Sign) -> RelationKind {
     match sign {
@@ -172,7 +196,10 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
         true => [1, -1].into_iter().for_each(|sign| denotation.read(Some(sign))),
         false => denotation.read(None),
     }
-    let Denotation { graph, selectors, hypotheses, parts, readings, .. } = denotation;
+    let Denotation { graph, mut selectors, mut hypotheses, mut parts, readings, .. } = denotation;
+    for part in selectors.iter_mut().chain(&mut hypotheses).map(|a| &mut a.part).chain(&mut parts) {
+        part.group.one_sided = one_sided(graph, &claim.scope, &part.group);
+    }
     let beyond = parts.len();
     let reading = |(says, given): (Vec<Proposition>, Vec<usize>)| {
         let given = given.into_iter().map(|h| Proposition::Atom(beyond + h)).collect();

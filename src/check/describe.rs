@@ -11,7 +11,7 @@ use super::witness::named;
 use crate::derivation::Claim;
 use crate::expr::tape::{Fault, Slots};
 use crate::expr::{Graph, Leaf};
-use crate::flow::Points;
+use crate::flow::{Incomplete, Points};
 use crate::number::{Bounded, NoValue};
 
 /// Describes points in words and numbers, for witnesses and reasons.
@@ -106,5 +106,18 @@ impl<'a> Describer<'a> {
             }
             Some(Fault::Constant) | None => bare(),
         }
+    }
+}
+
+/// Why a search for events is incomplete, in words.
+pub(super) fn incomplete(problem: &Incomplete) -> String {
+    match problem {
+        Incomplete::NoValue { start, end, reason } => {
+            format!("on [{}, {}] there is no value ({reason})", short(*start), short(*end))
+        }
+        Incomplete::Vanishing { start, end } => {
+            format!("on [{}, {}] it stays within its error of 0", short(*start), short(*end))
+        }
+        Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
     }
 }

@@ -22,6 +22,7 @@ mod cache;
 mod comparison;
 mod denote;
 mod describe;
+mod doubt;
 mod enclose;
 mod follow;
 mod independence;

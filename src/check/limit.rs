@@ -11,7 +11,20 @@ use super::measured::{MeasuredGroup, Measurements, measure};
 use super::trial::Trial;
 use super::weigh::{Left, weigh};
 use crate::latex::LimitPoint;
+use crate::number::Bounded;
 use crate::verdict::{Finding, Possible, Strength};
+
+/// Values at neighbouring times that differ by more than this share leap between them.
+const LEAP: f64 = 1e-6;
+
+/// Whether values at neighbouring times may be those of something continuous.
+fn are_close(a: Option<Bounded>, b: Option<Bounded>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => (a.value - b.value).abs() <= a.error + b.error + LEAP * (a.value.abs() + b.value.abs()),
+        (None, None) => true,
+        _ => false,
+    }
+}
 
 /// What is known of a limit: of the group that `group` finds among what is measured.
 pub(super) fn limit(
@@ -36,19 +49,23 @@ pub(super) fn limit(
     // A time that is no number of binary64 lies between two of them: a quotient that is 0/0 there has other values beside it.
     let beside = [t0, t0.next_down(), t0.next_up()];
     let beside = if exact { &beside[..1] } else { &beside[..] };
-    let found: Vec<Finding> = beside
+    let found: Vec<(Finding, Vec<Option<Bounded>>)> = beside
         .iter()
         .filter(|&&t| (from..=to).contains(&t))
         .map(|&t| {
             let (times, points) = ([t], Arc::new([course.values(t)].into_iter().collect()));
             let measured = measure(program, &points, None);
             let describer = Describer::new(trial, &times, &points);
-            weigh(describer.setting(vec![Left::In]), group(&measured))
+            let group = group(&measured);
+            let differences = group.signs.iter().flatten().map(|series| series.difference(0).ok()).collect();
+            (weigh(describer.setting(vec![Left::In]), group), differences)
         })
         .collect();
     let decided = |f: &Finding| f.known(Strength::Sampled);
-    let Some(finding) = found.first().cloned().filter(|first| found.iter().all(|f| decided(f) == decided(first)))
-    else {
+    let agree = |a: &(Finding, Vec<Option<Bounded>>), b: &(Finding, Vec<Option<Bounded>>)| {
+        decided(&a.0) == decided(&b.0) && a.1.iter().zip(&b.1).all(|(a, b)| are_close(*a, *b))
+    };
+    let Some((finding, _)) = found.first().cloned().filter(|first| found.iter().all(|f| agree(f, first))) else {
         return Finding::open(format!(
             "t = {} is known to rounding only, and beside it other values are taken",
             short(t0)

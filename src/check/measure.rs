@@ -2,7 +2,8 @@
 
 use super::account::Measurement;
 use super::denote::at_event;
-use super::trial::{Course, incomplete};
+use super::describe::incomplete;
+use super::trial::Course;
 use crate::derivation::Derivation;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};

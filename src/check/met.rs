@@ -10,9 +10,9 @@
 use std::sync::Arc;
 
 use super::between::is_weak;
-use super::describe::short;
+use super::describe::{incomplete, short};
 use super::measured::measure;
-use super::trial::{Trial, Values, incomplete};
+use super::trial::{Trial, Values};
 use super::weigh::Judged;
 use crate::flow::{Incomplete, Points};
 use crate::number::NoValue;

@@ -163,11 +163,16 @@ impl Program {
         match self.at {
             None => {
                 let parts = parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e);
-                parts.chain(met()).chain(self.scarce.iter().copied()).collect()
+                let one_sided = self.groups().flat_map(|g| &g.one_sided);
+                parts.chain(met()).chain(self.scarce.iter().chain(one_sided).copied()).collect()
             }
             Some(e) => {
-                let hypotheses = self.hypotheses.iter().flat_map(|a| a.part.boundaries()).map(|(_, _, e)| e);
-                [e].into_iter().chain(hypotheses).collect()
+                let hypotheses = self.hypotheses.iter().map(|a| &a.part);
+                let one_sided = hypotheses.clone().flat_map(|p| p.group.one_sided.iter().copied());
+                [e].into_iter()
+                    .chain(hypotheses.flat_map(|p| p.boundaries()).map(|(_, _, e)| e))
+                    .chain(one_sided)
+                    .collect()
             }
         }
     }
@@ -198,7 +203,9 @@ impl Program {
     /// The leaves that must be known to measure it, the sign of ± apart.
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
-        let roots = roots.chain(self.at).chain(self.steep.iter().chain(&self.scarce).copied()).collect::<Vec<_>>();
+        let one_sided = self.groups().flat_map(|g| &g.one_sided);
+        let searched = self.steep.iter().chain(&self.scarce).chain(one_sided).copied();
+        let roots = roots.chain(self.at).chain(searched).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 

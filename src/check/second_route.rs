@@ -142,10 +142,13 @@ pub(super) fn reach(mut identity: Identity, evidence: &IdentityEvidence) -> Iden
     identity
 }
 
+/// What is said of a claim that holds with both signs.
+pub(super) const EITHER_SIGN: &str = "with either sign";
+
 fn branch_words(throughout: &[Identity], pointwise: &Identity) -> Option<&'static str> {
     let proved = |i: Option<&Identity>| matches!(i, Some(Identity::Proved(_)));
     match (proved(throughout.first()), proved(throughout.get(1))) {
-        (true, true) => Some("with either sign"),
+        (true, true) => Some(EITHER_SIGN),
         (true, false) => Some("with the upper sign"),
         (false, true) => Some("with the lower sign"),
         (false, false) if proved(Some(pointwise)) => {

@@ -65,6 +65,8 @@ pub enum Exception {
     Leaps(Expr),
     /// What lies beyond a time at which this vanishes, under something.
     Divides(Expr),
+    /// Where a part has no value with the sign of ± that is proved, and another is false with the other.
+    OneSign,
 }
 
 /// Why a proof is none after all.

@@ -388,7 +388,10 @@ impl<'a> Step<'a> {
             let account = self.open(&gathered, ONLY_RATES);
             return Some(Ok(IdentityAccount { reason: Some(reason), evidence, ..account }));
         }
-        let along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
+        let mut along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
+        if proved && !self.has_values_together(&equations, &identity, &evidence) {
+            along.push(standing::Exception::OneSign);
+        }
         let complete = gathered.complete && !self.loosened;
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
         let mut account = IdentityAccount { evidence, ..account };

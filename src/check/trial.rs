@@ -5,8 +5,12 @@
 
 use std::sync::Arc;
 
-use super::between::{between_samples, may_lie_beyond};
+use super::between::between_samples;
 use super::describe::{Describer, short};
+use super::doubt::{
+    beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
+    unless_unresolved, unless_valued_between,
+};
 use super::independence::{self, Gradients};
 use super::limit::limit;
 use super::measured::{MeasuredGroup, Measurements, measure, measure_first};
@@ -19,10 +23,9 @@ use super::telling::silence;
 use super::weigh::{Judged, Left, weigh};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Incomplete, Motion, Points, Zeros};
-use crate::latex::Role;
+use crate::flow::{Motion, Points, Zeros};
 use crate::number::{Bounded, NoValue};
-use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth, Verdict};
+use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict};
 
 /// The values of all leaves at one time.
 pub(super) type Values = Vec<Result<Bounded, NoValue>>;
@@ -145,17 +148,6 @@ pub(super) struct Tried<'a> {
     pub points: &'a Arc<Points>,
     /// Which count.
     pub left: Vec<Left>,
-}
-
-/// What samples leave possible of a part.
-fn known(finding: &Finding) -> Possible {
-    finding.known(Strength::Sampled).unwrap_or(Possible::ANY)
-}
-
-/// The same finding, of which some values are not excluded after all.
-fn reopened(finding: Finding, possible: Possible, reason: String) -> Finding {
-    let known = known(&finding).or_else(possible);
-    Finding::sampled(known, Evidence { reason: Some(reason), ..finding.evidence().clone() })
 }
 
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
@@ -288,6 +280,7 @@ fn met_on(
     // What is left out where a hypothesis has no value is no matter of the claim.
     let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
     let finding = unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence));
+    let finding = unless_one_sided(trial, &part.group, finding);
     unless_valued_between(trial, measured, &measured.hypotheses[position], along, unless_met_elsewhere(met, finding))
 }
 
@@ -331,6 +324,10 @@ fn part(
             Some(Err(reason)) => Finding::open(reason.clone()),
             None => Finding::open("no gradients were computed"),
         },
+    };
+    let finding = match program.at {
+        Some(_) => finding,
+        None => unless_one_sided(trial, &part.group, finding),
     };
     unless_unresolved(trial, part, finding)
 }
@@ -421,59 +418,6 @@ fn constant(
     weigh(describer.setting(tried.left.clone()), &values)
 }
 
-/// What is known of a part whose selectors may be met at other times than those at which it was tried.
-fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Finding {
-    let reason = match known(&finding).decided() {
-        Some(Truth::True | Truth::Void) => met.open.clone().or(met.touches.clone()),
-        Some(Truth::False) | None => None,
-    };
-    match reason {
-        Some(reason) => reopened(finding, Possible::ANY, reason),
-        None => finding,
-    }
-}
-
-/// Times that are closer than this share of the span are one.
-const SINGLE: f64 = 1e-9;
-
-/// What is known of a part that is true, or void, and may have a value at a single time of a stretch without one; or that is
-/// false at such a time.
-fn unless_valued_between(
-    trial: &Trial,
-    measured: &Measurements,
-    part: &MeasuredGroup,
-    tried: &Tried,
-    finding: Finding,
-) -> Finding {
-    let seen = match known(&finding).decided() {
-        Some(Truth::True | Truth::Void) => None,
-        Some(Truth::False) => match &finding.evidence().witness {
-            Some(witness) => Some(witness.t),
-            None => return finding,
-        },
-        None => return finding,
-    };
-    let (from, to) = trial.course.stage.span(trial.course.trajectory);
-    let counts = |t: &&f64| seen.is_none_or(|seen| (seen - **t).abs() <= SINGLE * (to - from));
-    let missing = |i: usize| {
-        let mut groups = measured.selectors.iter().chain([part]);
-        groups.any(|g| g.signs.iter().flatten().any(|series| series.difference(i).is_err()))
-    };
-    let single = |t: &&f64| {
-        let after = tried.times.partition_point(|x| x < t);
-        let beside = [after.checked_sub(1), Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
-        beside.into_iter().any(missing)
-    };
-    let touching = trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e)).flat_map(|z| &z.touching);
-    match touching.into_iter().filter(counts).find(single) {
-        Some(&t) => {
-            let reason = format!("near t = {} it may have a value at a single time", short(t));
-            reopened(finding, Possible::ANY, reason)
-        }
-        None => finding,
-    }
-}
-
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
 const CLOSER: usize = 4;
 
@@ -541,19 +485,6 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
     }
 }
 
-/// Why a search for events is incomplete, in words.
-pub(super) fn incomplete(problem: &Incomplete) -> String {
-    match problem {
-        Incomplete::NoValue { start, end, reason } => {
-            format!("on [{}, {}] there is no value ({reason})", short(*start), short(*end))
-        }
-        Incomplete::Vanishing { start, end } => {
-            format!("on [{}, {}] it stays within its error of 0", short(*start), short(*end))
-        }
-        Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
-    }
-}
-
 /// What is known of a part where the event of a claim is not found.
 fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Finding {
     let course = trial.course;
@@ -569,94 +500,6 @@ fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Finding {
         Possible::VOID,
         Evidence::because(format!("`{text}` does not happen between t = {from} and t = {to}")),
     )
-}
-
-/// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
-fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
-    let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
-    if let Some(&t) = zeros.touching.first() {
-        return Some(format!(
-            "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
-            short(t)
-        ));
-    }
-    let open = zeros.incomplete.iter().find(|i| counts(i));
-    open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
-}
-
-/// Events at an end of the span, up to the error of their times: whether they lie in it is not known.
-fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
-    let span = trial.course.stage.span(trial.course.trajectory);
-    for ((&t, &slack), left) in zeros.times.iter().zip(&zeros.slack).zip(left) {
-        if *left == Left::In && may_lie_beyond(span, t, slack) {
-            *left =
-                Left::Open(format!("whether the event near t = {} lies in the span cannot be told", short(t)).into());
-        }
-    }
-}
-
-/// What is known of a part that was tried at events: where some may be missing, it is not known to be true, or void.
-fn only_at_events(trial: &Trial, zeros: &Zeros, finding: Finding) -> Finding {
-    // Where the sides have no value, they do not meet.
-    let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
-    match (known(&finding).decided(), open_events(trial, zeros, counts)) {
-        (Some(Truth::True | Truth::Void), Some(reason)) => {
-            let reason = format!("it was tried at {} events, but {reason}", zeros.times.len());
-            reopened(finding, Possible::ANY, reason)
-        }
-        _ => finding,
-    }
-}
-
-/// What is known of a part that is true, where the motion is not known from samples, or not as far as its span: it stays
-/// open, and times without a value are named.
-fn unless_unresolved(trial: &Trial, part: &super::program::Part, finding: Finding) -> Finding {
-    let Trial { graph, claim, course, .. } = *trial;
-    if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) || matches!(part.what, What::Limit(_)) {
-        return finding;
-    }
-    // What was not reached was not tried.
-    if let Some(problem) = course.motion.problem() {
-        return reopened(finding, Possible::ANY, problem.to_string());
-    }
-    let gaps = course.motion.unresolved();
-    let (from, to) = course.stage.span(course.trajectory);
-    let inside = |gap: &&Incomplete| gap.stretch().0 <= to && gap.stretch().1 >= from;
-    if known(&finding) != Possible::TRUE || !gaps.iter().any(|gap| inside(&gap)) {
-        return finding;
-    }
-    let moves =
-        |l: &Leaf| l.instant.is_none() && matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
-    let asserted = part.group.asserted
-        && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
-    let open = |gap: &&Incomplete| match gap {
-        Incomplete::NoValue { .. } => asserted,
-        Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
-    };
-    if let Some(gap) = gaps.iter().filter(inside).find(open) {
-        let (start, end) = gap.stretch();
-        let near = match short(start) == short(end) {
-            true => format!("near t = {}", short(start)),
-            false => format!("between t = {} and t = {}", short(start), short(end)),
-        };
-        let reason = match gap {
-            Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
-            _ => format!(
-                "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
-            ),
-        };
-        return reopened(finding, Possible::OPEN, reason);
-    }
-    let mut evidence = finding.evidence().clone();
-    for gap in gaps.iter().filter(inside) {
-        let (start, end) = (gap.stretch().0.max(from), gap.stretch().1.min(to));
-        if !evidence.excluded.iter().any(|e| e.from <= end && start <= e.to) {
-            let reason = "the formulas of the motion have no value there".to_owned();
-            evidence.excluded.push(Exclusion { from: start, to: end, reason });
-        }
-    }
-    evidence.excluded.sort_by(|a, b| a.from.total_cmp(&b.from));
-    Finding::sampled(Possible::TRUE, evidence)
 }
 
 /// Which of the times the selectors leave.

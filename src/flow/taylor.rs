@@ -10,7 +10,7 @@ use super::narrow::Narrow;
 use expr::Leaf;
 use expr::domain::{Change, Place, Term, row};
 use expr::tape::{Slots, Tape};
-use number::{Interval, Jet, NoValue, Orders, Scalar};
+use number::{Bounded, Interval, Jet, NoValue, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug)]
@@ -55,6 +55,8 @@ pub(super) struct Walker<'a> {
     flow: &'a Flow,
     control: Control,
     slots: Slots<Jet<f64>>,
+    /// How many constants the slots hold, behind the time and the states.
+    constants: usize,
     /// Present time, direction and end.
     pub(super) time: f64,
     end: f64,
@@ -102,6 +104,8 @@ const BEFORE: f64 = 1.0 - 1e-9;
 const MOST_KINKS: usize = 4_000;
 /// Times within a step at which the argument of |·| is looked at.
 const LOOKS: usize = 8;
+/// Slopes that differ by so many rounding errors of a rate are one.
+const ROUNDING: f64 = 4.0;
 
 impl Kinks {
     fn new(flow: &Flow) -> Kinks {
@@ -278,6 +282,7 @@ impl<'a> Walker<'a> {
             flow,
             control,
             slots: flow.slots(control.order, constants),
+            constants: constants.len(),
             time,
             end,
             length: (end - time).abs(),
@@ -394,7 +399,7 @@ impl<'a> Walker<'a> {
                 // Halved until nothing can hide between its ends.
                 Ok(()) if kink.is_none() && self.hides(h) => {}
                 // Behind a kink the slope may be another one.
-                Ok(()) if kink.is_some() || self.continues(h) => {
+                Ok(()) if kink.is_some() || self.continues(target, h) => {
                     if let Some((at, _)) = kink {
                         self.add_late(h, (size - at).abs() + smallest);
                     }
@@ -452,9 +457,11 @@ impl<'a> Walker<'a> {
     }
 
     /// Whether the polynomial of this step arrives with the slope that the field has there: a guard against series whose
-    /// last terms are small by accident.
-    fn continues(&self, h: f64) -> bool {
+    /// last terms are small by accident. What the rounding of the rates explains is no difference: a state that rests moves
+    /// by that alone, and no step is short enough to follow it.
+    fn continues(&mut self, target: f64, h: f64) -> bool {
         let row = self.control.order + 1;
+        let mut rounding: Option<Vec<f64>> = None;
         (0..self.flow.dimension).all(|i| {
             let c = &self.now[i * row..(i + 1) * row];
             let mut slope = 0.0;
@@ -463,8 +470,24 @@ impl<'a> Walker<'a> {
             }
             let found = self.next[i * row + 1];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            (slope - found).abs() * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
+            let off = (slope - found).abs();
+            off * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
+                || off <= ROUNDING * rounding.get_or_insert_with(|| self.rounding(target))[i]
         })
+    }
+
+    /// How far the rates at the next state may be off by their rounding; 0 where it is not known.
+    fn rounding(&self, time: f64) -> Vec<f64> {
+        let n = self.flow.dimension;
+        let constant = |i: usize| Bounded::exact(self.slots.value(1 + n + i).coefficient(0));
+        let constants: Vec<Bounded> = (0..self.constants).map(constant).collect();
+        let state: Vec<Bounded> = self.next_state.iter().map(|&x| Bounded::exact(x)).collect();
+        let mut rates = vec![Bounded::exact(0.0); 2 * n];
+        let mut slots = self.flow.slots(1, &constants);
+        match self.flow.expand(&mut slots, 1, Bounded::exact(time), &state, &mut rates) {
+            Ok(()) => rates.chunks(2).map(|c| c[1].error).collect(),
+            Err(_) => vec![0.0; n],
+        }
     }
 
     /// The step that Jorba & Zou propose, infinite when the series ends.

@@ -2,12 +2,12 @@
 
 use super::super::account::IdentityAccount;
 use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
-use super::super::second_route::IdentityEvidence;
+use super::super::second_route::{EITHER_SIGN, IdentityEvidence};
 use super::super::standing::{Exception, Finding, Void};
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
 use crate::expr::domain::{Change, EdgeOf};
-use crate::expr::{Expr, Leaf, Node, Op, Symbol};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
 use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
 
@@ -49,6 +49,45 @@ impl Step<'_> {
         out
     }
 
+    /// Whether equations with ±, of which one sign is proved, have values at the same points with either sign, all together. Where
+    /// some has none and another is false with the other sign, the claim is false: a sign for which it has no value does not
+    /// count.
+    pub(super) fn has_values_together(
+        &mut self,
+        equations: &Pairs,
+        identity: &Identity,
+        evidence: &IdentityEvidence,
+    ) -> bool {
+        let Identity::Proved(proof) = identity else { return true };
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let free = self.claim.branches_throughout || evidence.branch == Some(EITHER_SIGN);
+        if free || !self.graph.leaves(roots).contains(&sign) {
+            return true;
+        }
+        // Sides that are one expression are no equation, and have no value where it has none.
+        let relations = self.claim.forms.iter().flat_map(|form| {
+            let Form::Always(w) = form else { return &[][..] };
+            &w.value.relations
+        });
+        let same: Pairs = relations.flat_map(pairs).filter(|(l, r)| l == r).collect();
+        let depends =
+            |graph: &mut Graph, e: Expr| graph.needs_below([e]).iter().any(|n| !graph.leaves([n.value]).is_empty());
+        if proof.conditions.is_empty() && !same.iter().any(|&(l, _)| depends(&mut self.graph, l)) {
+            return true;
+        }
+        let mut both = [1, -1].map(|value| self.branch(equations, value));
+        both[0].extend(same);
+        let mut needs = both.iter().flatten().map(|&(l, r)| {
+            let mut needs: Vec<_> = self.graph.needs_below([l, r]).iter().map(|n| (n.value, n.sign)).collect();
+            needs.sort_unstable();
+            needs.dedup();
+            needs
+        });
+        let first = needs.next();
+        needs.all(|n| Some(n) == first)
+    }
+
     /// What lies beyond something, in words.
     fn beyond_in_words(&self, exceptions: &[Exception]) -> Vec<String> {
         let mut out: Vec<String> = Vec::new();
@@ -58,6 +97,7 @@ impl Step<'_> {
                 Exception::Divides(e) => {
                     format!("beyond a time at which {} = 0, unless the motion is analytic there", self.shown(e))
                 }
+                Exception::OneSign => "where some of it has no value: the other sign counts there".to_owned(),
                 Exception::Vanishes(_) => continue,
             };
             if !out.contains(&line) {
