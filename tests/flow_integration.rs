@@ -36,6 +36,20 @@ fn harmonic_oscillator_as_a_system_of_second_order() {
     worst(&mut w, &mut m, "x''", |t| -omega * omega * (0.3 * (omega * t).cos() + 1.7 / omega * (omega * t).sin()));
 }
 
+/// A circle in polar coordinates: the radius and its rate rest up to the rounding of two terms that cancel. No step is short
+/// enough to follow that.
+#[test]
+fn what_rests_but_for_rounding_does_not_stop_the_integrator() {
+    let mut w = World::default();
+    let field = w.field(&["r", "p", "f"], &["r' = p", "p' = 1.1*10/r^3 - 1.1/r^2", "f' = sqrt(11)/r^2"]).unwrap();
+    let initial = [("r", "10"), ("p", "0"), ("f", "0")];
+    let mut m = w.integrate(&field, &initial, &[], &[], (0.0, 500.0), 0.0).unwrap();
+    assert_eq!(m.problem(), None);
+    let (off, claimed) = worst(&mut w, &mut m, "r", |_| 10.0);
+    assert!(off < 1e-11 && claimed < 1e-8, "{off:e} {claimed:e}");
+    worst(&mut w, &mut m, "f", |t| 11_f64.sqrt() / 100.0 * t);
+}
+
 #[test]
 fn kepler_orbit_of_high_eccentricity() {
     let mut w = World::default();

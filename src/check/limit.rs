@@ -16,6 +16,11 @@ use crate::verdict::{Finding, Possible, Strength};
 
 /// Values at neighbouring times that differ by more than this share leap between them.
 const LEAP: f64 = 1e-6;
+/// How far beside the time of a limit, as a share of the span, something that leaps there is looked at.
+const BESIDE: f64 = 1e-12;
+
+/// A time, what is found at it, and the differences of the sides.
+type Found = (f64, Finding, Vec<Option<Bounded>>);
 
 /// Whether values at neighbouring times may be those of something continuous.
 fn are_close(a: Option<Bounded>, b: Option<Bounded>) -> bool {
@@ -47,9 +52,11 @@ pub(super) fn limit(
         return Finding::open(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
     // A time that is no number of binary64 lies between two of them: a quotient that is 0/0 there has other values beside it.
-    let beside = [t0, t0.next_down(), t0.next_up()];
+    // What leaps at it shows that farther away only.
+    let far = BESIDE * (to - from);
+    let beside = [t0, t0.next_down(), t0.next_up(), t0 - far, t0 + far];
     let beside = if exact { &beside[..1] } else { &beside[..] };
-    let found: Vec<(Finding, Vec<Option<Bounded>>)> = beside
+    let found: Vec<Found> = beside
         .iter()
         .filter(|&&t| (from..=to).contains(&t))
         .map(|&t| {
@@ -58,14 +65,15 @@ pub(super) fn limit(
             let describer = Describer::new(trial, &times, &points);
             let group = group(&measured);
             let differences = group.signs.iter().flatten().map(|series| series.difference(0).ok()).collect();
-            (weigh(describer.setting(vec![Left::In]), group), differences)
+            (t, weigh(describer.setting(vec![Left::In]), group), differences)
         })
         .collect();
     let decided = |f: &Finding| f.known(Strength::Sampled);
-    let agree = |a: &(Finding, Vec<Option<Bounded>>), b: &(Finding, Vec<Option<Bounded>>)| {
-        decided(&a.0) == decided(&b.0) && a.1.iter().zip(&b.1).all(|(a, b)| are_close(*a, *b))
+    let agree = |a: &Found, first: &Found| {
+        let near = (a.0 - t0).abs() < far;
+        (!near || decided(&a.1) == decided(&first.1)) && a.2.iter().zip(&first.2).all(|(a, b)| are_close(*a, *b))
     };
-    let Some((finding, _)) = found.first().cloned().filter(|first| found.iter().all(|f| agree(f, first))) else {
+    let Some((_, finding, _)) = found.first().cloned().filter(|first| found.iter().all(|f| agree(f, first))) else {
         return Finding::open(format!(
             "t = {} is known to rounding only, and beside it other values are taken",
             short(t0)
