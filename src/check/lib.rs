@@ -64,7 +64,7 @@ pub use account::{
 pub use cache::Cache;
 pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
-pub use limits::Limits;
+pub use limits::{Cancel, Limits};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
