@@ -206,10 +206,12 @@ impl Session {
             limits: ask.limits.clone(),
         };
         let mut derivation = self.derivation.clone();
-        let mut account = check::check(&mut derivation, &options, progress)?;
+        let found = check::check(&mut derivation, &options, progress);
+        // Whatever it says: it was not finished.
         if ask.limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
+        let mut account = found?;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
         Ok(Findings { derivation, account })

@@ -44,7 +44,7 @@ fn pool(py: Python<'_>) -> PyResult<Pool> {
     }
     // A panic is printed, and its caller sees that no result comes.
     let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).panic_handler(|_| {}).build();
-    let pool = Arc::new(pool.or_else(|e| Err(defect(py, &format!("no threads can be started: {e}"))))?);
+    let pool = Arc::new(pool.map_err(|e| defect(py, &format!("no threads can be started: {e}")))?);
     exchange(Some((process, Arc::clone(&pool))));
     Ok(pool)
 }
