@@ -68,7 +68,7 @@
 //! # What is stable
 //!
 //! Nothing is promised before version 1.0. What will be is what this page names: [`Session`], [`Ask`], [`Findings`],
-//! [`Finding`], [`Failure`]. The crates below serve them.
+//! [`Finding`], [`Question`], [`Answer`], [`Failure`]. The crates below serve them.
 //!
 //! # The path of a formula
 //!
@@ -97,9 +97,17 @@
 
 #![forbid(unsafe_code)]
 
+/// The command line, for programs that bring it along: one function, which takes the words of a command and gives its exit code.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod cli;
 mod session;
+
+// The command line is written as a user of this library.
+#[cfg(feature = "cli")]
+extern crate self as rederive;
 
 pub use ::{check, derivation, diag, expr, files, flow, latex, number, paper, proof, report, units, verdict};
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
-pub use session::{Ask, ClaimName, Failure, Finding, Findings, Session};
+pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};

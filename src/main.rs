@@ -2,8 +2,6 @@
 
 #![forbid(unsafe_code)]
 
-mod cli;
-
 use std::process::ExitCode;
 
 /// Proofs and reports ask for many small pieces of memory: this allocator gives and takes them faster than the system's.
@@ -11,5 +9,5 @@ use std::process::ExitCode;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
-    cli::run()
+    ExitCode::from(rederive::cli::run(std::env::args_os()))
 }

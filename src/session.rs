@@ -10,10 +10,15 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
-use crate::check::{self, Account, Cache, CheckError, ClaimAccount, Limits, Options, Outcome, Rigor, Witness};
+use crate::check::{
+    self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
+    Witness,
+};
 use crate::derivation::{Derivation, parse};
+use crate::diag::shown::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::report;
+use crate::verdict::Residuals;
 
 /// A derivation that was read, and what is known of it.
 #[derive(Debug)]
@@ -34,8 +39,26 @@ pub struct Ask {
     pub rigor: Rigor,
     /// The verdicts alone: no altered formulas, nothing that separates motions.
     pub only_verdicts: bool,
-    /// When the run must end, and how much memory it may take.
+    /// When the run must end, how much memory it may take, and the flag that ends it.
     pub limits: Limits,
+}
+
+/// An equation that is to be decided for all values.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Question {
+    /// The equation, and what is given.
+    pub proposition: Proposition,
+    /// Symbols beside those of the file: `NAMES`, `NAMES: WORDS`, `NAME = FORMULA` or `NAME: WORDS = FORMULA`.
+    pub symbols: Vec<String>,
+    /// A claim of the file whose own symbols are known, too.
+    pub scope: Option<String>,
+}
+
+/// What was decided of a [`Question`].
+#[derive(Clone, Debug)]
+pub struct Answer {
+    proposition: Proposition,
+    account: IdentityAccount,
 }
 
 /// Why nothing was found.
@@ -45,6 +68,8 @@ pub enum Failure {
     Problems(Vec<Diagnostic>),
     /// The question names a claim or a trajectory that is not there.
     Unknown(String),
+    /// The flag of [`Limits`] was raised.
+    Cancelled,
     /// The program contradicts itself: a defect to be reported.
     Defect(String),
 }
@@ -54,6 +79,7 @@ impl std::fmt::Display for Failure {
         match self {
             Failure::Problems(found) => f.write_str(&crate::diag::render(found, false)),
             Failure::Unknown(name) => write!(f, "there is no claim or trajectory `{name}`"),
+            Failure::Cancelled => f.write_str("the run was cancelled"),
             Failure::Defect(what) => write!(f, "a defect of this program: {what}"),
         }
     }
@@ -121,6 +147,11 @@ impl Session {
         Session { name: derivation.id.clone(), derivation, cache: Cache::default() }
     }
 
+    /// A session without a file, for [`prove`](Session::prove).
+    pub fn blank() -> Session {
+        Session::of(Derivation::blank())
+    }
+
     /// The derivation, as it was read.
     pub fn derivation(&self) -> &Derivation {
         &self.derivation
@@ -139,7 +170,22 @@ impl Session {
     /// Finds what is asked. `progress` is told how many of how many motions are done; it may be called by any thread.
     ///
     /// # Errors
-    /// A name that is not there; problems that only show when motions are built.
+    /// A name that is not there; problems that only show when motions are built; the flag of the limits was raised.
+    ///
+    /// ```
+    /// # let text = "[derivation]\ntitle='x'\nconcerns='y'\n[symbols]\n't'={role='time'}\n'x'={role='state'}\n\
+    /// # [system.s]\nstates=['x']\nequations=['\\dot x=1']\n[[trajectory]]\nid='a'\nsystem='s'\ninitial={'x'=0}\nspan=[0,1]\n\
+    /// # [[claim]]\nid='c'\nsays='z'\nalways=['x=t']";
+    /// use rederive::check::{Cancel, Limits};
+    /// use rederive::{Ask, Failure, Session};
+    ///
+    /// let session = Session::open("rise.toml", text).expect("no problems");
+    /// let flag = Cancel::default();
+    /// let ask = Ask { limits: Limits { cancel: Some(flag.clone()), ..Limits::default() }, ..Ask::default() };
+    /// assert!(session.check(&ask, &|_, _| {}).is_ok());
+    /// flag.raise(); // by another thread, or by `progress`
+    /// assert!(matches!(session.check(&ask, &|_, _| {}), Err(Failure::Cancelled)));
+    /// ```
     pub fn check(&self, ask: &Ask, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Findings, Failure> {
         let names = self.claims();
         let is_called = |id: &str, reading: Option<&String>, name: &str| match name.split_once('/') {
@@ -160,10 +206,48 @@ impl Session {
             limits: ask.limits.clone(),
         };
         let mut derivation = self.derivation.clone();
-        let mut account = check::check(&mut derivation, &options, progress)?;
+        let found = check::check(&mut derivation, &options, progress);
+        // Whatever it says: it was not finished.
+        if ask.limits.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        let mut account = found?;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
         Ok(Findings { derivation, account })
+    }
+
+    /// Decides an equation for all values of its symbols.
+    ///
+    /// # Errors
+    /// Formulas, symbols and names that are not understood, with their places.
+    ///
+    /// ```
+    /// use rederive::check::Proposition;
+    /// use rederive::{Question, Session};
+    ///
+    /// let proposition = Proposition { formula: r"\sin 2x=2\sin x\cos x".into(), ..Proposition::default() };
+    /// let question = Question { proposition, symbols: vec!["x".into()], scope: None };
+    /// assert_eq!(Session::blank().prove(&question)?.standing(), "proved");
+    /// # Ok::<(), rederive::Failure>(())
+    /// ```
+    pub fn prove(&self, question: &Question) -> Result<Answer, Failure> {
+        let mut derivation = self.derivation.clone();
+        if let Some(claim) = &question.scope {
+            check::with_symbols_of(&mut derivation, claim, "the scope")?;
+        }
+        let numbered = question.symbols.iter().enumerate();
+        let typed: Vec<_> =
+            numbered.map(|(at, text)| (format!("symbol {}", at + 1), shown(text).into_owned())).collect();
+        derivation.declare_typed(&typed).map_err(Failure::Problems)?;
+        let asked = &question.proposition;
+        let proposition = Proposition {
+            formula: shown(&asked.formula).into_owned(),
+            given: asked.given.iter().map(|text| shown(text).into_owned()).collect(),
+            throughout: asked.throughout,
+        };
+        let account = check::prove(&mut derivation, &proposition)?;
+        Ok(Answer { proposition, account })
     }
 
     /// Takes another state of the same file. What was found of parts that are as before is not looked for again by
@@ -185,6 +269,28 @@ impl Session {
         let mut derivation = self.derivation.clone();
         let (account, checked) = self.cache.check(&mut derivation)?;
         Ok((Findings { derivation, account }, checked))
+    }
+}
+
+impl Answer {
+    /// What was decided: `proved`, `proved except`, `refuted` or `undecided`.
+    pub fn standing(&self) -> &'static str {
+        self.account.standing()
+    }
+
+    /// Everything that was found, for the functions of [`report`].
+    pub fn account(&self) -> &IdentityAccount {
+        &self.account
+    }
+
+    /// The answer for a person.
+    pub fn text(&self) -> String {
+        report::proposition_text(&self.proposition, &self.account, false, false)
+    }
+
+    /// The answer as JSON.
+    pub fn json(&self) -> String {
+        report::proposition_json(&self.proposition, &self.account)
     }
 }
 
@@ -222,6 +328,13 @@ impl Findings {
     /// Whether every verdict is as the file expects.
     pub fn is_expected(&self) -> bool {
         self.account.summary().unexpected == 0
+    }
+
+    /// Both sides of the deciding comparison along a motion, thinned; `None` where none was made at times.
+    pub fn curve(&self, claim: &str, reading: Option<&str>, trajectory: &str) -> Option<&Residuals> {
+        let of = self.account.claims.iter().find(|c| c.id == claim && c.reading.as_deref() == reading)?;
+        let pair = of.results.iter().find(|pair| pair.trajectory == trajectory)?;
+        pair.verdict.evidence().series.as_deref()
     }
 
     /// Everything that was found, for the functions of [`report`].

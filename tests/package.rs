@@ -43,7 +43,7 @@ fn metadata() -> Value {
     let version = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned())).arg("-vV").output();
     let version = String::from_utf8(version.expect("rustc runs").stdout).expect("UTF-8");
     let host = version.lines().find_map(|l| l.strip_prefix("host: ")).expect("a host").to_owned();
-    let arguments = ["metadata", "--offline", "--locked", "--format-version", "1", "--filter-platform", &host];
+    let arguments = ["metadata", "--locked", "--format-version", "1", "--filter-platform", &host];
     serde_json::from_str(&cargo(&arguments)).expect("metadata is JSON")
 }
 

@@ -18,12 +18,12 @@ fn deny() -> Table {
 /// What the compiler is given: every package of the lock file with its licence.
 fn packages() -> Vec<Value> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    // Only what this system builds is at hand without a network.
+    // What this system builds is at hand, but perhaps not what the Python package needs beside it.
     let version = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())).arg("-vV").output();
     let version = String::from_utf8(version.expect("it runs").stdout).expect("UTF-8");
     let host = version.lines().find_map(|l| l.strip_prefix("host: ")).expect("a system");
     let mut command = Command::new(cargo);
-    command.current_dir(root()).args(["metadata", "--format-version", "1", "--locked", "--offline"]);
+    command.current_dir(root()).args(["metadata", "--format-version", "1", "--locked"]);
     command.args(["--filter-platform", host]);
     let output = command.output().expect("it runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

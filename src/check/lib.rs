@@ -65,7 +65,7 @@ pub use account::{
 pub use cache::Cache;
 pub use enclose::Rigor;
 pub use identity::{Certificate, Cofactor, Origin};
-pub use limits::Limits;
+pub use limits::{Cancel, Limits};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proposition::{Proposition, prove, with_symbols_of};
 pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
@@ -117,6 +117,9 @@ pub enum CheckError {
     /// The program contradicts itself: a defect to be reported.
     Defect(String),
 }
+
+/// What a run ends with once its flag is raised: nobody sees it who raised the flag.
+const CANCELLED: &str = "the run was cancelled";
 
 /// A claim with everything that is compiled for it.
 struct Prepared<'a> {
@@ -182,6 +185,8 @@ fn check_and(
     recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
+    let unless_cancelled =
+        || if options.limits.is_cancelled() { Err(CheckError::Defect(CANCELLED.to_owned())) } else { Ok(()) };
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
     // What is about ranges needs no motion.
     let regions = |derivation: &Derivation| {
@@ -274,6 +279,7 @@ fn check_and(
         start_of: &start_of,
         measures: &measures,
     };
+    unless_cancelled()?;
     let stage = Stage::build(derivation, &fields, &requests, recall)?;
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
@@ -288,6 +294,9 @@ fn check_and(
     let done = AtomicUsize::new(0);
     let failed: Vec<AtomicBool> = prepared.iter().map(|_| AtomicBool::new(false)).collect();
     let column = |t: usize| -> Result<Tried, String> {
+        if options.limits.is_cancelled() {
+            return Err(CANCELLED.to_owned());
+        }
         // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
         let (mut course, contradiction) = stage.course(&derivation.graph, t, &wanted)?;
         let verdict = |k: usize| {
@@ -339,6 +348,7 @@ fn check_and(
     let (found, (without, others)): (Vec<_>, (Vec<_>, Vec<_>)) = columns.into_iter().unzip();
     let (weighed, courses): (Vec<Option<Weighed>>, Vec<_>) = others.into_iter().unzip();
     let (columns, shown): (Vec<Column>, Vec<_>) = found.into_iter().unzip();
+    unless_cancelled()?;
     let mut account = assemble(derivation, &stage, &claimed, &tried, &columns, shown);
     let courses: Vec<Course> = courses.into_iter().flatten().collect();
     let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
@@ -356,6 +366,7 @@ fn check_and(
     for (claim, identity) in account.claims.iter_mut().zip(identities) {
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
+    unless_cancelled()?;
     probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
     strengthen(derivation, &mut account.claims, &claimed, known, &tried);
     if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
@@ -364,9 +375,11 @@ fn check_and(
         let request = enclose::Request { derivation, fields, stage, prepared, start_of, tried, limits };
         enclose::strengthen(&request, &mut account.claims);
     }
+    unless_cancelled()?;
     let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
     let points = witness::Points { derivation, stage: &stage, prepared, start_of, tried: tried_on, wanted: &wanted };
     witness::complete(&points, &mut account.claims);
+    unless_cancelled()?;
     if let Some(altered) = &altered {
         let weighed: Vec<Weighed> = weighed.into_iter().flatten().collect();
         let places = Places { claimed: &claimed, tried: &tried, starts: &starts, start_of };

@@ -1,12 +1,38 @@
-//! Limits of a run that its user sets: a time, and memory.
+//! Limits of a run that its user sets: a time, memory, and a flag that ends it.
 //!
-//! **In:** when a run must end, and how much memory it may take. **Out:** whether that is reached, asked between one piece of work
+//! **In:** when a run must end, how much memory it may take, and what ends it from outside. **Out:** whether that is reached, asked between one piece of work
 //! and the next. What is not begun then is undecided, for this reason.
 //!
 //! These depend on the machine, so that two runs that reach them may differ. The limits of each piece of work are not these:
 //! they count operations, are always there, and give the same on every machine (see `docs/limits.md`).
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
+
+/// Ends a run from another thread: raised once, it stays raised. Copies are the same flag.
+#[derive(Clone, Debug, Default)]
+pub struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    /// Ends the run: nothing is begun after this.
+    pub fn raise(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the run is to end.
+    pub fn is_raised(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+impl PartialEq for Cancel {
+    fn eq(&self, other: &Cancel) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for Cancel {}
 
 /// When a run must end, and how much memory it may take.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
@@ -15,11 +41,16 @@ pub struct Limits {
     pub deadline: Option<Instant>,
     /// Nothing is begun while the process holds more than so many bytes; known on Linux only.
     pub memory: Option<u64>,
+    /// Nothing is begun once this is raised.
+    pub cancel: Option<Cancel>,
 }
 
 impl Limits {
     /// The limit that is reached, in words.
     pub fn reached(&self) -> Option<&'static str> {
+        if self.is_cancelled() {
+            return Some("the run was cancelled before this was begun");
+        }
         if self.deadline.is_some_and(|deadline| Instant::now() >= deadline) {
             return Some("work limit: the time of the run was over before this was begun");
         }
@@ -27,6 +58,11 @@ impl Limits {
             return Some("work limit: the memory of the run was used up before this was begun");
         }
         None
+    }
+
+    /// Whether it was ended from outside.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.as_ref().is_some_and(Cancel::is_raised)
     }
 }
 
@@ -44,14 +80,21 @@ mod tests {
     #[test]
     fn a_limit_is_reached_when_it_is() {
         assert_eq!(Limits::default().reached(), None);
-        let past = Limits { deadline: Some(Instant::now()), memory: None };
+        let past = Limits { deadline: Some(Instant::now()), ..Limits::default() };
         assert!(past.reached().is_some_and(|words| words.contains("time")));
-        let later = Limits { deadline: Instant::now().checked_add(std::time::Duration::from_secs(3600)), memory: None };
+        let in_an_hour = Instant::now().checked_add(std::time::Duration::from_secs(3600));
+        let later = Limits { deadline: in_an_hour, ..Limits::default() };
         assert_eq!(later.reached(), None);
+        let flag = Cancel::default();
+        let ended = Limits { cancel: Some(flag.clone()), ..Limits::default() };
+        assert!(!ended.is_cancelled() && ended.reached().is_none());
+        flag.raise();
+        assert!(ended.is_cancelled() && ended.reached().is_some_and(|words| words.contains("cancelled")));
+        assert_ne!(flag, Cancel::default());
         if cfg!(target_os = "linux") {
             assert!(resident().is_some_and(|bytes| bytes > 1 << 20));
-            assert!(Limits { deadline: None, memory: Some(1) }.reached().is_some());
-            assert_eq!(Limits { deadline: None, memory: Some(1 << 50) }.reached(), None);
+            assert!(Limits { memory: Some(1), ..Limits::default() }.reached().is_some());
+            assert_eq!(Limits { memory: Some(1 << 50), ..Limits::default() }.reached(), None);
         }
     }
 }

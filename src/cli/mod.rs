@@ -18,7 +18,6 @@ mod watch;
 use std::io::Write;
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::error::ErrorKind;
@@ -229,7 +228,8 @@ impl LimitArguments {
     /// The limits, counted from now.
     fn begun(&self) -> Limits {
         let deadline = self.deadline.and_then(|after| Instant::now().checked_add(after));
-        Limits { deadline, memory: self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000)) }
+        let memory = self.memory.map(|megabytes| megabytes.saturating_mul(1_000_000));
+        Limits { deadline, memory, cancel: None }
     }
 }
 
@@ -402,18 +402,17 @@ fn parse(line: impl IntoIterator<Item = std::ffi::OsString>) -> Result<Arguments
     Ok(arguments)
 }
 
-/// Runs the command line of this process.
-pub fn run() -> ExitCode {
-    let arguments = match parse(std::env::args_os()) {
+/// Runs a command line, the name of the program first; the exit code.
+pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let arguments = match parse(line) {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them.
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { Exit::BadInput.code() } else { Exit::Good.code() });
+            return if error.use_stderr() { Exit::BadInput.code() } else { Exit::Good.code() };
         }
     };
-    let exit = with_threads(&arguments, || guarded(|| command(&arguments)));
-    ExitCode::from(exit.code())
+    with_threads(&arguments, || guarded(|| command(&arguments))).code()
 }
 
 /// Memory for the calls of one thread: formulas, tables and proofs may be nested as deep as their readers allow.

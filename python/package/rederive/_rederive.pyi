@@ -1,0 +1,34 @@
+from os import PathLike
+from typing import Callable, Optional, Union
+
+__version__: str
+
+class Session:
+    def __new__(cls, name: str = "", text: Optional[str] = None) -> Session: ...
+    def claims(self) -> list[tuple[str, Optional[str], str]]: ...
+    def pairs(self) -> list[tuple[str, Optional[str], list[str]]]: ...
+    def check(
+        self,
+        claims: list[str],
+        trajectories: list[str],
+        sampled: bool,
+        only_verdicts: bool,
+        deadline: Optional[float] = None,
+        memory: Optional[int] = None,
+        progress: Optional[Callable[[int, int], object]] = None,
+    ) -> Findings: ...
+    def prove(
+        self,
+        formula: str,
+        symbols: list[str],
+        given: list[str],
+        throughout: bool,
+        scope: Optional[str] = None,
+        deadline: Optional[float] = None,
+    ) -> tuple[str, str]: ...
+
+class Findings:
+    def document(self, format: str) -> str: ...
+    def curve(self, claim: str, reading: Optional[str], trajectory: str) -> Optional[tuple[str, list[list[float]]]]: ...
+
+def command(line: list[Union[str, PathLike[str]]]) -> int: ...

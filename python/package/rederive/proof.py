@@ -1,0 +1,75 @@
+"""What was decided of an equation for all values of its symbols."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Mapping, NoReturn, Optional
+
+from . import display
+from .verdict import Decision
+
+__all__ = ["Counterexample", "Proof"]
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """A point at which the equation fails; numbers as they are written, exact where they can be."""
+
+    left: str
+    right: str
+    point: Mapping[str, str] = field(hash=False)
+    equation: int = 0
+    """Of several equations, which one fails; counted from 0."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """The answer of :func:`rederive.prove`."""
+
+    formula: str
+    given: tuple[str, ...]
+    verdict: Decision
+    conditions: tuple[str, ...]
+    """What has to hold for the formulas to have values."""
+    exceptions: tuple[str, ...]
+    """What the proof does not reach."""
+    reason: Optional[str]
+    counterexample: Optional[Counterexample]
+    certificate: Optional[str]
+    """An exact proof, as a program for SymPy."""
+    log2_error: Optional[float]
+    """log2 of the bound for the probability that a proof by random evaluation is wrong."""
+    text: str = field(compare=False)
+    """The answer as the command line prints it."""
+    data: Mapping[str, Any] = field(hash=False, repr=False)
+    """The whole answer, as ``rederive prove --format json`` prints it."""
+
+    @classmethod
+    def of(cls, document: str, text: str) -> Proof:
+        """From what the library tells."""
+        data = json.loads(document)
+        witness = data["witness"]
+        return cls(
+            formula=data["formula"],
+            given=tuple(data["given"]),
+            verdict=Decision(data["standing"]),
+            conditions=tuple(data["conditions"]),
+            exceptions=tuple(data["exceptions"]),
+            reason=data["reason"],
+            counterexample=witness
+            and Counterexample(witness["left"], witness["right"], witness["point"], witness["equation"]),
+            certificate=data["certificate"],
+            log2_error=data["log2_error"],
+            text=text,
+            data=data,
+        )
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError("a Proof is neither true nor false: compare its verdict, for instance `is Decision.PROVED`")
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return display.proof_html(self)

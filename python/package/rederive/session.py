@@ -1,0 +1,206 @@
+"""Questions to the library: :func:`check`, :func:`prove`, and :class:`Session` for several about one derivation."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Callable, Iterable, Literal, Optional, Union
+
+from . import _rederive
+from .derivation import Derivation
+from .formula import Names, is_sympy
+from .progress import Progress, shown
+from .proof import Proof
+from .report import Report
+
+__all__ = ["Session", "check", "prove"]
+
+Text = Union[str, "os.PathLike[str]", Derivation]
+Rigor = Literal["enclosed", "sampled"]
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A question with all that it depends on, so that it can be asked again elsewhere."""
+
+    name: str
+    text: str
+    claims: tuple[str, ...]
+    trajectories: tuple[str, ...]
+    sampled: bool
+    only_verdicts: bool
+    deadline: Optional[float]
+    memory: Optional[int]
+
+    def __call__(self) -> _rederive.Findings:
+        return self.of(_rederive.Session(self.name, self.text), None)
+
+    def of(self, session: _rederive.Session, progress: Optional[Callable[[int, int], object]]) -> _rederive.Findings:
+        return session.check(
+            list(self.claims),
+            list(self.trajectories),
+            self.sampled,
+            self.only_verdicts,
+            self.deadline,
+            self.memory,
+            progress,
+        )
+
+
+class Session:
+    """A derivation that was read, for several questions about it.
+
+    ``derivation`` is a path, the text of a derivation file (with line breaks), or a :class:`Derivation`; nothing for
+    :meth:`prove` alone. Raises :class:`DerivationError` with every problem of the text.
+    """
+
+    def __init__(self, derivation: Optional[Text] = None, name: Optional[str] = None) -> None:
+        self._name: str = ""
+        self._text: Optional[str] = None
+        if derivation is not None:
+            self._name, self._text = _read(derivation, name)
+        self._read = _rederive.Session(self._name, self._text)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (Session, (self._text, self._name))
+
+    @property
+    def claims(self) -> tuple[str, ...]:
+        """The names of the claims, ``id`` or ``id/reading``."""
+        return tuple(_name(id, reading) for id, reading, _ in self._read.claims())
+
+    @property
+    def pairs(self) -> tuple[tuple[str, Optional[str]], ...]:
+        """Each claim with each trajectory that it is tried on; ``None`` for a claim over ranges."""
+        of = [(_name(id, reading), on) for id, reading, on in self._read.pairs()]
+        nowhere: list[Optional[str]] = [None]
+        return tuple((name, one) for name, on in of for one in (list[Optional[str]](on) or nowhere))
+
+    def change(self, derivation: Text) -> None:
+        """Takes another state of the derivation; where this has problems, the state before is kept."""
+        name, text = _read(derivation, self._name)
+        self._read = _rederive.Session(name, text)
+        self._name, self._text = name, text
+
+    def check(
+        self,
+        claims: Union[str, Iterable[str]] = (),
+        trajectories: Union[str, Iterable[str]] = (),
+        rigor: Rigor = "enclosed",
+        *,
+        only_verdicts: bool = False,
+        deadline: Optional[float] = None,
+        memory: Optional[int] = None,
+        progress: Progress = None,
+    ) -> Report:
+        """Tries the claims on the motions; see :func:`check`."""
+        if rigor not in ("enclosed", "sampled"):
+            raise ValueError(f"rigor is 'enclosed' or 'sampled', not {rigor!r}")
+        if self._text is None:
+            raise ValueError("there is nothing to check: the session has no derivation")
+        sampled = rigor == "sampled"
+        of = (_names(claims), _names(trajectories), sampled, only_verdicts, deadline, memory)
+        asked = _Asked(self._name, self._text, *of)
+        with shown(progress, self._name) as tell:
+            found = asked.of(self._read, tell)
+        return Report(found.document("json"), asked, found)
+
+    def prove(
+        self,
+        formula: Any,
+        symbols: Union[str, Iterable[str]] = (),
+        given: Union[str, Iterable[str]] = (),
+        *,
+        scope: Optional[str] = None,
+        throughout: bool = False,
+        deadline: Optional[float] = None,
+    ) -> Proof:
+        """Decides an equation with the symbols of the derivation; see :func:`prove`."""
+        words = list(_names(symbols))
+        premises: list[Any] = [given] if is_sympy(given) else list(_names(given))
+        if is_sympy(formula):
+            formula, words, premises = _of_sympy(formula, words, premises)
+        document, text = self._read.prove(formula, words, premises, throughout, scope, deadline)
+        return Proof.of(document, text)
+
+
+def check(
+    derivation: Text,
+    claims: Union[str, Iterable[str]] = (),
+    trajectories: Union[str, Iterable[str]] = (),
+    rigor: Rigor = "enclosed",
+    *,
+    only_verdicts: bool = False,
+    deadline: Optional[float] = None,
+    memory: Optional[int] = None,
+    progress: Progress = None,
+) -> Report:
+    """Tries the claims of a derivation on its motions.
+
+    ``derivation``: a path, the text of a derivation file (with line breaks), or a :class:`Derivation`.
+    ``claims``, ``trajectories``: only these, by name; all when empty.
+    ``rigor``: ``"enclosed"`` looks at every time of the span where it is possible, ``"sampled"`` at finitely many.
+    ``only_verdicts``: no altered formulas, no corrections, nothing that separates the motions.
+    ``deadline``: after so many seconds nothing is begun; what is left is undecided.
+    ``memory``: the same while the process holds so many bytes.
+    ``progress``: ``True``, ``False``, a function of (done, of), or ``None``: a line on a terminal, nothing elsewhere.
+
+    Raises :class:`DerivationError` with every problem of the text, and :class:`UnknownName`.
+    """
+    return Session(derivation).check(
+        claims,
+        trajectories,
+        rigor,
+        only_verdicts=only_verdicts,
+        deadline=deadline,
+        memory=memory,
+        progress=progress,
+    )
+
+
+def prove(
+    formula: Any,
+    symbols: Union[str, Iterable[str]] = (),
+    given: Union[str, Iterable[str]] = (),
+    *,
+    throughout: bool = False,
+    deadline: Optional[float] = None,
+) -> Proof:
+    """Decides an equation for all values of its symbols.
+
+    ``formula``: an equation in LaTeX; several are separated by commas, and all must hold. Or an ``Eq`` of SymPy: its
+    symbols are declared with their assumptions then, and premises may be relations of SymPy.
+    ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``.
+    ``given``: premises, relations in LaTeX.
+    ``throughout``: of ± one sign must serve all points.
+    ``deadline``: after so many seconds :class:`DeadlineReached` is raised.
+    """
+    return Session().prove(formula, symbols, given, throughout=throughout, deadline=deadline)
+
+
+def _name(id: str, reading: Optional[str]) -> str:
+    return id if reading is None else f"{id}/{reading}"
+
+
+def _names(names: Union[str, Iterable[str]]) -> tuple[str, ...]:
+    return (names,) if isinstance(names, str) else tuple(names)
+
+
+def _of_sympy(formula: Any, words: list[str], given: list[Any]) -> tuple[str, list[str], list[str]]:
+    """An equation of SymPy with its symbols, and what is assumed of them."""
+    names = Names()
+    free = set(formula.free_symbols).union(*(one.free_symbols for one in given if is_sympy(one)))
+    declared, assumed = names.premises(sorted(free, key=str))
+    premises = [names.latex(one) if is_sympy(one) else str(one) for one in given]
+    return names.latex(formula), words + declared, premises + assumed
+
+
+def _read(derivation: Text, name: Optional[str]) -> tuple[str, str]:
+    """The name and the text of a derivation."""
+    if isinstance(derivation, Derivation):
+        return name or "derivation", derivation.to_toml()
+    if isinstance(derivation, str) and "\n" in derivation:
+        return name or "derivation", derivation
+    path = Path(derivation)
+    return name or str(path), path.read_text(encoding="utf-8")

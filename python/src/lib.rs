@@ -1,0 +1,252 @@
+//! The module `_rederive`: the library as Python calls it.
+//!
+//! **In:** texts, names, numbers. **Out:** documents in JSON, which `package/rederive` makes typed values of; problems as
+//! exceptions of `rederive.errors`.
+//!
+//! **Guaranteed:** while something is computed, other threads of Python run. A signal ends a call within the time of a tick;
+//! what it had begun ends by the flag of the library, and nobody waits for it.
+
+#![forbid(unsafe_code)]
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use pyo3::prelude::*;
+use rederive::check::{Cancel, Limits, Proposition};
+use rederive::diag::{Diagnostic, render, sort};
+use rederive::{Ask, Failure, Question, Rigor};
+
+/// How often a call looks for signals, and says how far it is.
+const TICK: Duration = Duration::from_millis(20);
+/// Memory for the calls of one thread, as in the program: formulas may be nested as deep as their readers allow.
+const STACK: usize = 64 << 20;
+
+type Pool = Arc<rayon::ThreadPool>;
+/// The threads that compute, and the process that they belong to: a fork has none of them.
+static POOL: Mutex<Option<(u32, Pool)>> = Mutex::new(None);
+
+/// Puts other threads in the place of those that are kept; what was begun on these goes on.
+fn exchange(new: Option<(u32, Pool)>) {
+    let old = std::mem::replace(&mut *POOL.lock().unwrap_or_else(PoisonError::into_inner), new);
+    // The threads of a parent process are not here to be ended.
+    if old.as_ref().is_some_and(|(process, _)| *process != std::process::id()) {
+        std::mem::forget(old);
+    }
+}
+
+fn pool(py: Python<'_>) -> PyResult<Pool> {
+    let process = std::process::id();
+    let kept = POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    if let Some((_, pool)) = kept.filter(|(of, _)| *of == process) {
+        return Ok(pool);
+    }
+    // A panic is printed, and its caller sees that no result comes.
+    let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).panic_handler(|_| {}).build();
+    let pool = Arc::new(pool.map_err(|e| defect(py, &format!("no threads can be started: {e}")))?);
+    exchange(Some((process, Arc::clone(&pool))));
+    Ok(pool)
+}
+
+/// An exception of the package, made by its class.
+fn raised(made: PyResult<Bound<'_, PyAny>>) -> PyErr {
+    made.map_or_else(|e| e, PyErr::from_value)
+}
+
+fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("rederive.errors")?.getattr(name)
+}
+
+fn defect(py: Python<'_>, what: &str) -> PyErr {
+    raised(class(py, "Defect").and_then(|c| c.call1((what,))))
+}
+
+fn problems(py: Python<'_>, mut found: Vec<Diagnostic>) -> PyErr {
+    sort(&mut found);
+    let one = |d: &Diagnostic| {
+        let (line, column) = d.line_and_column().unzip();
+        let text = render(std::slice::from_ref(d), false);
+        let text = text.trim_end_matches("1 problem found\n").trim_end().to_owned();
+        (d.code, d.message.clone(), d.source.path.clone(), line, column, d.hint.clone(), text)
+    };
+    let all: Vec<_> = found.iter().map(one).collect();
+    raised(class(py, "DerivationError").and_then(|c| c.call_method1("of", (all,))))
+}
+
+fn failure(py: Python<'_>, failure: Failure) -> PyErr {
+    match failure {
+        Failure::Problems(found) => problems(py, found),
+        Failure::Unknown(name) => raised(class(py, "UnknownName").and_then(|c| c.call1((name,)))),
+        Failure::Cancelled => raised(class(py, "Cancelled").and_then(|c| c.call0())),
+        Failure::Defect(what) => defect(py, &what),
+    }
+}
+
+/// How a call is waited for.
+#[derive(Default)]
+struct Wait<'a> {
+    cancel: Cancel,
+    /// How many of how many motions are done.
+    reached: Arc<(AtomicUsize, AtomicUsize)>,
+    progress: Option<&'a Bound<'a, PyAny>>,
+    /// After this nobody waits.
+    until: Option<Instant>,
+}
+
+impl Wait<'_> {
+    /// Computes something on the threads of the library.
+    fn compute<T: Send + 'static>(self, py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+        let (sender, mut receiver) = sync_channel(1);
+        pool(py)?.spawn(move || drop(sender.send(work())));
+        let mut told = (0, 0);
+        loop {
+            let waiting = &mut receiver;
+            let left = self.until.map_or(TICK, |until| TICK.min(until.saturating_duration_since(Instant::now())));
+            match py.detach(move || waiting.recv_timeout(left)) {
+                Ok(value) => return Ok(value),
+                Err(RecvTimeoutError::Disconnected) => return Err(defect(py, "it has stopped in its work")),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            let late = self.until.is_some_and(|until| Instant::now() >= until);
+            let late = if late { Err(raised(class(py, "DeadlineReached").and_then(|c| c.call0()))) } else { Ok(()) };
+            let now = (self.reached.0.load(Ordering::Relaxed), self.reached.1.load(Ordering::Relaxed));
+            let tell = || self.progress.filter(|_| now != told).map_or(Ok(()), |p| p.call1(now).map(drop));
+            if let Err(stop) = py.check_signals().and_then(|()| tell()).and(late) {
+                self.cancel.raise();
+                exchange(None);
+                return Err(stop);
+            }
+            told = now;
+        }
+    }
+}
+
+/// When a number of seconds from now is over; never, where that is beyond the clock.
+fn after(seconds: Option<f64>) -> Option<Instant> {
+    seconds.and_then(|s| Duration::try_from_secs_f64(s).ok()).and_then(|d| Instant::now().checked_add(d))
+}
+
+#[pyclass(frozen)]
+struct Session(Arc<rederive::Session>);
+
+#[pymethods]
+impl Session {
+    /// Reads the text of a derivation file; without one, nothing is declared.
+    #[new]
+    #[pyo3(signature = (name="", text=None))]
+    fn new(py: Python<'_>, name: &str, text: Option<String>) -> PyResult<Session> {
+        let Some(text) = text else { return Ok(Session(Arc::new(rederive::Session::blank()))) };
+        let name = name.to_owned();
+        let read = Wait::default().compute(py, move || rederive::Session::open(&name, text))?;
+        read.map(|s| Session(Arc::new(s))).map_err(|found| problems(py, found))
+    }
+
+    /// (id, reading, says) of each claim.
+    fn claims(&self) -> Vec<(String, Option<String>, String)> {
+        self.0.claims().into_iter().map(|c| (c.id, c.reading, c.says)).collect()
+    }
+
+    /// The claims and the trajectories that they are tried on.
+    fn pairs(&self) -> Vec<(String, Option<String>, Vec<String>)> {
+        let derivation = self.0.derivation();
+        let on = |c: &rederive::derivation::Claim| match c.region {
+            Some(_) => Vec::new(),
+            None => c.trajectories.iter().map(|t| derivation.trajectories[*t].id.clone()).collect(),
+        };
+        derivation.claims.iter().map(|c| (c.id.clone(), c.reading.clone(), on(c))).collect()
+    }
+
+    #[pyo3(signature = (claims, trajectories, sampled, only_verdicts, deadline=None, memory=None, progress=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
+    fn check(
+        &self,
+        py: Python<'_>,
+        claims: Vec<String>,
+        trajectories: Vec<String>,
+        sampled: bool,
+        only_verdicts: bool,
+        deadline: Option<f64>,
+        memory: Option<u64>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Findings> {
+        let wait = Wait { progress, ..Wait::default() };
+        let limits = Limits { deadline: after(deadline), memory, cancel: Some(wait.cancel.clone()) };
+        let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
+        let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
+        let (session, reached) = (Arc::clone(&self.0), Arc::clone(&wait.reached));
+        let tell = move |done, of| {
+            reached.0.fetch_max(done, Ordering::Relaxed);
+            reached.1.store(of, Ordering::Relaxed);
+        };
+        let found = wait.compute(py, move || session.check(&ask, &tell))?;
+        found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
+    }
+
+    /// The answer as JSON, and as a person reads it.
+    #[pyo3(signature = (formula, symbols, given, throughout, scope=None, deadline=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
+    fn prove(
+        &self,
+        py: Python<'_>,
+        formula: String,
+        symbols: Vec<String>,
+        given: Vec<String>,
+        throughout: bool,
+        scope: Option<String>,
+        deadline: Option<f64>,
+    ) -> PyResult<(String, String)> {
+        let question = Question { proposition: Proposition { formula, given, throughout }, symbols, scope };
+        let (session, until) = (Arc::clone(&self.0), after(deadline));
+        let answer = Wait { until, ..Wait::default() }.compute(py, move || session.prove(&question))?;
+        answer.map(|a| (a.json(), a.text())).map_err(|e| failure(py, as_declared_here(e)))
+    }
+}
+
+/// A symbol that is not known is declared otherwise than in a file.
+fn as_declared_here(failure: Failure) -> Failure {
+    let Failure::Problems(mut found) = failure else { return failure };
+    for problem in found.iter_mut().filter(|d| d.code == "latex::unknown-symbol") {
+        problem.hint = problem.hint.take().filter(|h| !h.contains("[symbols]"));
+        problem.hint.get_or_insert_with(|| "declare it in `symbols=`".to_owned());
+    }
+    Failure::Problems(found)
+}
+
+#[pyclass(frozen)]
+struct Findings(Arc<rederive::Findings>);
+
+#[pymethods]
+impl Findings {
+    /// The document of `report.json`, the page for a browser, or the report in Markdown.
+    fn document(&self, py: Python<'_>, format: &str) -> PyResult<String> {
+        let found = Arc::clone(&self.0);
+        let write = match format {
+            "page" => rederive::Findings::page,
+            "markdown" => rederive::Findings::markdown,
+            _ => rederive::Findings::json,
+        };
+        Wait::default().compute(py, move || write(&found))
+    }
+
+    /// The formula that is compared, and (t, left, right, residual, bound, limit) at each time that is kept.
+    fn curve(&self, claim: &str, reading: Option<&str>, trajectory: &str) -> Option<(String, Vec<[f64; 6]>)> {
+        let series = self.0.curve(claim, reading, trajectory)?;
+        let row = |p: &rederive::verdict::ResidualPoint| [p.t, p.left, p.right, p.residual, p.bound, p.limit];
+        Some((series.formula.clone(), series.points.iter().map(row).collect()))
+    }
+}
+
+/// Runs the command `rederive`, its name first; the exit code.
+#[pyfunction]
+fn command(py: Python<'_>, line: Vec<std::ffi::OsString>) -> u8 {
+    py.detach(|| rederive::cli::run(line))
+}
+
+#[pymodule]
+fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Session>()?;
+    module.add_class::<Findings>()?;
+    module.add_function(wrap_pyfunction!(command, module)?)?;
+    module.add("__version__", env!("CARGO_PKG_VERSION"))
+}

@@ -1,0 +1,77 @@
+"""Derivations that are written in Python."""
+
+import pickle
+from pathlib import Path
+
+import pytest
+
+import rederive
+from rederive import Derivation, Strength, Verdict
+
+
+def test_files_are_read_and_written_without_loss(derivations: Path) -> None:
+    files = sorted(derivations.glob("*.toml"))
+    assert len(files) >= 3
+    for file in files:
+        read = Derivation.from_toml(file.read_text(encoding="utf-8"))
+        again = Derivation.from_toml(read.to_toml())
+        assert again == read and again.data == read.data and hash(again) == hash(read), file
+        assert list(again.data) == list(read.data)
+        # The program reads both alike.
+        assert rederive.Session(read).pairs == rederive.Session(file).pairs
+
+
+def test_every_text_survives() -> None:
+    for text in ["a'b", 'a"b', "a\nb", "\nb", "'''", "a'", "tab\t", "nul\x00", "\\", "", "é\r\n", "'''\"\\"]:
+        made = Derivation("t").convention("x", text).convention(text or "empty", "y")
+        assert Derivation.from_toml(made.to_toml()) == made, repr(text)
+    numbers = [0.1, -3, 1e-300, 1e22, True, [1, 2.5, "x"], {"a b": {"c": 1}}]
+    made = Derivation("t").table("measure", id="m", values=numbers)
+    assert Derivation.from_toml(made.to_toml()) == made
+    with pytest.raises(TypeError, match="object"):
+        Derivation("t", remark=object()).to_toml()
+
+
+def test_a_pendulum_in_latex() -> None:
+    made = (
+        Derivation("A pendulum", "A textbook")
+        .symbol("t", "time")
+        .symbol(r"\omega", positive=True)
+        .symbol("q", "state")
+        .system("pendulum", "q", r"\ddot q=-\omega^2\sin q")
+        .trajectory("wide", system="pendulum", parameters={r"\omega": 1.3}, initial={"q": 2, r"\dot q": 0}, span=[0, 5])
+        .claim("energy", "The energy does not change", first_integral=r"\frac12\dot q^2-\omega^2\cos q")
+        .claim("small", "It is harmonic", always=r"\ddot q=-\omega^2q", expect="fails")
+        .reading("x", "in words", always=["q<4"])
+    )
+    report = rederive.check(made)
+    assert report["energy", "wide"].verdict is Verdict.HOLDS and report["energy", "wide"].strength is not Strength.SAMPLED
+    assert report["small/x", "wide"].verdict is Verdict.HOLDS
+    assert pickle.loads(pickle.dumps(made)) == made
+    with pytest.raises(ValueError, match="claim before it"):
+        Derivation("t").reading("x", "y")
+
+
+def test_a_pendulum_in_sympy() -> None:
+    sympy = pytest.importorskip("sympy")
+    t = sympy.Symbol("t")
+    omega = sympy.Symbol("omega_0", positive=True)
+    q = sympy.Function("q")(t)
+    rate = q.diff(t)
+    energy = rate**2 / 2 - omega**2 * sympy.cos(q)
+    made = Derivation("A pendulum").symbol("t", "time").symbol(omega).symbol(q)
+    made.system("pendulum", q, sympy.Eq(q.diff(t, 2), -(omega**2) * sympy.sin(q)))
+    made.trajectory("wide", system="pendulum", parameters={omega: 1.3}, initial={q: 2, rate: 0}, span=[0, 5])
+    made.claim("energy", "The energy does not change", first_integral=energy)
+    made.claim("start", "as it was", always=sympy.Eq(energy, energy.subs(q, q.func(0)).subs(q.func(0).diff(t), 0), evaluate=False))
+    made.claim("wrong", "It is harmonic", always=sympy.Eq(q.diff(t, 2), -(omega**2) * q), expect="fails")
+    assert made.data["symbols"][r"\omega_0"] == {"role": "parameter", "positive": True}
+    assert made.data["symbols"]["q"] == {"role": "state"}
+    assert made.data["trajectory"][0]["initial"] == {"q": 2, r"\dot{q}": 0}
+    report = rederive.check(made, claims=["energy", "wrong"])
+    assert report["energy", "wide"].verdict is Verdict.HOLDS and report["wrong", "wide"].verdict is Verdict.FAILS
+    with pytest.raises(rederive.NoCounterpart, match="not declared"):
+        made.claim("x", "y", always=sympy.Eq(sympy.Symbol("k"), 1))
+    with pytest.raises(rederive.NoCounterpart, match="another `latex=`"):
+        made.symbol(sympy.Symbol("omega_0"))
+    assert made.symbol(sympy.Symbol("foo"), latex="F").latex(sympy.Symbol("foo") ** 2) == "F^{2}"

@@ -1,0 +1,84 @@
+"""A call that is interrupted, and other threads while one computes."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+import rederive
+
+LONG = textwrap.dedent(
+    """
+    import sys, time, rederive
+    print("begin", flush=True)
+    try:
+        rederive.check(sys.argv[1])
+    except KeyboardInterrupt:
+        print("interrupted", time.time(), flush=True)
+        # The library still answers.
+        print(rederive.prove("x=x", "x").verdict, flush=True)
+    else:
+        print("done", flush=True)
+    """
+)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+def test_an_interrupt_comes_back_within_a_tenth_of_a_second(derivations: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", LONG, str(derivations / "deriglazov-comment.toml")], stdout=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None and process.stdout.readline() == "begin\n"
+    time.sleep(1)
+    sent = time.time()
+    process.send_signal(signal.SIGINT)
+    word, at = process.stdout.readline().split()
+    assert word == "interrupted"
+    # Where many processes share few processors, a thread may wait for its turn.
+    assert float(at) - sent < (0.1 if os.getloadavg()[0] < (os.cpu_count() or 1) else 0.5)
+    assert process.stdout.readline() == "proved\n"
+    ended = time.time()
+    assert process.wait(60) == 0 and time.time() - ended < 30
+
+
+def test_other_threads_go_on(derivations: Path) -> None:
+    counted, done = 0, threading.Event()
+
+    def work() -> None:
+        rederive.check(derivations / "pendulum.toml")
+        done.set()
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    while not done.wait(0.001):
+        counted += 1
+    thread.join()
+    assert counted > 20, counted
+
+
+def test_a_proof_has_a_deadline() -> None:
+    letters = "abcdfghjklmnop"
+    power = rf"\left({'+'.join(letters)}\right)"
+    many = ", ".join(f"{power}^{{{n}}}={power}^{{{n - 6}}}{power}^6" for n in range(10, 30))
+    with pytest.raises(rederive.DeadlineReached) as e:
+        rederive.prove(many, ", ".join(letters), deadline=0)
+    assert isinstance(e.value, TimeoutError)
+    assert rederive.prove(many, ", ".join(letters), deadline=60).verdict is rederive.Decision.PROVED
+
+
+def test_a_call_costs_little() -> None:
+    session = rederive.Session()
+    calls = []
+    for _ in range(200):
+        begun = time.perf_counter()
+        with pytest.raises(rederive.DerivationError):
+            session.prove("x", "x")
+        calls.append(time.perf_counter() - begun)
+    # The answer itself is a problem that is found at once, so that this is what a call costs.
+    assert sorted(calls)[len(calls) // 2] < 1e-3, sorted(calls)[len(calls) // 2]

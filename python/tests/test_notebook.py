@@ -1,0 +1,47 @@
+"""The tutorial, executed, and what its cells show."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+nbformat = pytest.importorskip("nbformat")
+nbclient = pytest.importorskip("nbclient")
+TUTORIAL = Path(__file__).resolve().parents[1] / "tutorial.ipynb"
+
+
+def run(book: Any) -> list[Any]:
+    nbclient.NotebookClient(book, timeout=300, kernel_name="python3").execute()
+    return [cell for cell in book.cells if cell.cell_type == "code"]
+
+
+def test_the_tutorial_runs_and_shows_what_it_says() -> None:
+    cells = run(nbformat.read(TUTORIAL, as_version=4))
+
+    def shown(cell: Any, kind: str) -> str:
+        found = [o["data"][kind] for o in cell.outputs if o.output_type in ("execute_result", "display_data") and kind in o["data"]]
+        return "".join(found) + "".join(o["text"] for o in cell.outputs if o.output_type == "stream" and kind == "text/plain")
+
+    text = "\n".join(shown(cell, "text/plain") for cell in cells)
+    pages = [shown(cell, "text/html") for cell in cells if shown(cell, "text/html")]
+    assert "refuted" in text and "Decision.PROVED" in text and "neither true nor false" in text
+    rows = [line for line in text.splitlines() if "simplify:" in line]
+    assert len(rows) == 7 and all(" proved" in row for row in rows), rows
+    assert "harmonic on wide: fails" in text and "['holds', 'holds']" in text
+    assert "Summary(holds=1, fails=0" in text
+    # A proof, the report with the curves of what fails, and the report of the cell.
+    assert len(pages) == 3 and all(page.startswith("<style>") and "http" not in page for page in pages)
+    assert pages[1].count("<svg") == 2 and '<span class="fails wrong">F</span>' in pages[1]
+    assert any("image/png" in o.get("data", {}) for cell in cells for o in cell.outputs)
+
+
+def test_problems_of_a_cell_are_shown_without_a_trace() -> None:
+    book = nbformat.v4.new_notebook()
+    book.cells = [
+        nbformat.v4.new_code_cell("%load_ext rederive"),
+        nbformat.v4.new_code_cell("%%rederive\n[derivation]\ntitle = 'x'"),
+    ]
+    with pytest.raises(nbclient.exceptions.CellExecutionError) as e:
+        run(book)
+    assert "derivation::missing-key" in str(e.value) and "report.toml:1:1" in str(e.value)
+    assert 'File "' not in str(e.value)

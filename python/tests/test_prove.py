@@ -1,0 +1,82 @@
+"""Proofs: of texts and of expressions of SymPy."""
+
+import pickle
+
+import pytest
+
+import rederive
+from rederive import Decision
+
+
+def test_an_identity_is_proved() -> None:
+    proof = rederive.prove(r"\sin 2x=2\sin x\cos x", symbols=["x"], given=[])
+    assert proof.verdict is Decision.PROVED and proof.counterexample is None
+    assert "proved" in str(proof) and "proved" in proof._repr_html_()
+    assert pickle.loads(pickle.dumps(proof)) == proof == rederive.prove(r"\sin 2x=2\sin x\cos x", "x")
+    with pytest.raises(TypeError, match="neither true nor false"):
+        bool(proof)
+
+
+def test_a_mistake_is_refuted() -> None:
+    proof = rederive.prove(r"\sqrt{x^2}=x", symbols="x")
+    assert proof.verdict is Decision.REFUTED and proof.counterexample is not None
+    assert proof.counterexample.point["x"].startswith("-"), proof.counterexample
+    assert rederive.prove(r"\sqrt{x^2}=x", "x", given=["x>0"]).verdict is Decision.PROVED
+
+
+def test_problems_have_places_and_hints() -> None:
+    with pytest.raises(rederive.DerivationError) as e:
+        rederive.prove(r"\sin x=y", symbols=["x"])
+    problem = e.value.problems[0]
+    assert problem.code == "latex::unknown-symbol" and (problem.line, problem.column) == (1, 8)
+    assert problem.text.splitlines()[-3].strip(" |") == "^" or "^" in problem.text
+    assert problem.hint is not None and "symbols=" in problem.hint and "symbols=" in str(e.value)
+
+
+def test_expressions_of_sympy_are_walked() -> None:
+    sympy = pytest.importorskip("sympy")
+    x, y = sympy.symbols("x y", real=True)
+    a = sympy.Symbol("alpha_1", positive=True)
+    identities = [
+        sympy.Eq(sympy.sin(2 * x), 2 * sympy.sin(x) * sympy.cos(x)),
+        sympy.Eq((x + y) ** 3, sympy.expand((x + y) ** 3)),
+        sympy.Eq(sympy.cos(2 * x), 1 - 2 * sympy.sin(x) ** 2),
+        sympy.Eq((x**2 - y**2) / (x - y), x + y),
+        sympy.Eq(a ** sympy.Rational(3, 2), a * sympy.sqrt(a), evaluate=False),
+        sympy.Eq(1 / (x * sympy.sqrt(a)), a ** sympy.Rational(-1, 2) / x, evaluate=False),
+        sympy.Eq(-x / 2 + sympy.Rational(2, 3) - sympy.pi, (4 - 3 * x) / 6 - sympy.pi, evaluate=False),
+        sympy.Eq(sympy.tanh(x), (sympy.exp(x) - sympy.exp(-x)) / (sympy.exp(x) + sympy.exp(-x))),
+        sympy.Eq(sympy.Abs(x) ** 2, x**2, evaluate=False),
+    ]
+    for identity in identities:
+        proof = rederive.prove(identity)
+        assert proof.verdict in (Decision.PROVED, Decision.PROVED_EXCEPT), (identity, proof.formula, proof.text)
+        broken = sympy.Eq(identity.lhs, identity.rhs + sympy.Rational(1, 7), evaluate=False)
+        assert rederive.prove(broken).verdict is Decision.REFUTED, broken
+
+
+def test_what_sympy_has_rewritten_is_refused() -> None:
+    sympy = pytest.importorskip("sympy")
+    x, a = sympy.Symbol("x"), sympy.Symbol("a", positive=True)
+    z = sympy.Symbol("z", imaginary=True)
+    for wrong, words in [
+        (sympy.Eq(x, x), "evaluate=False"),
+        (sympy.Eq(sympy.gamma(x), x), "gamma"),
+        (sympy.Eq(sympy.Symbol("foo"), x), "latex="),
+        (sympy.Eq(sympy.Symbol("a_b_c"), x), "two underscores"),
+        (sympy.Eq(z, x), "not real"),
+        (sympy.Eq(sympy.Integral(x, x), x), "Integral"),
+    ]:
+        with pytest.raises(rederive.NoCounterpart, match=words):
+            rederive.prove(wrong)
+    assert rederive.prove(sympy.Eq(sympy.sqrt(a**2), a, evaluate=False)).verdict is Decision.PROVED
+
+
+def test_assumptions_are_taken_over() -> None:
+    sympy = pytest.importorskip("sympy")
+    free, negative = sympy.Symbol("x", real=True), sympy.Symbol("x", negative=True)
+    assert rederive.prove(sympy.Eq(sympy.Abs(free), -free)).verdict is Decision.REFUTED
+    proof = rederive.prove(sympy.Eq(sympy.Abs(negative), -negative, evaluate=False))
+    assert proof.verdict is Decision.PROVED
+    given = rederive.prove(sympy.Eq(sympy.sqrt(free**2), free, evaluate=False), given=[free > 0])
+    assert given.verdict is Decision.PROVED and given.given == ("x>0",)
