@@ -170,7 +170,7 @@ always = ['x>0']
     let letter = ["check", "--no-reports", "--summary", "--format", "tex"];
     let tex = printed(&rederive(project.path(), &letter).code(0));
     assert!(
-        tex.contains(r"\documentclass") && tex.contains("The rate is minus") && !tex.contains("longtable"),
+        tex.contains(r"\documentclass") && tex.contains("The rate is minus") && !tex.contains(r"\begin{longtable}"),
         "{tex}"
     );
 }

@@ -140,7 +140,7 @@ fn trajectories(account: &Account) -> String {
 }
 
 fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -> String {
-    let mut out = format!("## Claims\n\n{}\n\n", roles_told(derivation));
+    let mut out = format!("## Claims\n\n{}", roles_told(derivation));
     let mut last = "";
     for claim in &account.claims {
         let declared = declared(derivation, claim);
@@ -203,7 +203,8 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
 fn roles_told(derivation: &Derivation) -> String {
     let told = |role: &ClaimRole| Some(format!("({}) {}", role.word(), whose(*role)?));
     let roles = ClaimRole::ALL.into_iter().filter(|r| derivation.claims.iter().any(|c| c.role == *r));
-    roles.filter_map(|r| told(&r)).collect::<Vec<_>>().join(" ")
+    let told: Vec<String> = roles.filter_map(|r| told(&r)).collect();
+    if told.is_empty() { String::new() } else { format!("{}\n\n", told.join(" ")) }
 }
 
 /// What a claim is to the paper, where the paper does not simply say it.
