@@ -69,10 +69,13 @@ impl Exit {
 const EXIT_CODES: &str = "\
 Exit codes:
   0   every verdict is as expected, and at least one claim was decided
-  1   some verdict differs from what is expected (without an expectation: some claim fails), the units
-      of a formula do not agree, or --min-discrimination is not reached
-  2   the command line or a file could not be read, or a report could not be written
-  3   nothing differs, but some verdict is undecided that the file does not expect to be
+  1   some verdict differs from what is expected (without an expectation: some
+      claim fails), the units of a formula do not agree, what --strict asks for
+      is not met, or --min-discrimination is not reached
+  2   the command line or a file could not be read, or a report could not be
+      written
+  3   nothing differs, but some verdict is undecided that the file does not
+      expect to be
   70  a defect of rederive itself";
 
 /// Checks derivations: which claims of a paper hold along which motions, and how strongly.

@@ -13,21 +13,24 @@ use rederive::report;
 
 use super::{Exit, Stop, print, say};
 
-pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words are
-those of [symbols] in a derivation file: a role (parameter, which is so unless given; state,
-observable, abbreviation, time), a shape (3, 3x3, diagonal 3), positive. Where a state is declared,
-and no time, t is the time.
+pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words
+are those of [symbols] in a derivation file: a role (parameter, which is so
+unless given; state, observable, abbreviation, time), a shape (3, 3x3,
+diagonal 3), positive. Where a state is declared, and no time, t is the time.
 
   rederive prove '\sin 2x=2\sin x\cos x' --symbol x
   rederive prove '\sqrt{x^2}=x' --symbol x --given 'x>0'
-  rederive prove '\frac12\dot q^2-\omega^2\cos q=C' --symbol 'q: state' --symbol '\omega, C'
-  rederive prove '2E={\bf m}^TI^{-1}{\bf m}' --in derivations/top.toml --given t8 --given 'm_1=0'
+  rederive prove '\frac12\dot q^2-\omega^2\cos q=C' --symbol 'q: state' \
+      --symbol '\omega, C'
+  rederive prove '\ell\dot q\ddot q=-g\dot q\sin q' \
+      --in derivations/pendulum.toml --given pendulum
 
 Exit codes:
   0   proved: no case is left out
   1   refuted
   2   the command line, a formula or a file could not be read
-  3   undecided, also when what is given contradicts itself; or proved except in cases that are named
+  3   undecided, also when what is given contradicts itself; or proved except
+      in cases that are named
   70  a defect of rederive itself";
 
 /// For which points a sign of ± must serve.

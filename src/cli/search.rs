@@ -11,7 +11,8 @@ use super::{Exit, Stop, complain, files, say};
 /// What the exit code of a search means.
 pub const EXIT_CODES: &str = "\
 Exit codes:
-  0   a motion was found on which the claim, or its altered formula, fails; its table is on standard output
+  0   a motion was found on which the claim, or its altered formula, fails; its
+      table is on standard output
   2   the command line or a file could not be read
   3   none was found, which does not show that there is none
   70  a defect of rederive itself";

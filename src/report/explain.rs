@@ -5,6 +5,7 @@ use super::numbers::{count, size, time, value};
 use super::summary::sides;
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
+use super::wording::one_line;
 use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 use crate::derivation::{Claim, Derivation, SymbolEntry};
 
@@ -45,8 +46,8 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         lines => format!("\n  {title}\n{}", lines.iter().map(|l| format!("    {l}\n")).collect::<String>()),
     };
     let formulas: Vec<String> = match declared {
-        Some(claim) => claim.formulas.iter().map(|f| format!("{}: {}", f.kind.key(), f.text)).collect(),
-        None => claim.formulas.clone(),
+        Some(claim) => claim.formulas.iter().map(|f| format!("{}: {}", f.kind.key(), one_line(&f.text))).collect(),
+        None => claim.formulas.iter().map(|f| one_line(f)).collect(),
     };
     out.push_str(&list("Checked", &formulas));
     out.push_str(&list("Assuming", &claim.assumptions));

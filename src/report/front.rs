@@ -181,9 +181,10 @@ fn reason(whole: &Whole<'_>) -> String {
     } else {
         out.push_str(&digest::verdict(failing));
     }
-    let first = |word: &str| failing.claim.results.iter().find(|p| p.verdict.outcome().word() == word);
-    if let Some(pair) = first("fails") {
-        out.push_str(&format!(", e.g. {}", pair.trajectory));
+    let mut fails = failing.claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
+    if let Some(pair) = fails.next() {
+        let one_of_several = if fails.next().is_some() { "e.g. " } else { "" };
+        out.push_str(&format!(", {one_of_several}{}", pair.trajectory));
     }
     if let Some(e) = failing.claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) {
         out.push_str(&format!("; on the motions tried, it holds just where {}", digest::explanation(e)));

@@ -104,7 +104,7 @@ pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> Str
 
 /// The same in a few words.
 pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String {
-    let error = identity.log2_error.map(|e| format!(", error probability at most 2^{}", e.ceil())).unwrap_or_default();
+    let error = identity.log2_error.map(|e| format!(", error below 2^{}", e.ceil())).unwrap_or_default();
     let from = if identity.from.is_empty() { String::new() } else { format!(", from {}", identity.from.join(", ")) };
     let (verdict, reason) = (identity.verdict(), identity.reason.as_deref().unwrap_or_default());
     match proof {
@@ -323,8 +323,9 @@ impl DerivationGraph {
         }
         for (to, node) in self.nodes.iter().enumerate() {
             let arrow = if node.verdict == Some("proved") { "-->" } else { "-.->" };
-            for from in &node.from {
-                out.push_str(&format!("  n{from} {arrow} n{to}\n"));
+            if !node.from.is_empty() {
+                let from: Vec<String> = node.from.iter().map(|from| format!("n{from}")).collect();
+                out.push_str(&format!("  {} {arrow} n{to}\n", from.join(" & ")));
             }
         }
         out.push_str("```\n\n");

@@ -16,6 +16,8 @@ use crate::latex::{self, Scope};
 /// Invisible multiplication and function application, for what reads a formula aloud.
 const TIMES: &str = "<mo>\u{2062}</mo>";
 const APPLY: &str = "<mo>\u{2061}</mo>";
+/// The same where no bracket follows: the argument stands apart.
+const APPLY_APART: &str = "<mo rspace=\"0.17em\">\u{2061}</mo>";
 
 /// A formula inside a line; several relations are separated by commas.
 pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
@@ -28,19 +30,10 @@ pub(super) fn inline(text: &str, scope: &Scope) -> Option<String> {
     Some(format!("<math>{}</math>", all.join("<mo separator=\"true\">,</mo><mspace width=\"0.5em\"/>")))
 }
 
-/// A formula on its own: each relation one `math` element, with its LaTeX as an annotation.
+/// A formula on its own: each relation one `math` element. Its LaTeX is in `report.md`, and in the derivation file.
 pub(super) fn display(text: &str, scope: &Scope) -> Option<Vec<String>> {
     let chains = latex::parse(text, scope).ok()?;
-    let one = |c: &Chain| {
-        let written = text.get(c.span.clone()).unwrap_or(text);
-        format!(
-            "<math display=\"block\"><semantics><mrow>{}</mrow><annotation encoding=\"application/x-tex\">{}</annotation>\
-             </semantics></math>",
-            chain(c),
-            escaped(written.trim())
-        )
-    };
-    Some(chains.iter().map(one).collect())
+    Some(chains.iter().map(|c| format!("<math display=\"block\">{}</math>", chain(c))).collect())
 }
 
 /// Text between tags, or inside a quoted attribute.
@@ -311,11 +304,11 @@ impl Markup {
         match power {
             None => self.put(&name),
             Some(n) => {
-                let minus = if n < 0 { "<mo form=\"prefix\">−</mo>" } else { "" };
-                self.put(&format!("<msup>{name}<mrow>{minus}<mn>{}</mn></mrow></msup>", n.unsigned_abs()));
+                let size = format!("<mn>{}</mn>", n.unsigned_abs());
+                let power = if n < 0 { format!("<mrow><mo form=\"prefix\">−</mo>{size}</mrow>") } else { size };
+                self.put(&format!("<msup>{name}{power}</msup>"));
             }
         }
-        self.put(APPLY);
         match arguments {
             [one] => {
                 let bare = match &one.kind {
@@ -326,16 +319,18 @@ impl Markup {
                     NodeKind::Group(..) | NodeKind::Absolute(_) => true,
                     _ => tightness(one) >= Least::Product,
                 };
+                let fenced = matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_));
+                self.put(if bare && !fenced { APPLY_APART } else { APPLY });
                 if bare {
-                    if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_)) {
-                        self.put("<mspace width=\"0.17em\"/>");
-                    }
                     self.row(one, Least::Product);
                 } else {
                     self.enclosed("(", one, ")");
                 }
             }
-            _ => self.list(arguments),
+            _ => {
+                self.put(APPLY);
+                self.list(arguments);
+            }
         }
     }
 
@@ -543,7 +538,7 @@ mod tests {
             (r"\frac{x}{k}=1", "<mfrac><mi>x</mi><mi>k</mi></mfrac>"),
             (r"x^2=-k", "<msup><mi>x</mi><mn>2</mn></msup><mo>=</mo><mo form=\"prefix\">−</mo>"),
             (r"\sqrt{x}\ne 0", "<msqrt><mi>x</mi></msqrt><mo>≠</mo><mn>0</mn>"),
-            (r"\sin^2x<1", "<msup><mi>sin</mi><mrow><mn>2</mn></mrow></msup><mo>\u{2061}</mo>"),
+            (r"\sin^2x<1", "<msup><mi>sin</mi><mn>2</mn></msup><mo rspace=\"0.17em\">\u{2061}</mo>"),
             (r"kx>0.5", "<mi>k</mi><mo>\u{2062}</mo><mi>x</mi><mo>&gt;</mo><mn>0.5</mn>"),
         ] {
             let markup = of(text);

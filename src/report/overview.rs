@@ -9,7 +9,7 @@ use super::markdown::{link_to, prose, table};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use crate::check::{Account, ClaimAccount};
-use crate::derivation::Derivation;
+use crate::derivation::{ClaimRole, Derivation};
 
 /// The section.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
@@ -29,7 +29,12 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> String {
         out.push_str(&format!("### {} {}\n\n", count(found.len(), "claim"), fate.words(found.len())));
         out.push_str(&format!("{}\n\n", fate.meaning()));
         for whole in found {
-            out.push_str(&if fate == Fate::Stands { standing(whole) } else { reasons(whole) });
+            out.push_str(&match fate {
+                Fate::Stands => standing(whole),
+                // What is no claim of the paper is told in its own section.
+                Fate::Choice | Fate::Lemma | Fate::Added => beside(whole),
+                _ => reasons(whole),
+            });
         }
         out.push('\n');
     }
@@ -78,15 +83,26 @@ fn standing(whole: &Whole<'_>) -> String {
     format!("- {mark} {} {}{basis}.\n", prose(&whole.says), place(whole))
 }
 
+/// A line with the shape of every reading.
+fn beside(whole: &Whole<'_>) -> String {
+    let marks: String = whole.readings.iter().map(|r| mark(r.standing)).collect();
+    format!("- {marks} {} {}\n", prose(&whole.says), place(whole))
+}
+
 fn reasons(whole: &Whole<'_>) -> String {
     let mut out = format!("- **{}** {}\n", prose(&whole.says), place(whole));
-    for reading in &whole.readings {
-        out.push_str(&format!("  - {} {}\n", mark(reading.standing), told(whole, reading)));
+    let mut remark = None;
+    // What is there to compare with is told in the section on the claim.
+    for reading in whole.readings.iter().filter(|r| r.role != ClaimRole::Added) {
+        // A remark on the whole claim is every reading's, and is told once.
+        let again = reading.claim.remark.is_some() && reading.claim.remark == remark;
+        remark.clone_from(&reading.claim.remark);
+        out.push_str(&format!("  - {} {}\n", mark(reading.standing), told(whole, reading, !again)));
     }
     out
 }
 
-fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
+fn told(whole: &Whole<'_>, reading: &Reading<'_>, with_remark: bool) -> String {
     let mut parts = Vec::new();
     let whose = reading.whose(whole);
     if !whose.is_empty() {
@@ -101,7 +117,7 @@ fn told(whole: &Whole<'_>, reading: &Reading<'_>) -> String {
     }
     let condition = digest::condition_of(reading.claim).map(|c| format!("; {}", prose(&c))).unwrap_or_default();
     parts.push(format!("{}{condition}.", digest::verdict(reading)));
-    if let Some(remark) = &reading.claim.remark {
+    if let Some(remark) = reading.claim.remark.as_ref().filter(|_| with_remark) {
         parts.push(format!("Remark of the file: *{}*", prose(remark).trim()));
     }
     parts.join(" ")

@@ -4,12 +4,13 @@ use maud::{Markup, html};
 
 use super::super::discrimination::is_weak;
 use super::super::graph::{DerivationGraph, ProofStanding};
+use super::super::letters::{LEGEND, letters};
 use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
-use super::text::{bare, condition, display, formula, identifier, label, prose, reason};
+use super::text::{display, formula, identifier, label, prose, reason};
 use super::{region, support};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
@@ -127,16 +128,17 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             }
             (support::units_of(account, claim, scope))
             @if let Some(identity) = &claim.identity { (for_all_values(claim, identity, &graph.proof_of(claim), scope)) }
-            (support::rests(graph, claim, scope))
-            (support::conditions(claim, scope))
-            (support::discrimination(claim, scope))
+            (support::separation(claim, scope))
+            (support::erratum(claim, scope))
+            (support::behind(graph, claim, scope))
             @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
             (region::block(claim, scope))
         }
     }
 }
 
-/// The claims as they are printed: without the tables of pairs, which are in `report.json`.
+/// The claims as they are printed. What is folded on a screen is shown; the verdicts of pairs are in the [matrix](printed_matrix),
+/// and their numbers in `report.json`.
 pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
     let graph = DerivationGraph::new(derivation, account);
     let mut last = "";
@@ -167,19 +169,42 @@ pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
                     @if let Some(identity) = &claim.identity {
                         p { b { "For all values: " } (sentence(identity, &graph.proof_of(claim), scope)) }
                     }
-                    @for group in groups(claim) {
-                        p {
-                            b { (group_word(group.word)) } " on " (count(group.pairs.len(), "trajectory"))
-                            @if group.pairs.len() < account.trajectories.len() {
-                                ": "
-                                @for (i, pair) in group.pairs.iter().enumerate() { @if i > 0 { ", " } (pair.trajectory) }
-                            }
-                            "."
-                        }
-                        @if let Some(pair) = group.telling().filter(|_| group.word == "fails") { (witness(pair, scope)) }
+                    p { @for group in groups(claim) { (printed_group(&group)) " " } }
+                    @for group in groups(claim).iter().filter(|g| g.word == "fails") {
+                        @if let Some(pair) = group.telling() { (witness(pair, scope)) }
                     }
+                    (support::separation(claim, scope))
+                    (support::erratum(claim, scope))
+                    (support::behind_in_print(&graph, claim, scope))
                     (region::block(claim, scope))
                 }
+            }
+        }
+    }
+}
+
+/// Where a claim has one verdict: few motions by name, the others are in the matrix.
+fn printed_group(group: &Group<'_>) -> Markup {
+    const FEW: usize = 4;
+    html! {
+        b { (group_word(group.word)) } " on "
+        @if group.pairs.len() > FEW && !group.unexpected { (count(group.pairs.len(), "trajectory")) }
+        @else { @for (i, pair) in group.pairs.iter().enumerate() { @if i > 0 { ", " } (pair.trajectory) } }
+        @if group.unexpected {
+            ", " strong.alarm { @match group.expected { Some(word) => { "expected: " (word) }, None => { "not expected" } } }
+        }
+        "."
+    }
+}
+
+/// The matrix of verdicts as it is printed: a letter for each pair.
+pub(super) fn printed_matrix(account: &Account) -> Markup {
+    html! {
+        @if let Some(letters) = letters(account) {
+            section id="/matrix" {
+                h2 { "Claims and trajectories" }
+                p { (LEGEND) " Columns are the trajectories by number." }
+                pre.letters { (letters) }
             }
         }
     }
@@ -204,15 +229,6 @@ fn for_all_values(claim: &ClaimAccount, identity: &IdentityAccount, proof: &Proo
                 b { "For all values: " }
                 (sentence(identity, proof, scope))
                 (support::certificate(claim, identity, scope))
-            }
-            @for (title, lines) in identity.terms() {
-                details {
-                    summary { (title) }
-                    ul { @for c in &lines { li { (condition(c, scope)) } } }
-                }
-            }
-            @if let Some(witness) = &identity.witness {
-                details { summary { "Refuting point" } pre tabindex="0" { (assignments(witness)) } }
             }
         }
     }
@@ -268,7 +284,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
 }
 
 /// Most trajectories that are named above a table.
-const NAMED: usize = 12;
+const NAMED: usize = 6;
 
 /// The pairs of a claim with the same verdict: in words, with a witness, and all of them in a table.
 fn verdicts(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Scope) -> Markup {
@@ -417,15 +433,6 @@ fn witness(pair: &PairAccount, scope: &Scope) -> Markup {
             }
         }
     }
-}
-
-/// `NAME = VALUE; …` as lines that can be pasted.
-fn assignments(point: &str) -> String {
-    let line = |part: &str| match part.split_once(" = ") {
-        Some((name, value)) => format!("{} = {}\n", identifier(name), bare(value)),
-        None => format!("{}\n", bare(part)),
-    };
-    point.split("; ").map(line).collect()
 }
 
 /// The values of a witness as assignments, which most languages read.

@@ -1,8 +1,8 @@
 //! The curves of all pairs, for the script.
 //!
 //! A page may have thousands of pairs. Each of its curves is some sixty samples; a value takes two characters: its place
-//! between the least and the largest value, in one of a thousand steps, and of residuals and bounds the logarithm. That is
-//! finer than a line is thick. Equal texts are stored once. Numbers that a reader may want exactly (worst residual, witness)
+//! between the least and the largest value, in one of some hundred steps, and of residuals and bounds the logarithm, in one of
+//! eighty. That is finer than a line is thick. Equal texts are stored once. Numbers that a reader may want exactly (worst residual, witness)
 //! are stored as numbers. The whole is [packed](super::packed).
 
 use std::collections::HashMap;
@@ -25,7 +25,15 @@ const FINE: usize = 12;
 const STEPS: usize = DIGITS.len() * FINE;
 
 /// Of what holds, one sample in so many is drawn.
-const THIN: usize = 3;
+const THIN: usize = 4;
+/// Of the second characters, so many are taken as one: what is not seen is not stored. Times are stored as they are.
+const GRAIN: Grain = Grain { time: 1, side: 3, logarithm: FINE };
+
+struct Grain {
+    time: usize,
+    side: usize,
+    logarithm: usize,
+}
 /// Shortest text that is worth a place of its own among the strings.
 const WORTH: usize = 5;
 
@@ -187,7 +195,8 @@ fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value, thin: us
     let (residual, bound) = (values(&|p| pxfm::f_log10(p.residual)), values(&|p| pxfm::f_log10(p.bound)));
     let (low, high) = extent(residual.iter().chain(&bound).copied());
     let decades = (low.floor(), high.ceil());
-    let (l, r) = (column(&left, range), column(&right, range));
+    let side = |values: &[f64]| column(values, range, GRAIN.side);
+    let (l, r) = (side(&left), side(&right));
     let r = (r != l).then_some(r);
     let limit = points.iter().map(|p| p.limit).fold(f64::INFINITY, f64::min);
     json!([
@@ -196,11 +205,11 @@ fn curves(series: &Residuals, span: Option<(f64, f64)>, formula: Value, thin: us
         [short(range.0), short(range.1)],
         [exact(span.0), exact(span.1)],
         [short(decades.0), short(decades.1)],
-        column(&t, span),
+        column(&t, span, GRAIN.time),
         l,
         r,
-        column(&residual, decades),
-        column(&bound, decades),
+        column(&residual, decades, GRAIN.logarithm),
+        column(&bound, decades, GRAIN.logarithm),
         match (series.sought, series.equation) {
             (true, _) => 0.into(),
             (false, true) => short(limit),
@@ -218,15 +227,17 @@ fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// Two characters for each value, first those of all values that say most: alike stands beside alike, and packs well. What is
-/// not finite (the logarithm of 0) is 0, the others are spread over the range.
-fn column(values: &[f64], (low, high): (f64, f64)) -> String {
+/// not finite (the logarithm of 0) is 0, the others are spread over the range, `grain` steps as one.
+fn column(values: &[f64], (low, high): (f64, f64), grain: usize) -> String {
     let width = if high > low { high - low } else { 1.0 };
     let step = |x: &f64| match x.is_finite() {
         true => 1 + (((x - low) / width).clamp(0.0, 1.0) * (STEPS - 2) as f64).round() as usize,
         false => 0,
     };
     let coarse = values.iter().map(|x| digit(step(x) / FINE));
-    coarse.chain(values.iter().map(|x| digit(step(x) % FINE))).collect()
+    // The middle of the steps that are one; what is not finite stays what it is.
+    let fine = |step: usize| if step == 0 { 0 } else { step % FINE / grain * grain + grain / 2 };
+    coarse.chain(values.iter().map(|x| digit(fine(step(x))))).collect()
 }
 
 #[cfg(all(test, debug_assertions))]
@@ -250,10 +261,14 @@ mod tests {
 
     #[test]
     fn values_are_packed_in_order_and_reach_both_ends() {
-        assert_eq!(column(&[0.0, 1.0], (0.0, 1.0)), "0|1B");
-        assert_eq!(column(&[5.0, 5.0], (5.0, 5.0)), "0011");
-        assert_eq!(column(&[f64::NAN, f64::NEG_INFINITY], (0.0, 1.0)), "0000");
-        let packed = column(&[0.25, 0.5], (0.0, 1.0));
+        assert_eq!(column(&[0.0, 1.0], (0.0, 1.0), 1), "0|1B");
+        assert_eq!(column(&[0.0, 1.0], (0.0, 1.0), 3), "0|1A");
+        assert_eq!(column(&[0.0, 1.0], (0.0, 1.0), FINE), "0|66");
+        assert_eq!(column(&[5.0, 5.0], (5.0, 5.0), 1), "0011");
+        for grain in [1, 3, FINE] {
+            assert_eq!(column(&[f64::NAN, f64::NEG_INFINITY], (0.0, 1.0), grain), "0000");
+        }
+        let packed = column(&[0.25, 0.5], (0.0, 1.0), 1);
         assert!(packed[..1] < packed[1..2], "{packed}");
     }
 }

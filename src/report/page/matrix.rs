@@ -46,13 +46,29 @@ pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount
     format!("/p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
 }
 
-/// The words of a pair, for those who do not see its shape.
-fn words(pair: &PairAccount) -> &'static str {
+/// The letters of a pair, for those who do not see its shape, and what they mean: there are thousands, and words would be a tenth
+/// of the page. The script makes words of them where a pair is told.
+const LETTERS: [(&str, &str); 9] = [
+    ("HP", "holds, proved"),
+    ("HE", "holds, enclosed"),
+    ("H", "holds"),
+    ("FC", "fails, certified"),
+    ("F", "fails"),
+    ("N", "does not apply"),
+    ("U", "undecided"),
+    ("w", "weak"),
+    ("x", "not as expected"),
+];
+
+fn letters(pair: &PairAccount) -> &'static str {
     match pair.verdict.outcome() {
-        Outcome::Holds(Strength::Proved) => "holds, proved",
-        Outcome::Holds(Strength::Enclosed) => "holds, enclosed",
-        Outcome::Fails(Strength::Enclosed | Strength::Proved) => "fails, certified",
-        other => other.word(),
+        Outcome::Holds(Strength::Proved) => "HP",
+        Outcome::Holds(Strength::Enclosed) => "HE",
+        Outcome::Holds(Strength::Sampled) => "H",
+        Outcome::Fails(Strength::Enclosed | Strength::Proved) => "FC",
+        Outcome::Fails(Strength::Sampled) => "F",
+        Outcome::NotApplicable(_) => "N",
+        Outcome::Undecided => "U",
     }
 }
 
@@ -66,7 +82,10 @@ pub(super) fn section(account: &Account) -> Markup {
             (filters(account))
             div.scroll.wide tabindex="0" role="group" aria-label="Matrix of verdicts" {
                 table.matrix {
-                    caption { "Rows are claims, columns are trajectories." }
+                    caption {
+                        "Rows are claims, columns are trajectories."
+                        span.unseen { @for (letter, words) in LETTERS { " " span data-l=(letter) { (letter) ": " (words) } "." } }
+                    }
                     thead {
                         tr {
                             th scope="col" { "claim" }
@@ -94,7 +113,7 @@ fn row(account: &Account, claim: &ClaimAccount) -> Markup {
                 @match claim.results.iter().find(|r| r.trajectory == t.id) {
                     Some(pair) => {
                         td class=(cell(pair)) {
-                            (words(pair)) @if is_marked(pair) { ", weak" } @if pair.is_unexpected() { ", not as expected" }
+                            (letters(pair)) @if is_marked(pair) { "w" } @if pair.is_unexpected() { "x" }
                         }
                     },
                     None => { td {} },

@@ -21,6 +21,7 @@ mod motions;
 mod packed;
 mod reasons;
 mod region;
+mod shared;
 mod support;
 mod text;
 mod tight;
@@ -43,7 +44,7 @@ pub fn page(derivation: &Derivation, account: &Account) -> String {
     let large = || rayon::join(|| claims::section(derivation, account), || motions::section(derivation, account));
     let (findings, (claims, motions)) = rayon::join(|| findings::section(derivation, account), large);
     let folding = html! { (claims) (motions) (measures(derivation, account)) };
-    let folding = tight::tight(&folding.into_string());
+    let folding = shared::drawn_once(&tight::tight(&folding.into_string()));
     let pairs: usize = account.claims.iter().map(|c| c.results.len()).sum();
     let (folding, folds) = if pairs > MOST_PAIRS { folded::taken_out(&folding) } else { (folding, Vec::new()) };
     let data = packed::packed(&data::json(derivation, account, &folds));
@@ -69,8 +70,9 @@ pub fn printed_page(derivation: &Derivation, account: &Account) -> String {
         main id="/main" {
             (findings::section(derivation, account))
             (graph::section(derivation, account))
-            (claims::printed(derivation, account))
+            (claims::printed_matrix(account))
             (motions::listed(derivation, account))
+            (claims::printed(derivation, account))
             (conventions(derivation))
             (symbols(derivation))
             (systems(derivation))

@@ -28,10 +28,11 @@ pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
         section id="/trajectories" {
             h2 { "Trajectories" }
             table {
-                thead { tr { th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
+                thead { tr { th { "no." } th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
                 tbody {
-                    @for t in &account.trajectories {
+                    @for (i, t) in account.trajectories.iter().enumerate() {
                         tr {
+                            td { (i + 1) }
                             th { (t.id) }
                             td { @if t.title != t.id { (prose(&t.title, scope)) } }
                             td { (time(t.span.0)) " … " (time(t.span.1)) }
@@ -142,14 +143,14 @@ fn integrals(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) 
         .collect();
     html! {
         @if !kept.is_empty() {
-            p {
-                "First integrals, largest change since the start: "
+            details { summary { "How well first integrals are kept" } p {
+                "Largest change since the start: "
                 @for (i, (claim, r)) in kept.iter().enumerate() {
                     @if i > 0 { "; " }
                     a href={ "#" (claim) } { (claim) } " " span.one { (size(r.max)) " (bound " (size(r.bound)) ")" }
                 }
                 "."
-            }
+            } }
         }
     }
 }
@@ -213,7 +214,7 @@ fn figure(derivation: &Derivation, picture: &Picture, account: &PictureAccount) 
                             ": "
                             @for (k, w) in picture.show.iter().enumerate() {
                                 @if k > 0 { ", " }
-                                span class={ "key k" (k % 6) } aria-hidden="true" {} (formula(&w.text, scope))
+                                span class={ "key k" (k % 6) } aria-hidden="true" {} (plain(&w.text))
                             }
                         }
                     }

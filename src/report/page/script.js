@@ -104,12 +104,15 @@ function go() {
 }
 addEventListener("hashchange", go);
 
+// The letters of a cell as words; the caption says what they mean.
+const meaning = new Map([...table.caption.querySelectorAll("[data-l]")].map(e => [e.dataset.l, e.textContent.split(": ")[1]]));
+const inWords = cell => /^([A-Z]*)(w?)(x?)$/.exec(cell.textContent).slice(1).filter(Boolean).map(l => meaning.get(l)).join(", ");
 // What a cell is, for those who point at it.
 table.addEventListener("mouseover", e => {
   const cell = e.target.closest("tbody td, tbody th");
   if (!cell || cell.title || cell.cellIndex && !cell.textContent) return;
   const name = names[rows.indexOf(cell.parentNode)];
-  cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${cell.textContent}` : name;
+  cell.title = cell.cellIndex ? `${name} on ${motions[cell.cellIndex - 1]}: ${inWords(cell)}` : name;
 });
 
 // ---- cells lead to their pairs; keys in the matrix: one stop, arrows inside ----
@@ -231,7 +234,7 @@ function open(row) {
   head.append(" on ");
   element(head, "a", { href: "#/trajectory/" + motions[j] }, motions[j]);
   head.append(": ");
-  element(head, "b", {}, rows[i].cells[j + 1].textContent.replace("not-applicable", "does not apply"));
+  element(head, "b", {}, inWords(rows[i].cells[j + 1]));
   head.append(".");
   unpacked().then(() => {
     const pair = pairOf(row.id) || [];
@@ -319,7 +322,7 @@ function numbersOf(box, t, l, r, d, b, what) {
       const row = element(body, "tr");
       for (const text of [short(x), short(l[i]), short(r[i]), power(d[i]), power(b[i])]) element(row, "td", { class: "number" }, text);
     });
-    element(more, "p", { class: "quiet" }, "As finely as they are drawn: a thousandth of the height and width.");
+    element(more, "p", { class: "quiet" }, "As finely as they are drawn: sides to some thousandths of the height, residual and bound to a hundredth.");
   });
 }
 function witness(box, [label, t, left, right, bound, names, ...values]) {

@@ -11,7 +11,7 @@ use super::super::discrimination::{sentence, smallest, standing};
 use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
-use super::text::{formula, prose, unit};
+use super::text::{bare, condition, formula, identifier, plain, prose, unit};
 use crate::check::separation::Need;
 use crate::check::units::{UnitAccount, UnitVerdict};
 use crate::check::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
@@ -21,7 +21,7 @@ use crate::latex::Scope;
 const SHOWN: usize = 1;
 
 /// What a claim rests on, through all steps.
-pub(super) fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
+fn rests(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
     let Some(rests) = graph.rests_of(claim) else { return html! {} };
     let link = |prefix: &str, id: &str| html! { a href={ "#" (prefix) (id) } { (id) } };
     let mut parts: Vec<Markup> = rests.systems.iter().map(|s| html! { "the system " (link("/system/", s)) }).collect();
@@ -61,26 +61,79 @@ pub(super) fn certificate(claim: &ClaimAccount, identity: &IdentityAccount, scop
     }
 }
 
-/// Which condition separates the motions of a claim, and which assumptions it needs.
-pub(super) fn conditions(claim: &ClaimAccount, scope: &Scope) -> Markup {
-    let found = &claim.conditions;
+/// Which condition separates the motions of a claim, in a sentence.
+pub(super) fn separation(claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let sentences = claim.conditions.separation.as_ref().map(separation_in_words).unwrap_or_default();
+    html! { @if let Some(first) = sentences.first() { p.separation { b { "What separates: " } (prose(first, scope)) } } }
+}
+
+/// What stands behind the verdicts of a claim: what its proof says in full, what it rests on, what it needs, what it would notice.
+/// Few readers want it of every claim, so that it is folded.
+pub(super) fn behind(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let inside = html! {
+        @if let Some(identity) = &claim.identity { (terms(identity, scope)) }
+        (rests(graph, claim, scope))
+        (conditions(claim, scope))
+        (discrimination(claim, scope))
+    };
     html! {
-        @if let Some(separation) = &found.separation {
-            @let sentences = separation_in_words(separation);
-            div.separation {
-                @if let Some((first, more)) = sentences.split_first() {
-                    p { b { "What separates: " } (prose(first, scope)) }
-                    @if !more.is_empty() {
-                        details { summary { "What else would" } @for text in more { p { (prose(text, scope)) } } }
-                    }
-                }
-            }
+        @if !inside.0.is_empty() {
+            details.behind { summary { "What it rests on, what it needs, what would be noticed" } (inside) }
         }
+    }
+}
+
+/// The same in print: in small letters, without what repeats what is printed elsewhere.
+pub(super) fn behind_in_print(graph: &DerivationGraph, claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let rests = graph.rests_of(claim).map(|r| [r.systems, r.symbols, r.claims].concat()).unwrap_or_default();
+    let idle: Vec<_> = claim.conditions.assumptions.iter().filter(|a| a.need == Need::NotNeeded).collect();
+    html! {
+        @if !rests.is_empty() {
+            p.quiet { "Rests on " @for (i, id) in rests.iter().enumerate() { @if i > 0 { ", " } (plain(id)) } "." }
+        }
+        @for a in idle { p.quiet { (prose(&worth_in_words(a), scope)) "." } }
+        @if let Some((rejected, of)) = claim.variants.as_ref().and_then(|v| v.together()) {
+            p.quiet { "Of " (count(of, "altered formula")) " " (rejected) " would be noticed." }
+        }
+    }
+}
+
+/// What the proof says beside its sentence, and the point that refutes a step.
+fn terms(identity: &IdentityAccount, scope: &Scope) -> Markup {
+    html! {
+        @for (title, lines) in identity.terms() {
+            p { b { (title) ":" } }
+            ul { @for c in &lines { li { (condition(c, scope)) } } }
+        }
+        @if let Some(witness) = &identity.witness {
+            p { b { "Refuting point:" } }
+            pre tabindex="0" { (assignments(witness)) }
+        }
+    }
+}
+
+/// `NAME = VALUE; …` as lines that can be pasted.
+fn assignments(point: &str) -> String {
+    let line = |part: &str| match part.split_once(" = ") {
+        Some((name, value)) => format!("{} = {}\n", identifier(name), bare(value)),
+        None => format!("{}\n", bare(part)),
+    };
+    point.split("; ").map(line).collect()
+}
+
+/// What else would separate the motions, and which assumptions the claim needs.
+fn conditions(claim: &ClaimAccount, scope: &Scope) -> Markup {
+    let found = &claim.conditions;
+    let sentences = found.separation.as_ref().map(separation_in_words).unwrap_or_default();
+    html! {
+        @for text in sentences.iter().skip(1) { p { (prose(text, scope)) } }
         @if !found.assumptions.is_empty() {
-            details {
-                summary {
-                    @if found.assumptions.iter().any(|a| a.need == Need::NotNeeded) { "Assumptions, not all of them needed" }
-                    @else { "Whether the assumptions are needed" }
+            div {
+                p {
+                    b {
+                        @if found.assumptions.iter().any(|a| a.need == Need::NotNeeded) { "Assumptions, not all of them needed:" }
+                        @else { "Whether the assumptions are needed:" }
+                    }
                 }
                 ul {
                     @for a in &found.assumptions {
@@ -93,8 +146,8 @@ pub(super) fn conditions(claim: &ClaimAccount, scope: &Scope) -> Markup {
     }
 }
 
-/// What the evidence would notice of altered formulas, and what a claim that fails should have said.
-pub(super) fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
+/// What the evidence would notice of altered formulas.
+fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
     let Some(variants) = &claim.variants else { return html! {} };
     let alive: Vec<_> = variants.survivors.iter().filter(|s| s.everywhere).collect();
     html! {
@@ -106,19 +159,21 @@ pub(super) fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
                 (prose(&sentence(claim, variants), scope))
             }
             @if !alive.is_empty() {
-                details {
-                    summary { "Altered formulas that no motion rejects" }
-                    ul {
-                        @for s in alive.iter().take(SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
-                        @if alive.len() > SHOWN {
-                            li { "and " (alive.len() - SHOWN) " more, in report.json" }
-                        }
-                    }
+                p { b { "Altered formulas that no motion rejects:" } }
+                ul {
+                    @for s in alive.iter().take(SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
+                    @if alive.len() > SHOWN { li { "and " (alive.len() - SHOWN) " more, in report.json" } }
                 }
             }
         }
-        @if let Some(erratum) = &variants.erratum { (corrections(erratum, scope)) }
     }
+}
+
+/// What a claim that fails should have said.
+pub(super) fn erratum(claim: &ClaimAccount, scope: &Scope) -> Markup {
+    // Where nothing can be altered, there is nothing to say.
+    let erratum = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()).filter(|e| e.tried != (0, 0, 0));
+    html! { @if let Some(erratum) = erratum { (corrections(erratum, scope)) } }
 }
 
 fn corrections(erratum: &Erratum, scope: &Scope) -> Markup {

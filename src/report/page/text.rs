@@ -146,12 +146,22 @@ pub(super) fn label_parts(text: &str, scope: &Scope) -> Vec<Markup> {
     std::iter::once(name).chain(component).collect()
 }
 
-/// A formula on lines of its own.
+/// A formula on lines of its own. On paper nothing can be moved sideways: a wide one is printed in smaller letters.
 pub(super) fn display(text: &str, scope: &Scope) -> Markup {
     match mathml::display(text, scope) {
-        Some(rows) => html! {
-            div.formula tabindex="0" role="group" aria-label="formula" { @for row in rows { (PreEscaped(row)) } }
-        },
+        Some(rows) => {
+            // Each sign on the page is one element; those of rows of a matrix stand above one another.
+            let signs = |row: &String| ["<mi", "<mo>", "<mn"].iter().map(|tag| row.matches(tag).count()).sum::<usize>();
+            let most = rows.iter().filter(|row| !row.contains("<mtable")).map(signs).max().unwrap_or(0);
+            let width = match most {
+                0..=34 => "formula",
+                35..=54 => "formula wide",
+                _ => "formula widest",
+            };
+            html! {
+                div class=(width) tabindex="0" role="group" aria-label="formula" { @for row in rows { (PreEscaped(row)) } }
+            }
+        }
         None => html! { div.formula tabindex="0" role="group" aria-label="formula" { code { (text) } } },
     }
 }

@@ -194,7 +194,10 @@ fn points_of(line: &str) -> Vec<(i32, i32)> {
     list.split_whitespace().filter_map(point).collect()
 }
 
-/// As few of the points as draw the same, to less than a unit of the canvas.
+/// How far a drawn line may be from the computed one, in units of the canvas: a third of what a screen can show.
+const OFF: f64 = 1.5;
+
+/// As few of the points as draw the same.
 fn simplified(points: &[(i32, i32)]) -> Vec<(i32, i32)> {
     let mut kept = vec![false; points.len()];
     let mut stretches = vec![(0, points.len().saturating_sub(1))];
@@ -206,7 +209,7 @@ fn simplified(points: &[(i32, i32)]) -> Vec<(i32, i32)> {
         }
         let off = |i: usize| distance(points[i], points[a], points[b]);
         if let Some(far) = (a + 1..b).max_by(|&i, &j| off(i).total_cmp(&off(j)))
-            && off(far) > 0.75
+            && off(far) > OFF
         {
             stretches.extend([(a, far), (far, b)]);
         }

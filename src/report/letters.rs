@@ -1,0 +1,41 @@
+//! The matrix of verdicts in letters: one for each pair, for what is no screen.
+//!
+//! **In:** an account. **Out:** lines of equal letters, a row for each claim or reading, a column for each trajectory by its number.
+
+use super::discrimination;
+use super::tally::{glyph, name};
+use crate::check::{Account, ClaimAccount};
+
+/// What the letters mean.
+pub(super) const LEGEND: &str =
+    "H holds, h holds but weakly, F fails, - does not apply, ? undecided; ! differs from what is expected.";
+
+/// The matrix; `None` where no claim is tried on motions.
+pub(super) fn letters(account: &Account) -> Option<String> {
+    // What is about ranges has no cells.
+    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| c.region.is_none()).collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let cell = |claim: &ClaimAccount, id: &str| match claim.results.iter().find(|r| r.trajectory == id) {
+        None => ' ',
+        Some(pair) if pair.is_unexpected() => '!',
+        Some(pair) if discrimination::is_weak(pair) => 'h',
+        Some(pair) => glyph(pair.verdict.outcome()),
+    };
+    let names: Vec<String> = rows.iter().map(|c| name(c)).collect();
+    let wide = names.iter().map(|n| n.chars().count()).max().unwrap_or(0);
+    let mut body = String::new();
+    let numbers: Vec<String> = (1..=account.trajectories.len()).map(|n| n.to_string()).collect();
+    let digits = numbers.last().map_or(1, String::len);
+    for digit in 0..digits {
+        let at = |n: &String| format!("{n:>digits$}").chars().nth(digit).unwrap_or(' ');
+        body.push_str(&format!("{:wide$}  {}\n", "", numbers.iter().map(at).collect::<String>()));
+    }
+    for (claim, name) in rows.iter().zip(&names) {
+        let cells: String = account.trajectories.iter().map(|t| cell(claim, &t.id)).collect();
+        body.push_str(format!("{name:wide$}  {cells}").trim_end());
+        body.push('\n');
+    }
+    Some(body)
+}

@@ -1,0 +1,206 @@
+//! Texts and formulas as Markdown, so that nothing in them is markup that the report did not mean.
+//!
+//! **In:** texts of a file. **Out:** Markdown, as a forge renders it. What could do more there than set a formula is shown as it
+//! is written.
+
+use super::mathml;
+use crate::latex::printed;
+
+/// Text of the file: formulas between dollar signs and code between backticks are kept, and what else Markdown would take
+/// for markup is made harmless.
+pub(super) fn prose(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut out = String::new();
+    let mut rest = text.as_str();
+    while let Some(c) = rest.chars().next() {
+        let after = &rest[c.len_utf8()..];
+        if let Some(end) = after.find(c).filter(|end| (c == '`' || c == '$') && *end > 0) {
+            let inner = &after[..end];
+            out.push_str(&if c == '$' {
+                written_math(inner)
+            } else {
+                code(&printed(inner).unwrap_or_else(|| inner.to_owned()))
+            });
+            rest = &after[end + 1..];
+            continue;
+        }
+        match c {
+            '<' => out.push_str("&lt;"),
+            '*' | '|' | '`' | '#' | '[' | ']' | '$' => out.extend(['\\', c]),
+            c => out.push(c),
+        }
+        rest = after;
+    }
+    out
+}
+
+/// A formula in a text. What a forge could do more with than set it is shown as it is written.
+fn written_math(formula: &str) -> String {
+    let formula = printed(formula).unwrap_or_else(|| formula.to_owned());
+    let mut commands = formula.split('\\').skip(1).map(|rest| {
+        let name = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        &rest[..name]
+    });
+    let harmless = |name: &str| name.is_empty() || mathml::letter(name).is_some() || SET_ONLY.contains(&name);
+    if commands.all(harmless) && !formula.contains('%') { math(&formula) } else { code(&formula) }
+}
+
+/// Commands of LaTeX, beside those of letters, that set something and do nothing else.
+const SET_ONLY: &[&str] = &[
+    "arccos",
+    "arcsin",
+    "arctan",
+    "array",
+    "bar",
+    "bf",
+    "big",
+    "Big",
+    "boldsymbol",
+    "cal",
+    "cdot",
+    "cdots",
+    "circ",
+    "cos",
+    "cosh",
+    "cot",
+    "coth",
+    "cr",
+    "ddot",
+    "dddot",
+    "det",
+    "dfrac",
+    "displaystyle",
+    "div",
+    "dot",
+    "dots",
+    "ell",
+    "equiv",
+    "exists",
+    "exp",
+    "forall",
+    "frac",
+    "ge",
+    "geq",
+    "gg",
+    "hat",
+    "in",
+    "infty",
+    "int",
+    "it",
+    "langle",
+    "ldots",
+    "le",
+    "left",
+    "leq",
+    "lim",
+    "limits",
+    "ln",
+    "log",
+    "lvert",
+    "mathbb",
+    "mathbf",
+    "mathcal",
+    "mathrm",
+    "mathsf",
+    "max",
+    "min",
+    "mp",
+    "nabla",
+    "ne",
+    "neq",
+    "not",
+    "operatorname",
+    "partial",
+    "perp",
+    "pm",
+    "prime",
+    "prod",
+    "propto",
+    "qquad",
+    "quad",
+    "rangle",
+    "right",
+    "rightarrow",
+    "rm",
+    "rvert",
+    "sf",
+    "sim",
+    "simeq",
+    "sin",
+    "sinh",
+    "sqrt",
+    "sum",
+    "tan",
+    "tanh",
+    "text",
+    "textstyle",
+    "tfrac",
+    "tilde",
+    "times",
+    "to",
+    "top",
+    "Rightarrow",
+    "vec",
+    "vert",
+    "wedge",
+    "approx",
+];
+
+/// A text as it is written.
+pub(super) fn code(text: &str) -> String {
+    format!("`{}`", text.replace('|', r"\|").replace('`', "'"))
+}
+
+/// A formula inside a line.
+pub(super) fn math(formula: &str) -> String {
+    let one_line = formula.split_whitespace().collect::<Vec<_>>().join(" ");
+    // In a table a bar ends the cell, even inside a formula.
+    format!("$`{}`$", one_line.replace('|', r"\vert ").replace('`', "'"))
+}
+
+/// A formula on its own lines.
+pub(super) fn display(formula: &str) -> String {
+    let lines: Vec<&str> = formula.lines().map(str::trim).filter(|l| !l.is_empty()).collect();
+    let body = lines.join("\n");
+    let broken = body.contains(r"\cr") || body.contains(r"\\");
+    if broken && !body.contains(r"\begin{") {
+        let body = body.replace(r"\cr", r"\\");
+        return fenced("math", &format!("\\begin{{gathered}}\n{body}\n\\end{{gathered}}"));
+    }
+    fenced("math", &body)
+}
+
+/// Text between fences that are longer than any that it has.
+pub(super) fn fenced(kind: &str, body: &str) -> String {
+    let mut longest = 0;
+    let mut run = 0;
+    for c in body.chars() {
+        run = if c == '`' { run + 1 } else { 0 };
+        longest = longest.max(run);
+    }
+    let fence = "`".repeat(3.max(longest + 1));
+    format!("{fence}{kind}\n{body}\n{fence}\n\n")
+}
+
+pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut out = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
+    for row in rows {
+        out.push_str(&format!("| {} |\n", row.join(" | ")));
+    }
+    out.push('\n');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_survive_markdown() {
+        assert_eq!(math("|x|_1"), r"$`\vert x\vert _1`$");
+        assert_eq!(prose("`a|b` and $x|y$, <b>*"), r"`a\|b` and $`x\vert y`$, &lt;b>\*");
+        assert_eq!(prose("costs 3$ or `"), r"costs 3\$ or \`");
+        assert_eq!(fenced("", "a```b"), "````\na```b\n````\n\n");
+        assert!(display("a=b \\cr c=d").contains("\\begin{gathered}\na=b \\\\ c=d\n"));
+    }
+}
