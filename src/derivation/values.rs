@@ -177,7 +177,7 @@ impl Loader<'_> {
         let graph = &self.out.graph;
         let name = graph.name(leaf.symbol);
         let indices: Vec<String> =
-            graph.component_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
+            graph.written_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
         let index = if indices.is_empty() { String::new() } else { format!("_{{{}}}", indices.concat()) };
         let dots = match leaf.rate {
             0 => "",
@@ -186,7 +186,8 @@ impl Loader<'_> {
             _ => "a derivative of ",
         };
         let instant = if leaf.instant.is_some() { " at a fixed time" } else { "" };
-        format!("{dots}{name}{index}{instant}")
+        let whole = format!("{dots}{name}{index}{instant}");
+        graph.part(leaf).map_or(whole.clone(), |part| part.of(&whole))
     }
 }
 
