@@ -17,6 +17,7 @@ mod circles;
 mod claims_random;
 mod cli;
 mod cli_mangled;
+mod complex;
 mod contributing;
 mod corpus;
 mod derivation_docs;

@@ -90,7 +90,12 @@ impl Loader<'_> {
         };
         let complex = table.boolean(problems, "complex").unwrap_or(false);
         let mut on = |key: &'static str| table.boolean(problems, key).unwrap_or(false);
-        let against = [(role == Role::Time, "the time"), (diagonal, "a diagonal matrix"), (on("positive"), "positive"), (on("angle"), "an angle")];
+        let against = [
+            (role == Role::Time, "the time"),
+            (diagonal, "a diagonal matrix"),
+            (on("positive"), "positive"),
+            (on("angle"), "an angle"),
+        ];
         if let Some((_, what)) = against.iter().find(|(is, _)| complex && *is) {
             let message = format!("`{name}` is declared complex, and as {what}");
             problems.note("derivation::bad-role", span, message).hint("leave one of the two out");

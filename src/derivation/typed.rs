@@ -96,7 +96,8 @@ impl Derivation {
         let names: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let formula = typed.formula.as_ref().map(|(text, _)| text.as_str());
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
-        let declaration = Declaration { role: typed.role, shape, diagonal, formula, arguments: &names, complex: typed.complex };
+        let declaration =
+            Declaration { role: typed.role, shape, diagonal, formula, arguments: &names, complex: typed.complex };
         let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
             let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()

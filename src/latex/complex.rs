@@ -176,6 +176,17 @@ impl Pair {
 
     /// arg z in (−π, π); no value where x ≤ 0 and y = 0.
     pub fn argument(self, graph: &mut Graph) -> Expr {
+        if self.is_real(graph) {
+            // 0, where x > 0.
+            let ln = graph.unary(Op::Ln, self.re);
+            return graph.mul(self.im, ln);
+        }
+        if graph.is_zero(self.re) {
+            // ±π/2, where y is not 0.
+            let (size, pi, two) = (graph.unary(Op::Abs, self.im), graph.pi(), graph.integer(2));
+            let (sign, quarter) = (graph.div(self.im, size), graph.div(pi, two));
+            return graph.mul(sign, quarter);
+        }
         let below = self.off_the_cut(graph);
         let ratio = graph.div(self.im, below);
         let half = graph.unary(Op::Arctan, ratio);

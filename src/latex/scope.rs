@@ -235,8 +235,14 @@ impl Scope {
         let mut inner = self.clone();
         let mut formal = Vec::new();
         for argument in d.arguments {
-            let declaration =
-                Declaration { role: Role::Argument, shape: None, diagonal: false, formula: None, arguments: &[], complex: false };
+            let declaration = Declaration {
+                role: Role::Argument,
+                shape: None,
+                diagonal: false,
+                formula: None,
+                arguments: &[],
+                complex: false,
+            };
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
         }
@@ -262,7 +268,12 @@ impl Scope {
             if tensor.shape.is_complex() && !d.complex {
                 let message = "the formula is complex, the symbol is not declared so";
                 let (span, hint) = (0..text.len(), Some("declare it with `complex = true`".to_owned()));
-                return Err(DeclareError::Formula(vec![Problem { code: "latex::shape", message: message.into(), span, hint }]));
+                return Err(DeclareError::Formula(vec![Problem {
+                    code: "latex::shape",
+                    message: message.into(),
+                    span,
+                    hint,
+                }]));
             }
             if let Some(shape) = &declared
                 && *shape != tensor.shape
@@ -299,7 +310,18 @@ impl Scope {
             self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
         }
         let key = key.to_owned();
-        let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank, complex: d.complex };
+        let entry = Entry {
+            key,
+            name,
+            sub: pattern,
+            arguments,
+            symbol,
+            role: d.role,
+            definition,
+            moving,
+            rank,
+            complex: d.complex,
+        };
         // The same name again hides the earlier one.
         let same =
             |e: &mut Filed| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
@@ -310,13 +332,7 @@ impl Scope {
     }
 
     /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
-    fn no_clash(
-        &self,
-        key: &str,
-        name: &str,
-        pattern: &[Pattern],
-        shape: &Shape,
-    ) -> Result<(), DeclareError> {
+    fn no_clash(&self, key: &str, name: &str, pattern: &[Pattern], shape: &Shape) -> Result<(), DeclareError> {
         let unmarked = |n: &str| match name::split(n) {
             (Some(style), bare) if name::marks_tensor(style) => bare.to_owned(),
             _ => n.to_owned(),

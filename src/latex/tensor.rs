@@ -277,12 +277,7 @@ fn product_of<E: Entry>(
     }
 }
 
-fn multiply<E: Entry>(
-    graph: &mut Graph,
-    a: &Array<E>,
-    b: &Array<E>,
-    span: &Range<usize>,
-) -> Elaborated<Array<E>> {
+fn multiply<E: Entry>(graph: &mut Graph, a: &Array<E>, b: &Array<E>, span: &Range<usize>) -> Elaborated<Array<E>> {
     if let Some(e) = b.as_scalar() {
         let entries = a.entries.iter().map(|&x| x.times(graph, e, true)).collect();
         return Ok(Array { shape: a.shape.clone(), entries });

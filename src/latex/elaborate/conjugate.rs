@@ -7,7 +7,7 @@ use super::super::name;
 use super::super::syntax::{Node, NodeKind, SymbolNode};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, Value, refuse};
-use expr::{Op, Part, Rational, Tensor};
+use expr::{Expr, Op, Part, Rational, Tensor};
 
 impl Elaborator<'_> {
     /// The complex conjugate; of something real it is refused, since there a bar or a star is a name, or a mean.
@@ -69,6 +69,58 @@ impl Elaborator<'_> {
         }
     }
 
+    /// |z|, of products, quotients, powers and exponentials by their laws: they hold wherever both sides have a value, and the
+    /// sizes of the parts have values where the parts have.
+    pub(super) fn size(&mut self, node: &Node) -> Elaborated<Expr> {
+        match &node.kind {
+            NodeKind::Group(inner, _) if !self.sums_over(node) => return self.size(inner),
+            NodeKind::Product(parts) if !self.sums_over(node) => {
+                let mut product: Option<Expr> = None;
+                for part in parts {
+                    // Vectors and matrices have no sizes to be multiplied.
+                    if !self.tensor(part)?.shape.real_extents().is_empty() {
+                        product = None;
+                        break;
+                    }
+                    let size = self.size(part)?;
+                    product = Some(match product {
+                        Some(p) => self.graph.mul(p, size),
+                        None => size,
+                    });
+                }
+                if let Some(product) = product {
+                    return Ok(product);
+                }
+            }
+            NodeKind::Quotient { top, bottom, .. } if !self.sums_over(node) => {
+                let (above, below) = (self.size(top)?, self.size(bottom)?);
+                return Ok(self.graph.div(above, below));
+            }
+            NodeKind::Symbol(s) if !self.sums_over(node) => {
+                if let Some(n) = s.sup.as_deref().and_then(whole) {
+                    let bare = SymbolNode { sup: None, ..s.clone() };
+                    let size = self.size(&Node::new(NodeKind::Symbol(bare), node.span.clone()))?;
+                    return Ok(self.graph.powi(size, n));
+                }
+            }
+            NodeKind::Scripted { base, sub: None, sup: Some(sup), .. } if !self.sums_over(node) => {
+                if let (Some(n), []) = (whole(sup), self.tensor(base)?.shape.real_extents()) {
+                    let size = self.size(base)?;
+                    return Ok(self.graph.powi(size, n));
+                }
+            }
+            _ => {}
+        }
+        let t = self.number(node)?;
+        let z = self.pair(&t, &node.span)?;
+        Ok(z.size(self.graph))
+    }
+
+    /// Whether a node is a sum over an index.
+    fn sums_over(&self, node: &Node) -> bool {
+        self.sums.contains_key(&std::ptr::from_ref(node))
+    }
+
     /// A complex number to a rational power.
     pub(super) fn rational_power(&mut self, t: &Tensor, q: &Rational, span: &Range<usize>) -> Elaborated<Tensor> {
         match self.pair(t, span)?.rational_power(self.graph, q) {
@@ -81,7 +133,12 @@ impl Elaborator<'_> {
     }
 
     /// A power of which base or exponent is complex. A real base has its real logarithm, and no value where that has none.
-    pub(super) fn complex_power(&mut self, base: &Tensor, exponent: &Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
+    pub(super) fn complex_power(
+        &mut self,
+        base: &Tensor,
+        exponent: &Tensor,
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
         let power = self.pair(exponent, span)?;
         if let Some(real) = base.as_scalar() {
             let ln = self.graph.unary(Op::Ln, real);
@@ -153,6 +210,14 @@ impl Elaborator<'_> {
             return refuse("latex::ambiguous", "`i` is an index here, and the imaginary unit", span, hint);
         }
         Ok(true)
+    }
+}
+
+/// A whole number that is written out.
+fn whole(node: &Node) -> Option<i32> {
+    match &node.kind {
+        NodeKind::Number(r) => i32::try_from(r.clone()).ok(),
+        _ => None,
     }
 }
 

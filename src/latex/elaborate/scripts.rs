@@ -80,7 +80,8 @@ impl Elaborator<'_> {
                     1 => "one index".to_owned(),
                     n => format!("{n} indices"),
                 };
-                let hint = if base.shape.real_extents().is_empty() { "declare a symbol with this subscript" } else { "" };
+                let hint =
+                    if base.shape.real_extents().is_empty() { "declare a symbol with this subscript" } else { "" };
                 refuse("latex::index", format!("{count} on a {}", base.shape), span, hint)
             }
             _ => {

@@ -143,7 +143,7 @@ impl Elaborator<'_> {
 
     /// s·1 in the shape of a square matrix.
     pub(super) fn identity_like(&mut self, s: Expr, shape: &Shape, span: &Range<usize>) -> Elaborated<Tensor> {
-        match *shape.extents() {
+        match *shape.real_extents() {
             [n, m] if n == m => Ok(tensor::diagonal(self.graph, &vec![s; usize::from(n)])),
             _ => {
                 let message = format!("the identity matrix stands beside a {shape}");
@@ -236,6 +236,9 @@ impl Elaborator<'_> {
             }
             NodeKind::Absolute(a) => {
                 let t = self.tensor(a)?;
+                if t.shape == Shape::scalar().complexified() {
+                    return self.size(a).map(Value::scalar);
+                }
                 if t.shape.is_complex() && t.shape.real_extents().len() < 2 {
                     let square = tensor::square_of_length(self.graph, &t);
                     return Ok(Value::scalar(self.graph.unary(Op::Sqrt, square)));
@@ -348,6 +351,10 @@ impl Elaborator<'_> {
         }
         let scalars = tensors.iter().all(|(t, _)| t.shape.rank() == 0);
         let t = tensor::product(self.graph, tensors, written_zero, span)?;
+        if identity && t.shape == Shape::scalar().complexified() {
+            let hint = r"write the matrix by its components, or multiply a matrix";
+            return refuse("latex::unsupported", "a complex multiple of the identity matrix", span, hint);
+        }
         Ok(match (identity && scalars, t.as_scalar()) {
             (true, Some(s)) => Value::Identity(s),
             _ => Value::Tensor(t),
