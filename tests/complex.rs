@@ -392,7 +392,7 @@ fn what_is_not_clear_is_refused() {
         (r"\bar x=x", "latex::unknown-symbol"),
         (r"\frac{d w}{d z}=1", "latex::derivative"),
         (r"iv_i=0", "latex::ambiguous"),
-        (r"w(z)=0", "latex::ambiguous"),
+        (r"w(z)=0", "latex::shape"),
         (r"\operatorname{atan2}(z,x)=0", "latex::shape"),
         (r"\operatorname{sgn}z=1", "latex::shape"),
         (r"z^{**}=z", "latex::unexpected"),
@@ -407,4 +407,20 @@ fn what_is_not_clear_is_refused() {
     let problems = real.try_read("x=i").expect_err("`i` is not declared");
     assert_eq!(problems[0].code, "latex::unknown-symbol");
     assert!(problems[0].hint.as_deref().is_some_and(|h| h.contains(r"\mathrm{i}")));
+}
+
+#[test]
+fn the_derivation_with_complex_amplitudes_is_as_expected() {
+    let path = format!("{}/derivations/rabi.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut derivation = rederive::derivation::load(std::path::Path::new(&path))
+        .unwrap_or_else(|found| panic!("{}", rederive::diag::render(&found, false)));
+    let account = rederive::check::check(&mut derivation, &rederive::check::Options::default(), &|_, _| {});
+    let account = account.unwrap_or_else(|e| panic!("{e:?}"));
+    for claim in &account.claims {
+        for judged in claim.verdicts() {
+            let word = judged.verdict.outcome().word();
+            assert!(!judged.unexpected, "{} {:?} on {}: {word}", claim.id, claim.reading, judged.on());
+        }
+    }
+    assert_eq!(account.summary().fails, 3);
 }

@@ -238,7 +238,7 @@ fn scripts() {
     refused("x=A_{,12}", AMBIGUOUS);
     refused("x=A_{1.2}", "latex::unexpected");
     refused("x=A_{}", "latex::unexpected");
-    refused("x=x^*", "latex::unexpected");
+    refused("x=x^*", AMBIGUOUS);
     refused("x=x^", "latex::unexpected");
     refused("x=A_{1-2}", "latex::index");
 }

@@ -197,7 +197,8 @@ impl Pair {
     /// ln|z| + i arg z.
     pub fn ln(self, graph: &mut Graph) -> Pair {
         let size = self.size(graph);
-        Pair { re: graph.unary(Op::Ln, size), im: self.argument(graph) }
+        let re = if graph.is_one(size) { graph.integer(0) } else { graph.unary(Op::Ln, size) };
+        Pair { re, im: self.argument(graph) }
     }
 
     /// √z, with a positive real part.

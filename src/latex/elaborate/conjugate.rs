@@ -116,6 +116,25 @@ impl Elaborator<'_> {
         Ok(z.size(self.graph))
     }
 
+    /// Whether this is |z|², |z|⁴ … of something complex.
+    pub(super) fn is_squared_size(&mut self, base: &Node, sup: &Node) -> Elaborated<bool> {
+        match (&base.kind, whole(sup)) {
+            (NodeKind::Absolute(inner), Some(n)) if n > 0 && n % 2 == 0 && !self.sums_over(base) => {
+                let shape = self.tensor(inner)?.shape;
+                Ok(shape.is_complex() && shape.real_extents().len() < 2)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// An even power of |z|, without a root: it has a rate at 0.
+    pub(super) fn squared_size(&mut self, base: &Node, sup: &Node) -> Elaborated<Expr> {
+        let NodeKind::Absolute(inner) = &base.kind else { return self.scalar(base) };
+        let t = self.tensor(inner)?;
+        let square = tensor::square_of_length(self.graph, &t);
+        Ok(self.graph.powi(square, whole(sup).unwrap_or(2) / 2))
+    }
+
     /// Whether a node is a sum over an index.
     fn sums_over(&self, node: &Node) -> bool {
         self.sums.contains_key(&std::ptr::from_ref(node))

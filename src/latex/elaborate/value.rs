@@ -169,6 +169,9 @@ impl Elaborator<'_> {
             NodeKind::Identity => Ok(Value::Identity(self.graph.integer(1))),
             NodeKind::Symbol(s) => self.symbol(s, &node.span).map(Value::Tensor),
             NodeKind::Group(inner, _) => self.value(inner),
+            NodeKind::Scripted { base, sub: None, sup: Some(sup), .. } if self.is_squared_size(base, sup)? => {
+                self.squared_size(base, sup).map(Value::scalar)
+            }
             NodeKind::Scripted { base, sub, sup, sup_first } => {
                 let base_value = self.value(base)?;
                 self.scripted(base_value, sub.as_deref(), sup.as_deref(), *sup_first, &node.span)
