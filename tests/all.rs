@@ -18,6 +18,7 @@ mod circles;
 mod claims_random;
 mod cli;
 mod cli_mangled;
+mod complex;
 mod contributing;
 mod corpus;
 mod derivation_docs;

@@ -205,7 +205,7 @@ fn literals(text: &str) -> Vec<&str> {
 #[test]
 fn formulas_of_the_derivations_read_back() {
     let mut seen = 0;
-    for file in ["kepler.toml", "pendulum.toml", "deriglazov-comment.toml"] {
+    for file in ["kepler.toml", "pendulum.toml", "rabi.toml", "deriglazov-comment.toml"] {
         let path = format!("{}/derivations/{file}", env!("CARGO_MANIFEST_DIR"));
         let derivation = rederive::derivation::load(std::path::Path::new(&path))
             .unwrap_or_else(|p| panic!("{}", rederive::diag::render(&p, false)));

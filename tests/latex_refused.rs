@@ -238,7 +238,7 @@ fn scripts() {
     refused("x=A_{,12}", AMBIGUOUS);
     refused("x=A_{1.2}", "latex::unexpected");
     refused("x=A_{}", "latex::unexpected");
-    refused("x=x^*", "latex::unexpected");
+    refused("x=x^*", AMBIGUOUS);
     refused("x=x^", "latex::unexpected");
     refused("x=A_{1-2}", "latex::index");
 }
@@ -370,6 +370,7 @@ fn declarations_that_would_have_two_meanings() {
         diagonal: false,
         formula: None,
         arguments: &[],
+        complex: false,
     };
     let number = Declaration { shape: None, role: Role::Parameter, ..vector.clone() };
     for key in ["u_1", r"{\bf u}_2", "u_i", "A_{12}", r"\vec u_3"] {

@@ -224,6 +224,7 @@ fn any_name_is_declared_or_refused() {
             diagonal: false,
             formula: formula.as_deref().or(Some("x")),
             arguments: &[],
+            complex: false,
         };
         match w.scope.declare(&mut w.graph, &key, declaration) {
             Ok(symbol) => {

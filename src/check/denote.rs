@@ -12,7 +12,7 @@ use super::program::{Assumption, Denoted, Part, Program, What};
 use super::steep::exponents;
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Graph, Rational, Shape, Tensor};
+use crate::expr::{Expr, Graph, Part as ComplexPart, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::verdict::{Proposition, Quantifier};
 
@@ -27,8 +27,8 @@ fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> Str
     if shape.rank() == 0 {
         return text.to_owned();
     }
-    let values = shape.indices(component);
-    let named: Vec<String> = values
+    let values = shape.real_indices(component);
+    let mut named: Vec<String> = values
         .iter()
         .enumerate()
         .map(|(axis, value)| match indices.get(axis) {
@@ -36,6 +36,10 @@ fn label(text: &str, indices: &[String], shape: &Shape, component: usize) -> Str
             None => value.to_string(),
         })
         .collect();
+    named.extend(shape.part(component).map(|part| match part {
+        ComplexPart::Real => "Re".to_owned(),
+        ComplexPart::Imaginary => "Im".to_owned(),
+    }));
     format!("{text}   [{}]", named.join(", "))
 }
 

@@ -16,7 +16,8 @@ use super::{Exit, Stop, print, say};
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words
 are those of [symbols] in a derivation file: a role (parameter, which is so
 unless given; state, observable, abbreviation, time), a shape (3, 3x3,
-diagonal 3), positive. Where a state is declared, and no time, t is the time.
+diagonal 3), positive, complex. Where a state is declared, and no time, t is the
+time. Unless it is declared, i is the imaginary unit.
 
   rederive prove '\sin 2x=2\sin x\cos x' --symbol x
   rederive prove '\sqrt{x^2}=x' --symbol x --given 'x>0'
@@ -81,7 +82,12 @@ enum Output {
 pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
     let mut derivation = match &arguments.file {
         Some(path) => load(&named(path)?).map_err(Stop::Diagnostics)?,
-        None => Derivation::blank(),
+        None => {
+            let mut blank = Derivation::blank();
+            // What is not declared here is not declared elsewhere.
+            blank.scope.set_imaginary();
+            blank
+        }
     };
     if let Some(claim) = &arguments.scope {
         with_symbols_of(&mut derivation, claim, "--scope")?;

@@ -6,7 +6,7 @@ pub const FILE: &[&str] =
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.
-pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "formula", "arguments", "says"];
+pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "complex", "formula", "arguments", "says"];
 /// Keys of `[system.…]`.
 pub const SYSTEM: &[&str] = &["says", "label", "states", "equations"];
 /// Keys of `[[trajectory]]`.

@@ -152,6 +152,9 @@ impl<'s> Loader<'s> {
                                     }
                                 }
                             }
+                            if key.get_ref() == "i" && text.trim() == "imaginary unit" {
+                                self.out.scope.set_imaginary();
+                            }
                             self.out.conventions.push((in_one_line(key.get_ref()), shown(text.trim()).into_owned()));
                         }
                     }

@@ -84,6 +84,8 @@ pub struct SymbolEntry {
     pub positive: bool,
     /// An angle: its values along a motion are continued without jumps of 2π.
     pub angle: bool,
+    /// Its values are complex numbers: the symbol has a real and an imaginary part for each component.
+    pub complex: bool,
     /// Its definition as written.
     pub formula: Option<String>,
     /// Names of the arguments of a function.

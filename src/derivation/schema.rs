@@ -52,6 +52,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         }),
         ("[symbols]", "unit") => text("Its unit"),
         ("[symbols]", "positive") => flag("Every component is positive"),
+        ("[symbols]", "complex") => flag("Its values are complex numbers"),
         ("[symbols]", "angle") => flag("Its values along a motion are continued without jumps by 2π"),
         ("[symbols]", "formula") => formula("The definition of an observable or abbreviation"),
         ("[symbols]", "arguments") => formulas("Names of arguments: the abbreviation is then a function"),

@@ -88,6 +88,19 @@ impl Loader<'_> {
             Some(value) => shape(problems, value).map(|(shape, diagonal)| (Some(shape), diagonal))?,
             None => (None, false),
         };
+        let complex = table.boolean(problems, "complex").unwrap_or(false);
+        let mut on = |key: &'static str| table.boolean(problems, key).unwrap_or(false);
+        let against = [
+            (role == Role::Time, "the time"),
+            (diagonal, "a diagonal matrix"),
+            (on("positive"), "positive"),
+            (on("angle"), "an angle"),
+        ];
+        if let Some((_, what)) = against.iter().find(|(is, _)| complex && *is) {
+            let message = format!("`{name}` is declared complex, and as {what}");
+            problems.note("derivation::bad-role", span, message).hint("leave one of the two out");
+            return None;
+        }
         let formula = match table.get("formula") {
             Some(value) => Some(literal_of(problems, value, "formula")?),
             None => None,
@@ -116,13 +129,14 @@ impl Loader<'_> {
             measured_in,
             positive: table.boolean(problems, "positive").unwrap_or(false),
             angle: table.boolean(problems, "angle").unwrap_or(false),
+            complex,
             formula: formula.as_ref().map(Literal::printed),
             arguments: names.iter().map(|&n| n.to_owned()).collect(),
             says: table.text(problems, "says"),
             span: span.clone(),
             symbol: {
                 let text = formula.as_ref().map(|f| f.text);
-                let declaration = Declaration { role, shape, diagonal, formula: text, arguments: &names };
+                let declaration = Declaration { role, shape, diagonal, formula: text, arguments: &names, complex };
                 match scope.declare(&mut self.out.graph, name, declaration) {
                     Ok(symbol) => symbol,
                     Err(error) => {

@@ -96,7 +96,8 @@ impl Derivation {
         let names: Vec<&str> = arguments.iter().map(String::as_str).collect();
         let formula = typed.formula.as_ref().map(|(text, _)| text.as_str());
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
-        let declaration = Declaration { role: typed.role, shape, diagonal, formula, arguments: &names };
+        let declaration =
+            Declaration { role: typed.role, shape, diagonal, formula, arguments: &names, complex: typed.complex };
         let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
             let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()
@@ -114,6 +115,7 @@ impl Derivation {
             measured_in: None,
             positive: typed.positive,
             angle: typed.angle,
+            complex: typed.complex,
             formula: formula.map(as_printed),
             arguments,
             says: None,
@@ -131,6 +133,7 @@ struct Typed {
     shape: Option<(Shape, bool)>,
     positive: bool,
     angle: bool,
+    complex: bool,
     /// The formula, and where it begins.
     formula: Option<(String, usize)>,
 }
@@ -186,19 +189,21 @@ impl Typed {
             shape: None,
             positive: false,
             angle: false,
+            complex: false,
             formula,
         };
         let words = colon.map_or(Vec::new(), |at| parts(text, at + 1..head.end));
-        let mut positive = 0..0;
+        let (mut positive, mut complex) = (0..0, 0..0);
         for span in words {
             let word = &text[span.clone()];
             match (word, ROLES.iter().find(|(known, _)| *known == word), parse_shape(word)) {
                 ("positive", ..) => (out.positive, positive) = (true, span),
                 ("angle", ..) => out.angle = true,
+                ("complex", ..) => (out.complex, complex) = (true, span),
                 (_, Some((_, role)), _) => out.role = *role,
                 (_, None, Some(shape)) => out.shape = Some(shape),
                 _ => {
-                    let known = ["positive", "angle", "diagonal 3", "3x3"];
+                    let known = ["positive", "angle", "complex", "diagonal 3", "3x3"];
                     let known = ROLES.iter().map(|(word, _)| *word).chain(known);
                     let hint = match nearest(word, known.clone()) {
                         Some(near) => format!("did you mean `{near}`?"),
@@ -219,6 +224,11 @@ impl Typed {
         if out.formula.is_some() && out.names.len() > 1 {
             let span = out.names[1].1.clone();
             return Err(problem(span, "derivation::bad-role", "a formula defines one symbol".into(), ""));
+        }
+        let diagonal = out.shape.as_ref().is_some_and(|(_, diagonal)| *diagonal);
+        if out.complex && (out.positive || out.angle || diagonal || out.role == Role::Time) {
+            let message = "nothing complex is positive, an angle, diagonal or the time".to_owned();
+            return Err(problem(complex, "derivation::bad-role", message, "leave one of the two out"));
         }
         if out.positive && out.role != Role::Parameter {
             let message = "only parameters are declared positive".to_owned();

@@ -8,7 +8,7 @@ use super::load::Loader;
 use super::model::Written;
 use super::number::rational;
 use super::table::{Value, as_printed, literal_of};
-use expr::{Expr, Leaf, Symbol};
+use expr::{Expr, Leaf, Shape, Symbol, Tensor};
 use latex::Scope;
 
 /// The values of symbols that a formula may use, one expression for each stored component.
@@ -20,8 +20,9 @@ impl Loader<'_> {
         let graph = &self.out.graph;
         let extents = match (graph.is_diagonal(symbol), graph.shape(symbol).extents()) {
             (true, [n, ..]) => vec![*n],
-            (_, extents) => extents.to_vec(),
+            _ => graph.shape(symbol).real_extents().to_vec(),
         };
+        let complex = graph.shape(symbol).is_complex();
         let span = value.span();
         let text = self.problems.source.text.get(span.clone()).unwrap_or_default();
         let (text, span) = match literal_span(text) {
@@ -34,6 +35,7 @@ impl Loader<'_> {
                 self.array_components(value, symbol, &extents, scope, &mut out).then_some(out)
             }
             DeValue::String(_) => self.formula_components(value, symbol, scope),
+            _ if extents.is_empty() && complex => self.complex_component(value, symbol, scope),
             _ if extents.is_empty() => self.scalar_component(value, scope).map(|e| vec![e]),
             _ => {
                 self.wrong_components(value, symbol);
@@ -46,9 +48,15 @@ impl Loader<'_> {
     /// A formula for all components at once.
     fn formula_components(&mut self, value: &Value<'_>, symbol: Symbol, scope: &Scope) -> Option<Vec<Expr>> {
         let formula = literal_of(&mut self.problems, value, "the value")?;
-        let read = self.quantity(&formula, scope)?;
+        let mut read = self.quantity(&formula, scope)?;
+        let zero = self.out.graph.integer(0);
         let graph = &self.out.graph;
         let shape = graph.shape(symbol);
+        // Something real stands for a complex number without an imaginary part.
+        if shape.is_complex() && read.value.shape == shape.real() {
+            let parts = read.value.components.iter().flat_map(|&e| [e, zero]).collect();
+            read.value = Tensor { shape: shape.clone(), components: parts };
+        }
         if read.value.shape != *shape {
             let message = format!("`{}` is a {shape}, this formula a {}", graph.name(symbol), read.value.shape);
             self.problems.note("derivation::wrong-components", read.span, message);
@@ -82,6 +90,10 @@ impl Loader<'_> {
         out: &mut Vec<Expr>,
     ) -> bool {
         let Some((&n, inner)) = extents.split_first() else {
+            if self.out.graph.shape(symbol).is_complex() {
+                let parts = self.complex_component(value, symbol, scope);
+                return parts.map(|parts| out.extend(parts)).is_some();
+            }
             return match value.get_ref() {
                 DeValue::Array(_) => self.wrong_components(value, symbol),
                 _ => self.scalar_component(value, scope).map(|e| out.push(e)).is_some(),
@@ -96,6 +108,38 @@ impl Loader<'_> {
                 good
             }
             _ => self.wrong_components(value, symbol),
+        }
+    }
+
+    /// The real and the imaginary part of a number: `[a, b]`, a real number, or a formula.
+    fn complex_component(&mut self, value: &Value<'_>, symbol: Symbol, scope: &Scope) -> Option<Vec<Expr>> {
+        match value.get_ref() {
+            DeValue::Array(parts) if parts.len() == 2 => {
+                let both: Vec<Option<Expr>> = parts.iter().map(|part| self.scalar_component(part, scope)).collect();
+                both.into_iter().collect()
+            }
+            DeValue::Array(_) => {
+                self.wrong_components(value, symbol);
+                None
+            }
+            DeValue::String(_) => {
+                let formula = literal_of(&mut self.problems, value, "the value")?;
+                let read = self.quantity(&formula, scope)?;
+                if read.value.shape == Shape::scalar().complexified() {
+                    return Some(read.value.components);
+                }
+                let zero = self.out.graph.integer(0);
+                let scalar = read.value.as_scalar();
+                if scalar.is_none() {
+                    let message = format!("one number is needed here, this formula is a {}", read.value.shape);
+                    self.problems.note("derivation::wrong-components", read.span, message);
+                }
+                scalar.map(|e| vec![e, zero])
+            }
+            _ => {
+                let zero = self.out.graph.integer(0);
+                self.scalar_component(value, scope).map(|e| vec![e, zero])
+            }
         }
     }
 
@@ -121,7 +165,11 @@ impl Loader<'_> {
     fn wrong_components(&mut self, value: &Value<'_>, symbol: Symbol) -> bool {
         let graph = &self.out.graph;
         let (name, shape) = (graph.name(symbol), graph.shape(symbol));
-        let (message, hint) = match (graph.is_diagonal(symbol), shape.extents()) {
+        let (message, hint) = match (graph.is_diagonal(symbol), shape.real_extents()) {
+            (_, []) if shape.is_complex() => {
+                let hint = "write a formula in single quotes, a number, or [real part, imaginary part]";
+                (format!("`{name}` is one complex number"), hint.to_owned())
+            }
             (true, [n, ..]) => (
                 format!("`{name}` is a diagonal matrix with {n} numbers on its diagonal"),
                 format!("write [a, b, …] with {n} numbers or formulas"),
@@ -177,7 +225,7 @@ impl Loader<'_> {
         let graph = &self.out.graph;
         let name = graph.name(leaf.symbol);
         let indices: Vec<String> =
-            graph.component_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
+            graph.written_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
         let index = if indices.is_empty() { String::new() } else { format!("_{{{}}}", indices.concat()) };
         let dots = match leaf.rate {
             0 => "",
@@ -186,7 +234,8 @@ impl Loader<'_> {
             _ => "a derivative of ",
         };
         let instant = if leaf.instant.is_some() { " at a fixed time" } else { "" };
-        format!("{dots}{name}{index}{instant}")
+        let whole = format!("{dots}{name}{index}{instant}");
+        graph.part(leaf).map_or(whole.clone(), |part| part.of(&whole))
     }
 }
 

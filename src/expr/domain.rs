@@ -440,8 +440,12 @@ impl Graph {
             });
         };
         let positive = |e: Expr| self.as_constant(e).is_some_and(|r| *r > Rational::ZERO);
-        let square = |e: Expr| matches!(self.node(e), Node::Unary(Op::Powi(n), _) if n % 2 == 0 && *n >= 0);
-        positive(a) && square(b) || positive(b) && square(a)
+        let square = |e: Expr| {
+            matches!(self.node(e), Node::Unary(Op::Powi(n), _) if n % 2 == 0 && *n >= 0)
+                || matches!(self.node(e), Node::Binary(Op::Mul, a, b) if a == b)
+        };
+        let both = square(a) && square(b) && need.sign == Sign::NotNegative;
+        both || positive(a) && square(b) || positive(b) && square(a)
     }
 
     /// A formula without what restricts it: equal to it wherever that has a value.

@@ -1,7 +1,7 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
 use super::hash::FastHasher;
-use super::{Op, Rational, Shape};
+use super::{Op, Part, Rational, Shape};
 use hashbrown::HashTable;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
@@ -169,6 +169,17 @@ impl Graph {
     pub fn component_indices(&self, symbol: Symbol, component: u16) -> Vec<u16> {
         let entry = &self.symbols[symbol.index()];
         if entry.diagonal { vec![component + 1] } else { entry.shape.indices(component as usize) }
+    }
+
+    /// The same without the index of the part, for a complex symbol.
+    pub fn written_indices(&self, symbol: Symbol, component: u16) -> Vec<u16> {
+        let entry = &self.symbols[symbol.index()];
+        if entry.diagonal { vec![component + 1] } else { entry.shape.real_indices(component as usize) }
+    }
+
+    /// Which part of a complex number a leaf is, if it is one.
+    pub fn part(&self, leaf: Leaf) -> Option<Part> {
+        self.shape(leaf.symbol).part(usize::from(leaf.component))
     }
 
     /// A node.

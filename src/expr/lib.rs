@@ -24,4 +24,4 @@ pub use calculus::NoDerivative;
 pub use graph::{Expr, Graph, Leaf, Node, Symbol, combines};
 pub use hash::{FastHasher, FastMap, FastSet};
 pub use number::{Op, Rational};
-pub use tensor::{Shape, Tensor};
+pub use tensor::{Part, Shape, Tensor};

@@ -69,7 +69,7 @@ impl Graph {
             n => format!(r"\frac{{d^{n}}}{{dt^{n}}}{head}"),
         };
         let indices: Vec<String> =
-            self.component_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
+            self.written_indices(leaf.symbol, leaf.component).iter().map(u16::to_string).collect();
         let sub = subscript(label, &indices);
         let lowered = match sub.chars().count() {
             0 => String::new(),
@@ -88,7 +88,11 @@ impl Graph {
                 }
             }
         };
-        format!("{dotted}{lowered}{arguments}{at}")
+        let whole = format!("{dotted}{lowered}{arguments}{at}");
+        match self.part(leaf) {
+            Some(part) => part.of(&whole),
+            None => whole,
+        }
     }
 
     /// An expression as LaTeX.
@@ -107,7 +111,9 @@ impl Graph {
                 Node::Constant(r) => number(r),
                 Node::Pi => (r"\pi".to_owned(), Bond::Factor),
                 Node::Leaf(_) if self.is_branch(node) => (r"(\pm1)".to_owned(), Bond::Factor),
-                Node::Leaf(leaf) => (self.leaf_latex(*leaf), Bond::Symbol),
+                Node::Leaf(leaf) => {
+                    (self.leaf_latex(*leaf), if self.part(*leaf).is_some() { Bond::Factor } else { Bond::Symbol })
+                }
                 Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b) => {
                     (format!(r"\pm {}", wrapped(&printed[b], Bond::Product)), Bond::Sum)
                 }

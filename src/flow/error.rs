@@ -158,10 +158,13 @@ pub(super) fn leaf_name(graph: &Graph, leaf: Leaf) -> String {
         2 => format!(r"\ddot{{{name}}}"),
         n => format!("{name}^{{({n})}}"),
     };
-    let indices = graph.component_indices(leaf.symbol, leaf.component);
+    let indices = graph.written_indices(leaf.symbol, leaf.component);
     if !indices.is_empty() {
         let list: Vec<String> = indices.iter().map(u16::to_string).collect();
         name = format!("{name}_{{{}}}", list.join(if indices.iter().any(|&i| i > 9) { "," } else { "" }));
+    }
+    if let Some(part) = graph.part(leaf) {
+        name = part.of(&name);
     }
     if leaf.instant.is_some() { format!("{name} at a fixed time") } else { name }
 }

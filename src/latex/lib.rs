@@ -12,6 +12,7 @@
 
 #![forbid(unsafe_code)]
 
+mod complex;
 mod elaborate;
 mod invisible;
 mod lexer;

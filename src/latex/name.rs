@@ -88,6 +88,11 @@ pub(super) fn is_index(name: &str) -> bool {
     matches!(base.as_bytes(), [b'a'..=b'd' | b'f'..=b'n' | b'p' | b'q' | b's']) || greek.contains(&base)
 }
 
+/// Whether a name, where it is not declared, is the imaginary unit.
+pub(super) fn is_imaginary_unit(name: &str) -> bool {
+    matches!(name, "i" | "rm:i" | "\\imath")
+}
+
 /// The style and the rest of a canonical name.
 pub(super) fn split(name: &str) -> (Option<&str>, &str) {
     match name.split_once(':') {

@@ -39,6 +39,8 @@ pub struct Declaration<'a> {
     pub formula: Option<&'a str>,
     /// Names of the arguments, for a function.
     pub arguments: &'a [&'a str],
+    /// Its values are complex numbers.
+    pub complex: bool,
 }
 
 /// Why a declaration is refused.
@@ -78,6 +80,7 @@ struct Entry {
     definition: Option<Tensor>,
     moving: bool,
     rank: usize,
+    complex: bool,
 }
 
 /// A declaration with what it is looked for by: scopes are copied often, and asked very often.
@@ -118,6 +121,8 @@ pub struct Scope {
     words: Vec<Name>,
     /// What `\log` is.
     logarithm: Option<Logarithm>,
+    /// Whether `i` is the imaginary unit by a convention of the file.
+    imaginary: bool,
 }
 
 /// What `\log` stands for, by a convention of the file.
@@ -142,6 +147,8 @@ pub(super) struct Found<'s> {
     pub places: usize,
     /// Whether the parentheses behind it belong to its name.
     pub literal_arguments: bool,
+    /// Written with a bar: the complex conjugate of what is declared.
+    pub conjugate: bool,
 }
 
 fn bad_key(message: impl Into<String>, key: &str, hint: &str) -> DeclareError {
@@ -172,6 +179,7 @@ impl Scope {
             hidden: Vec::new(),
             words: Vec::new(),
             logarithm: None,
+            imaginary: false,
             sign: Leaf { symbol, component: 0, rate: 0, instant: None },
         }
     }
@@ -179,6 +187,16 @@ impl Scope {
     /// Says what `\log` stands for.
     pub fn set_logarithm(&mut self, logarithm: Logarithm) {
         self.logarithm = Some(logarithm);
+    }
+
+    /// Says that `i`, where it is not declared, is the imaginary unit.
+    pub fn set_imaginary(&mut self) {
+        self.imaginary = true;
+    }
+
+    /// Whether `i` is the imaginary unit: something is complex, or the file says so.
+    pub(super) fn speaks_of_complex_numbers(&self) -> bool {
+        self.imaginary || self.entries.iter().any(|e| e.complex)
     }
 
     pub(super) fn logarithm(&self) -> Option<Logarithm> {
@@ -217,13 +235,20 @@ impl Scope {
         let mut inner = self.clone();
         let mut formal = Vec::new();
         for argument in d.arguments {
-            let declaration =
-                Declaration { role: Role::Argument, shape: None, diagonal: false, formula: None, arguments: &[] };
+            let declaration = Declaration {
+                role: Role::Argument,
+                shape: None,
+                diagonal: false,
+                formula: None,
+                arguments: &[],
+                complex: false,
+            };
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
         }
         let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
         let mut definition = None;
+        let declared = d.shape.as_ref().map(|s| if d.complex { s.complexified() } else { s.clone() });
         if let Some(text) = d.formula {
             let letters: Vec<Name> =
                 sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
@@ -236,7 +261,21 @@ impl Scope {
                     }
                 }
             }
-            if let Some(shape) = &d.shape
+            let tensor = match d.complex && !tensor.shape.is_complex() {
+                true => super::tensor::complexified(graph, &tensor),
+                false => tensor,
+            };
+            if tensor.shape.is_complex() && !d.complex {
+                let message = "the formula is complex, the symbol is not declared so";
+                let (span, hint) = (0..text.len(), Some("declare it with `complex = true`".to_owned()));
+                return Err(DeclareError::Formula(vec![Problem {
+                    code: "latex::shape",
+                    message: message.into(),
+                    span,
+                    hint,
+                }]));
+            }
+            if let Some(shape) = &declared
                 && *shape != tensor.shape
             {
                 let message = format!("the formula is a {}, the symbol is declared as a {shape}", tensor.shape);
@@ -245,8 +284,9 @@ impl Scope {
             }
             definition = Some(tensor);
         }
-        let shape = definition.as_ref().map(|t| t.shape.clone()).or(d.shape).unwrap_or_default();
-        self.no_clash(graph, key, &name, &pattern, &shape)?;
+        let shape = definition.as_ref().map(|t| t.shape.clone()).or(declared);
+        let shape = shape.unwrap_or_else(|| if d.complex { Shape::scalar().complexified() } else { Shape::scalar() });
+        self.no_clash(key, &name, &pattern, &shape)?;
         let arguments = match (arguments, formal.is_empty()) {
             (None, true) => Arguments::None,
             (Some(_), false) => Arguments::Formal(formal),
@@ -260,7 +300,7 @@ impl Scope {
             Role::Parameter | Role::Argument => false,
             Role::Abbreviation => definition.as_ref().is_some_and(|t| self.depends_on_time(graph, t)),
         };
-        let rank = shape.rank();
+        let rank = shape.real_extents().len();
         // `L_i` with a formula in i is a vector; its components are written like those of any other.
         let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
         let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
@@ -270,7 +310,18 @@ impl Scope {
             self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
         }
         let key = key.to_owned();
-        let entry = Entry { key, name, sub: pattern, arguments, symbol, role: d.role, definition, moving, rank };
+        let entry = Entry {
+            key,
+            name,
+            sub: pattern,
+            arguments,
+            symbol,
+            role: d.role,
+            definition,
+            moving,
+            rank,
+            complex: d.complex,
+        };
         // The same name again hides the earlier one.
         let same =
             |e: &mut Filed| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
@@ -281,14 +332,7 @@ impl Scope {
     }
 
     /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
-    fn no_clash(
-        &self,
-        graph: &Graph,
-        key: &str,
-        name: &str,
-        pattern: &[Pattern],
-        shape: &Shape,
-    ) -> Result<(), DeclareError> {
+    fn no_clash(&self, key: &str, name: &str, pattern: &[Pattern], shape: &Shape) -> Result<(), DeclareError> {
         let unmarked = |n: &str| match name::split(n) {
             (Some(style), bare) if name::marks_tensor(style) => bare.to_owned(),
             _ => n.to_owned(),
@@ -304,8 +348,8 @@ impl Scope {
         let clash = self.entries.iter().find(|e| {
             let labelled_beside = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
             unmarked(&e.name) == unmarked(name)
-                && ((e.sub.is_empty() && labelled_beside(pattern, graph.shape(e.symbol).rank()))
-                    || (pattern.is_empty() && labelled_beside(&e.sub, shape.rank())))
+                && ((e.sub.is_empty() && labelled_beside(pattern, e.rank))
+                    || (pattern.is_empty() && labelled_beside(&e.sub, shape.real_extents().len())))
         });
         match clash {
             None => Ok(()),
@@ -429,6 +473,12 @@ impl Scope {
             Some(style) if name::marks_tensor(style) => {
                 self.find_exact(&[bare], sub, arguments).filter(|f| self.is_tensor(f.symbol))
             }
+            // `\bar z` for the conjugate of a complex `z`.
+            Some("bar") => {
+                let found = self.find(bare, sub, arguments)?;
+                let complex = !found.conjugate && self.by_symbol(found.symbol).is_some_and(|e| e.complex);
+                complex.then_some(Found { conjugate: true, ..found })
+            }
             Some(_) => None,
             // `m_3` for a component of a declared `{\bf m}`.
             None => {
@@ -500,6 +550,7 @@ impl Scope {
                 0
             },
             literal_arguments: matches!(entry.arguments, Arguments::Literal(_)),
+            conjugate: false,
         })
     }
 

@@ -134,6 +134,13 @@ pub enum NodeKind {
     },
     /// A named function, its power as in `\sin^2`, its arguments.
     Function(String, Option<i32>, Vec<Node>),
+    /// The complex conjugate, written with a bar over more than a name.
+    Conjugate(Box<Node>),
+    /// In the place of a superscript: the complex conjugate of what stands before it.
+    Conjugation {
+        /// `\dagger`: transposed as well, not `*`.
+        transposed: bool,
+    },
     /// An absolute value or norm.
     Absolute(Box<Node>),
     /// A derivative `d^n of / d by^n`.
@@ -237,7 +244,11 @@ impl Node {
     /// Whether this is made of numbers alone.
     pub fn is_numeric(&self) -> bool {
         match &self.kind {
-            NodeKind::Symbol(_) | NodeKind::Identity | NodeKind::Matrix(_) | NodeKind::Tuple(_) => false,
+            NodeKind::Symbol(_)
+            | NodeKind::Identity
+            | NodeKind::Matrix(_)
+            | NodeKind::Tuple(_)
+            | NodeKind::Conjugation { .. } => false,
             _ => self.children().into_iter().all(Node::is_numeric),
         }
     }
@@ -245,7 +256,11 @@ impl Node {
     /// The parts of a node, in the order in which they are written.
     pub fn children(&self) -> Vec<&Node> {
         match &self.kind {
-            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Vec::new(),
+            NodeKind::Number(_)
+            | NodeKind::Pi
+            | NodeKind::Euler { .. }
+            | NodeKind::Identity
+            | NodeKind::Conjugation { .. } => Vec::new(),
             NodeKind::Symbol(s) => s.sup.as_deref().into_iter().chain(s.arguments.iter().flatten()).collect(),
             NodeKind::Scripted { base, sup, .. } => std::iter::once(&**base).chain(sup.as_deref()).collect(),
             NodeKind::Sum(terms) => terms.iter().map(|(_, n)| n).collect(),
@@ -255,7 +270,11 @@ impl Node {
             NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
             NodeKind::Derivative { of, by, .. } => vec![of, by],
             NodeKind::At { of, time, .. } => vec![of, time],
-            NodeKind::Factorial(a) | NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+            NodeKind::Factorial(a)
+            | NodeKind::Group(a, _)
+            | NodeKind::Root(a, _)
+            | NodeKind::Absolute(a)
+            | NodeKind::Conjugate(a) => vec![a],
             NodeKind::Exponential { exponent, .. } => vec![exponent],
             NodeKind::Matrix(rows) => rows.iter().flatten().collect(),
             NodeKind::Limit(body, target) => match target {

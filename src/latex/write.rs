@@ -168,6 +168,11 @@ impl Text {
                 self.braced(exponent);
             }
             NodeKind::Function(name, power, arguments) => self.function(name, *power, arguments),
+            NodeKind::Conjugate(inner) => {
+                self.put(r"\overline");
+                self.braced(inner);
+            }
+            NodeKind::Conjugation { transposed } => self.put(if *transposed { r"\dagger" } else { "*" }),
             NodeKind::Absolute(inner) => {
                 self.put(r"\left|");
                 self.node(inner, Least::Sum);

@@ -237,6 +237,12 @@ impl Markup {
                 self.put("</msup>");
             }
             NodeKind::Function(name, power, arguments) => self.function(name, *power, arguments),
+            NodeKind::Conjugate(inner) => {
+                self.put("<mover accent=\"true\">");
+                self.row(inner, Least::Sum);
+                self.put("<mo>‾</mo></mover>");
+            }
+            NodeKind::Conjugation { transposed } => self.put(if *transposed { "<mo>†</mo>" } else { "<mo>*</mo>" }),
             NodeKind::Absolute(inner) => self.enclosed("|", inner, "|"),
             NodeKind::Derivative { of, by, order, operator, upright } => {
                 let d = if *upright { "<mi mathvariant=\"normal\">d</mi>" } else { "<mi>d</mi>" };

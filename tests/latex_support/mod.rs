@@ -19,7 +19,7 @@ pub struct World {
 /// The shape that a word such as `3`, `3x3` or `diagonal 3` stands for, and whether only the diagonal is stored.
 fn shape(word: &str) -> (Option<Shape>, bool) {
     match word {
-        "" => (None, false),
+        "" | "complex" => (None, false),
         "3" => (Some(Shape::vector(3)), false),
         "2" => (Some(Shape::vector(2)), false),
         "3x3" => (Some(Shape::matrix(3, 3)), false),
@@ -39,7 +39,8 @@ impl World {
     /// Declares a symbol without a formula.
     pub fn with(mut self, key: &str, role: Role, word: &str) -> World {
         let (shape, diagonal) = shape(word);
-        let declaration = Declaration { role, shape, diagonal, formula: None, arguments: &[] };
+        let declaration =
+            Declaration { role, shape, diagonal, formula: None, arguments: &[], complex: word == "complex" };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
         self
     }
@@ -51,7 +52,8 @@ impl World {
     }
 
     pub fn define(&mut self, key: &str, role: Role, formula: &str, arguments: &[&str]) {
-        let declaration = Declaration { role, shape: None, diagonal: false, formula: Some(formula), arguments };
+        let declaration =
+            Declaration { role, shape: None, diagonal: false, formula: Some(formula), arguments, complex: false };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
     }
 

@@ -238,6 +238,8 @@ impl<'a> Sites<'a> {
             | NodeKind::Group(..)
             | NodeKind::Dot(_)
             | NodeKind::Exponential { .. }
+            | NodeKind::Conjugate(_)
+            | NodeKind::Conjugation { .. }
             | NodeKind::Absolute(_)
             | NodeKind::Derivative { .. }
             | NodeKind::Tuple(_)

@@ -174,15 +174,20 @@ pub(super) fn transpose(span: &Range<usize>) -> Node {
     Node::new(NodeKind::Symbol(symbol), span.clone())
 }
 
-/// Whether a superscript is the mark of a transpose.
+/// Whether a superscript is the mark of a transpose or of a conjugate.
 pub(super) fn is_transpose(node: &Node) -> bool {
-    matches!(&node.kind, NodeKind::Symbol(s) if matches!(s.name.as_str(), "T" | "\\top" | "rm:T") && s.sub.is_none())
+    matches!(&node.kind, NodeKind::Conjugation { .. })
+        || matches!(&node.kind, NodeKind::Symbol(s) if matches!(s.name.as_str(), "T" | "\\top" | "rm:T") && s.sub.is_none())
 }
 
 /// The parts of a node, to be replaced, in the order of [`Node::children`].
 pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
     match &mut node.kind {
-        NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Vec::new(),
+        NodeKind::Number(_)
+        | NodeKind::Pi
+        | NodeKind::Euler { .. }
+        | NodeKind::Identity
+        | NodeKind::Conjugation { .. } => Vec::new(),
         NodeKind::Symbol(s) => s.sup.as_deref_mut().into_iter().chain(s.arguments.iter_mut().flatten()).collect(),
         NodeKind::Scripted { base, sup, .. } => std::iter::once(&mut **base).chain(sup.as_deref_mut()).collect(),
         NodeKind::Sum(terms) => terms.iter_mut().map(|(_, n)| n).collect(),
@@ -192,7 +197,11 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
         NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
         NodeKind::Derivative { of, by, .. } => vec![of, by],
         NodeKind::At { of, time, .. } => vec![of, time],
-        NodeKind::Factorial(a) | NodeKind::Group(a, _) | NodeKind::Root(a, _) | NodeKind::Absolute(a) => vec![a],
+        NodeKind::Factorial(a)
+        | NodeKind::Group(a, _)
+        | NodeKind::Root(a, _)
+        | NodeKind::Absolute(a)
+        | NodeKind::Conjugate(a) => vec![a],
         NodeKind::Exponential { exponent, .. } => vec![exponent],
         NodeKind::Matrix(rows) => rows.iter_mut().flatten().collect(),
         NodeKind::Limit(body, target) => match target {
@@ -290,7 +299,8 @@ mod tests {
         let mut scope = Scope::new(&mut graph);
         for name in ["t", "a", "b"] {
             let role = Role::Parameter;
-            let scalar = Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[] };
+            let scalar =
+                Declaration { role, shape: None, diagonal: false, formula: None, arguments: &[], complex: false };
             scope.declare(&mut graph, name, scalar).expect("a new name");
         }
         let simple = |text: &str| {

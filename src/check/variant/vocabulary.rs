@@ -30,6 +30,7 @@ pub(super) struct Word {
     role: Role,
     diagonal: bool,
     angle: bool,
+    complex: bool,
     /// Its kind: which words may stand in its place; none where no other may.
     kind: Option<usize>,
 }
@@ -43,14 +44,15 @@ impl Word {
         let shape: &Shape = graph.shape(entry.symbol);
         let signs = sub.iter().any(|i| matches!(i, SubItem::Other(_)));
         // `L_i` with a formula in i is a vector: its letters are indices of it, not part of its name.
-        let has_places = signs && shape.rank() > 0;
-        let sub = if shape.rank() > 0 && entry.formula.is_some() { Vec::new() } else { sub };
+        let rank = shape.real_extents().len();
+        let has_places = signs && rank > 0;
+        let sub = if rank > 0 && entry.formula.is_some() { Vec::new() } else { sub };
         let diagonal = graph.is_diagonal(entry.symbol);
         Some(Word {
             name,
             sub,
-            rank: shape.rank(),
-            extents: shape.extents().to_vec(),
+            rank,
+            extents: shape.real_extents().to_vec(),
             moves: matches!(entry.role, Role::State | Role::Observable),
             is_function: !entry.arguments.is_empty(),
             is_own: false,
@@ -58,6 +60,7 @@ impl Word {
             role: entry.role,
             diagonal,
             angle: entry.angle,
+            complex: entry.complex,
             kind: None,
         })
     }
@@ -70,6 +73,7 @@ impl Word {
             && self.role == other.role
             && self.diagonal == other.diagonal
             && self.angle == other.angle
+            && self.complex == other.complex
     }
 
     /// Whether one may be put for the other by mistake.

@@ -112,7 +112,11 @@ impl Elaborator<'_> {
 
     fn usage(&mut self, node: &Node) -> Elaborated<Usage> {
         match &node.kind {
-            NodeKind::Number(_) | NodeKind::Pi | NodeKind::Euler { .. } | NodeKind::Identity => Ok(Usage::default()),
+            NodeKind::Number(_)
+            | NodeKind::Pi
+            | NodeKind::Euler { .. }
+            | NodeKind::Identity
+            | NodeKind::Conjugation { .. } => Ok(Usage::default()),
             NodeKind::Symbol(s) => self.symbol_usage(s, &node.span),
             NodeKind::Group(inner, _) => self.piece(inner),
             NodeKind::Scripted { base, sub, sup, .. } => {
@@ -159,6 +163,7 @@ impl Elaborator<'_> {
             NodeKind::Factorial(a)
             | NodeKind::Root(a, _)
             | NodeKind::Exponential { exponent: a, .. }
+            | NodeKind::Conjugate(a)
             | NodeKind::Absolute(a) => self.piece(a),
             NodeKind::Limit(a, _) => self.piece(a),
             NodeKind::Function(_, power, arguments) => {
@@ -228,7 +233,7 @@ impl Elaborator<'_> {
         for (axis, item) in items.iter().enumerate() {
             if let SubItem::Name(letter) = item {
                 self.index_letter(letter, span)?;
-                if let Some(&extent) = shape.extents().get(axis) {
+                if let Some(&extent) = shape.real_extents().get(axis) {
                     self.note_extent(letter, extent, span)?;
                 }
                 open.push(Occurrence { letter: letter.clone(), span: span.clone() });
@@ -241,6 +246,7 @@ impl Elaborator<'_> {
         let mut usage = Usage::default();
         let (items, extents) = match self.builtin(s) {
             Some(extent) => (s.sub.clone().unwrap_or_default(), vec![extent; 3]),
+            None if self.is_imaginary_unit(s, span)? => (Vec::new(), Vec::new()),
             None => {
                 let found = self.resolve(s, span)?;
                 let items = found.indices.clone();
@@ -249,7 +255,7 @@ impl Elaborator<'_> {
                     None => self.graph.shape(found.symbol).clone(),
                 };
                 // One index on a diagonal matrix is its diagonal.
-                (items, shape.extents().iter().map(|&n| Some(n)).collect())
+                (items, shape.real_extents().iter().map(|&n| Some(n)).collect())
             }
         };
         for (axis, item) in items.iter().enumerate() {

@@ -3,6 +3,7 @@
 //! An index that occurs twice or more in a term, and is not free on the left side, is summed over; powers count. Where a
 //! sum stops is decided once, before anything is computed, see [`indices`].
 
+mod conjugate;
 mod indices;
 mod scripts;
 mod symbol;
@@ -12,9 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::parse;
-use super::scope::Scope;
+use super::scope::{Role, Scope};
 use super::syntax::{Chain, Name, Node, NodeKind, Sign, Target};
-use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name};
+use super::{Limit, LimitPoint, Relation, RelationKind, Statement, name, tensor};
 use diag::Problem;
 use expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
 use value::Value;
@@ -127,7 +128,8 @@ impl<'a> Elaborator<'a> {
         if let Some(open) = self.free(node)?.first() {
             return stray(&open.letter, &open.span);
         }
-        self.tensor(node)
+        let value = self.tensor(node)?;
+        Ok(self.joined(value))
     }
 
     /// The formula of a declaration. `letters` are the letters of the key's subscript: when they are indices of the formula
@@ -147,13 +149,15 @@ impl<'a> Elaborator<'a> {
             return stray(&other.letter, &other.span);
         }
         if used == 0 {
-            return Ok((self.tensor(node)?, false));
+            let value = self.tensor(node)?;
+            return Ok((self.joined(value), false));
         }
         if used < letters.len() {
             let message = "some letters of the name's subscript are indices of the formula, others are not";
             return refuse("latex::index", message, &node.span, "let all of them occur, or none");
         }
-        Ok((self.components(node, letters)?, true))
+        let value = self.components(node, letters)?;
+        Ok((self.joined(value), true))
     }
 
     // ---- statements ----------------------------------------------------------------------------------------------
@@ -191,9 +195,15 @@ impl<'a> Elaborator<'a> {
                 None => None,
                 Some(target) => Some(Limit { approaches: self.limit_point(target)? }),
             };
+            let (left, right) = (self.joined(left), self.joined(right));
             if left.shape.rank() > 0 && !matches!(kind, RelationKind::Equal | RelationKind::NotEqual) {
                 let message = format!("a {} cannot be ordered", left.shape);
-                return refuse("latex::shape", message, &span, "compare components");
+                let hint = if left.shape.is_complex() {
+                    r"compare real numbers, as `|z|` or `\operatorname{Re}(z)`"
+                } else {
+                    "compare components"
+                };
+                return refuse("latex::shape", message, &span, hint);
             }
             let sign = self.scope.branch_sign();
             let all = left.components.iter().chain(&right.components).copied();
@@ -267,6 +277,9 @@ impl<'a> Elaborator<'a> {
         if left.shape == right.shape {
             return Ok((left, right));
         }
+        if left.shape.real() == right.shape.real() {
+            return Ok((tensor::complexified(self.graph, &left), tensor::complexified(self.graph, &right)));
+        }
         let zero = |t: &Tensor, g: &Graph| t.as_scalar().is_some_and(|e| g.is_zero(e));
         let fill = |shape: &Shape, g: &mut Graph| {
             let e = g.integer(0);
@@ -305,11 +318,11 @@ impl<'a> Elaborator<'a> {
             let chosen = shape.indices(position);
             let before = self.values.len();
             self.values.extend(letters.iter().cloned().zip(chosen));
-            let value = self.scalar(node);
+            let value = self.number(node);
             self.values.truncate(before);
             components.push(value?);
         }
-        Ok(Tensor { shape, components })
+        Ok(tensor::of_numbers(self.graph, shape, &components))
     }
 
     fn extent(&self, letter: &Name, span: &Range<usize>) -> Elaborated<u16> {
@@ -337,10 +350,29 @@ impl<'a> Elaborator<'a> {
         }
     }
 
+    /// A real or complex number, not an array of them.
+    fn number(&mut self, node: &Node) -> Elaborated<Tensor> {
+        let t = self.tensor(node)?;
+        if t.shape.real_extents().is_empty() {
+            return Ok(t);
+        }
+        refuse("latex::shape", format!("a scalar is needed here, this is a {}", t.shape), &node.span, "")
+    }
+
+    /// Complex numbers whose parts have values together.
+    fn joined(&mut self, t: Tensor) -> Tensor {
+        let scope = self.scope;
+        tensor::joined(self.graph, t, |l| scope.role(l.symbol) == Some(Role::Observable))
+    }
+
     fn scalar(&mut self, node: &Node) -> Elaborated<Expr> {
         let t = self.tensor(node)?;
         match t.as_scalar() {
             Some(e) => Ok(e),
+            None if t.shape.is_complex() && t.shape.real_extents().is_empty() => {
+                let hint = r"write `\operatorname{Re}(z)`, `\operatorname{Im}(z)` or `|z|`";
+                refuse("latex::shape", "a real number is needed here, this is a complex one", &node.span, hint)
+            }
             None => refuse("latex::shape", format!("a scalar is needed here, this is a {}", t.shape), &node.span, ""),
         }
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::syntax::{Node, NodeKind, Sign, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, Value, refuse};
-use expr::{Op, Rational, Tensor};
+use expr::{Op, Rational, Shape, Tensor};
 
 /// Highest power of a matrix that is written out.
 const HIGHEST: i32 = 16;
@@ -26,7 +26,8 @@ impl Elaborator<'_> {
                 return refuse("latex::shape", "indices on the identity matrix", span, hint);
             }
             Value::Identity(s) => {
-                let Some(sup) = sup.filter(|sup| !self.is_transpose(sup)) else { return Ok(Value::Identity(s)) };
+                let same = |sup: &&Node| !self.is_transpose(sup) && Self::conjugation(sup).is_none();
+                let Some(sup) = sup.filter(same) else { return Ok(Value::Identity(s)) };
                 let exponent = self.scalar(sup)?;
                 return match self.integer(exponent) {
                     Some(n) => Ok(Value::Identity(self.graph.powi(s, n))),
@@ -44,8 +45,8 @@ impl Elaborator<'_> {
                 None => Ok(Value::Tensor(t)),
             };
         };
-        let matrix = base.shape.rank() == 2;
-        if matrix && (self.is_transpose(sup) || is_integer(sup, -1)) {
+        let matrix = base.shape.real_extents().len() == 2;
+        if matrix && (self.is_transpose(sup) || is_integer(sup, -1) || Self::conjugation(sup) == Some(true)) {
             if !sup_first {
                 let message = "is this the inverse or transpose of the matrix, or of its component?";
                 let hint = r"write the superscript first, `A^{-1}_{ij}`, or a fraction `\frac{1}{A_{ij}}`";
@@ -56,7 +57,7 @@ impl Elaborator<'_> {
             };
             return self.indexed(t, items, span).map(Value::Tensor);
         }
-        if matrix && sup_first {
+        if matrix && sup_first && Self::conjugation(sup).is_none() {
             let message = "is this a component of the power, or the power of a component?";
             let hint = r"write `A_{ij}^2` for the power of the component, `(A^2)_{ij}` for the component of the power";
             return refuse("latex::ambiguous", message, span, hint);
@@ -67,17 +68,23 @@ impl Elaborator<'_> {
 
     fn indexed(&mut self, base: Tensor, items: &[SubItem], span: &Range<usize>) -> Elaborated<Tensor> {
         let indices = self.index_values(items, span)?;
-        match base.shape.position(&indices).and_then(|p| base.components.get(p)) {
-            Some(&e) => Ok(Tensor::scalar(e)),
-            None if indices.len() != base.shape.rank() => {
+        let complex = base.shape.is_complex();
+        match base.shape.real().position(&indices) {
+            Some(p) if complex => {
+                let components = base.components.into_iter().skip(2 * p).take(2).collect();
+                Ok(Tensor { shape: Shape::scalar().complexified(), components })
+            }
+            Some(p) if p < base.components.len() => Ok(Tensor::scalar(base.components[p])),
+            _ if indices.len() != base.shape.real_extents().len() => {
                 let count = match indices.len() {
                     1 => "one index".to_owned(),
                     n => format!("{n} indices"),
                 };
-                let hint = if base.shape.rank() == 0 { "declare a symbol with this subscript" } else { "" };
+                let hint =
+                    if base.shape.real_extents().is_empty() { "declare a symbol with this subscript" } else { "" };
                 refuse("latex::index", format!("{count} on a {}", base.shape), span, hint)
             }
-            None => {
+            _ => {
                 let list: Vec<String> = indices.iter().map(u16::to_string).collect();
                 let message = format!("a {} has no component {}", base.shape, list.join(", "));
                 refuse("latex::index", message, span, "")
@@ -90,12 +97,24 @@ impl Elaborator<'_> {
     }
 
     fn power(&mut self, base: Tensor, sup: &Node, span: &Range<usize>) -> Elaborated<Value> {
-        if base.shape.rank() > 0 && self.is_transpose(sup) {
-            return tensor::transpose(&base, span).map(Value::Tensor);
+        let rank = base.shape.real_extents().len();
+        if rank > 0 && self.is_transpose(sup) {
+            return tensor::transpose(self.graph, &base, span).map(Value::Tensor);
+        }
+        if let Some(transposed) = Self::conjugation(sup) {
+            return self.conjugated(&base, transposed, span).map(Value::Tensor);
+        }
+        let raised = self.number(sup)?;
+        if rank == 0 && (base.shape.is_complex() || raised.shape.is_complex()) {
+            return self.complex_power(&base, &raised, span).map(Value::Tensor);
+        }
+        if rank == 1 && base.shape.is_complex() {
+            let hint = r"write `|{\bf a}|^2`, `{\bf a}^\dagger{\bf a}` or `{\bf a}^T{\bf a}`";
+            return refuse("latex::ambiguous", "is the square of a complex vector that of its length?", span, hint);
         }
         let exponent = self.scalar(sup)?;
         let integer = self.integer(exponent);
-        match (base.shape.rank(), integer) {
+        match (rank, integer) {
             (0, Some(n)) => Ok(self.map(Value::Tensor(base), |g, e| g.powi(e, n))),
             (0, None) => Ok(self.map(Value::Tensor(base), |g, e| g.binary(Op::Pow, e, exponent))),
             (1, Some(2)) => tensor::dot(self.graph, &base, &base, span).map(Value::Tensor),
@@ -111,7 +130,7 @@ impl Elaborator<'_> {
             _ => {
                 let hint = if matches!(&sup.kind, NodeKind::Symbol(s) if s.name == "T") {
                     r"`T` is declared, so the transpose is written `^\top`"
-                } else if base.shape.rank() == 1 {
+                } else if rank == 1 {
                     r"powers of its length are written `|{\bf x}|^3`"
                 } else {
                     ""

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::super::complex::Pair;
 use super::super::name;
 use super::super::scope::{Found, Role};
 use super::super::syntax::{Node, SubItem, SymbolNode};
@@ -72,8 +73,12 @@ impl<'a> Elaborator<'a> {
             });
             return self.scripted_tensor(Tensor::scalar(e), None, s.sup.as_deref(), false, span);
         }
+        if self.is_imaginary_unit(s, span)? {
+            let unit = Pair::unit(self.graph).scalar();
+            return self.scripted_tensor(unit, None, s.sup.as_deref(), false, span);
+        }
         let found = self.resolve(s, span)?;
-        let (symbol, role) = (found.symbol, found.role);
+        let (symbol, role, conjugate) = (found.symbol, found.role, found.conjugate);
         let (items, formal) = (found.indices, found.formal);
         let literal = found.literal_arguments;
         // What is not applied to anything is the same wherever it stands: with indices it is asked for very often.
@@ -112,6 +117,9 @@ impl<'a> Elaborator<'a> {
                 return refuse("latex::arity", "a value is taken at one time", span, "");
             }
             _ => {}
+        }
+        if conjugate {
+            base = self.conjugate(&base, span)?;
         }
         let applied = s.arguments.is_some() && !literal;
         if applied && base.shape.rank() == 0 && s.sup.as_deref().is_some_and(|sup| is_integer(sup, -1)) {

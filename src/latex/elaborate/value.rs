@@ -22,6 +22,11 @@ impl Value {
         Value::Tensor(Tensor::scalar(e))
     }
 
+    /// Whether its components are parts of complex numbers.
+    pub(super) fn is_complex(&self) -> bool {
+        matches!(self, Value::Tensor(t) if t.shape.is_complex())
+    }
+
     fn is_absent(&self, graph: &Graph) -> bool {
         match self {
             Value::Tensor(t) => t.components.iter().all(|&e| graph.is_zero(e)),
@@ -138,7 +143,7 @@ impl Elaborator<'_> {
 
     /// s·1 in the shape of a square matrix.
     pub(super) fn identity_like(&mut self, s: Expr, shape: &Shape, span: &Range<usize>) -> Elaborated<Tensor> {
-        match *shape.extents() {
+        match *shape.real_extents() {
             [n, m] if n == m => Ok(tensor::diagonal(self.graph, &vec![s; usize::from(n)])),
             _ => {
                 let message = format!("the identity matrix stands beside a {shape}");
@@ -164,6 +169,9 @@ impl Elaborator<'_> {
             NodeKind::Identity => Ok(Value::Identity(self.graph.integer(1))),
             NodeKind::Symbol(s) => self.symbol(s, &node.span).map(Value::Tensor),
             NodeKind::Group(inner, _) => self.value(inner),
+            NodeKind::Scripted { base, sub: None, sup: Some(sup), .. } if self.is_squared_size(base, sup)? => {
+                self.squared_size(base, sup).map(Value::scalar)
+            }
             NodeKind::Scripted { base, sub, sup, sup_first } => {
                 let base_value = self.value(base)?;
                 self.scripted(base_value, sub.as_deref(), sup.as_deref(), *sup_first, &node.span)
@@ -192,14 +200,21 @@ impl Elaborator<'_> {
             }
             NodeKind::Quotient { top, bottom, .. } => {
                 let value = self.value(top)?;
-                let under = self.scalar(bottom)?;
+                let under = self.number(bottom)?;
+                let Some(under) = under.as_scalar().filter(|_| !value.is_complex()) else {
+                    return self.complex_quotient(&value, &under, &node.span).map(Value::Tensor);
+                };
                 let written_zero = self.is_written_zero(top, &value);
                 Ok(self.map(value, |g, e| {
                     if g.is_zero(e) && !written_zero && g.as_constant(under).is_none() { e } else { g.div(e, under) }
                 }))
             }
             NodeKind::Root(a, degree) => {
-                let e = self.scalar(a)?;
+                let number = self.number(a)?;
+                let Some(e) = number.as_scalar() else {
+                    let exponent = Rational::ONE / Rational::from(*degree);
+                    return self.rational_power(&number, &exponent, &node.span).map(Value::Tensor);
+                };
                 if *degree == 2 {
                     return Ok(Value::scalar(self.graph.unary(Op::Sqrt, e)));
                 }
@@ -209,11 +224,28 @@ impl Elaborator<'_> {
                 Ok(Value::scalar(self.graph.binary(Op::Pow, e, exponent)))
             }
             NodeKind::Exponential { exponent: a, .. } => {
-                let e = self.scalar(a)?;
-                Ok(Value::scalar(self.graph.unary(Op::Exp, e)))
+                let number = self.number(a)?;
+                match number.as_scalar() {
+                    Some(e) => Ok(Value::scalar(self.graph.unary(Op::Exp, e))),
+                    None => self.complex_function("exp", &number, &node.span).map(Value::Tensor),
+                }
+            }
+            NodeKind::Conjugate(inner) => {
+                let t = self.tensor(inner)?;
+                self.conjugate(&t, &node.span).map(Value::Tensor)
+            }
+            NodeKind::Conjugation { .. } => {
+                refuse("latex::unexpected", "this stands behind what is conjugated", &node.span, "")
             }
             NodeKind::Absolute(a) => {
                 let t = self.tensor(a)?;
+                if t.shape == Shape::scalar().complexified() {
+                    return self.size(a).map(Value::scalar);
+                }
+                if t.shape.is_complex() && t.shape.real_extents().len() < 2 {
+                    let square = tensor::square_of_length(self.graph, &t);
+                    return Ok(Value::scalar(self.graph.unary(Op::Sqrt, square)));
+                }
                 match t.shape.rank() {
                     0 => Ok(self.map(Value::Tensor(t), |g, e| g.unary(Op::Abs, e))),
                     1 => {
@@ -229,6 +261,9 @@ impl Elaborator<'_> {
             NodeKind::Function(function, power, arguments) => {
                 let value = self.function(function, arguments, &node.span)?;
                 match power {
+                    Some(n) if value.shape.is_complex() => {
+                        self.rational_power(&value, &Rational::from(*n), &node.span).map(Value::Tensor)
+                    }
                     Some(n) if value.shape.rank() == 0 => Ok(self.map(Value::Tensor(value), |g, e| g.powi(e, *n))),
                     Some(_) => refuse("latex::shape", "a power of something that is no number", &node.span, ""),
                     None => Ok(Value::Tensor(value)),
@@ -253,17 +288,17 @@ impl Elaborator<'_> {
                 }
             }
             NodeKind::Tuple(parts) => {
-                let components = self.scalars(parts)?;
+                let components = self.numbers(parts)?;
                 let Some(n) = u16::try_from(components.len()).ok().filter(|n| usize::from(*n) <= LONGEST_TUPLE) else {
                     let message = format!("a vector of more than {LONGEST_TUPLE} components");
                     return refuse("latex::too-large", message, &node.span, "");
                 };
-                Ok(Value::Tensor(Tensor { shape: Shape::vector(n), components }))
+                Ok(Value::Tensor(tensor::of_numbers(self.graph, Shape::vector(n), &components)))
             }
             NodeKind::Matrix(rows) => {
                 let mut components = Vec::new();
                 for row in rows {
-                    components.extend(self.scalars(row)?);
+                    components.extend(self.numbers(row)?);
                 }
                 let columns = rows.first().map_or(0, Vec::len);
                 // One column is a vector.
@@ -272,7 +307,7 @@ impl Elaborator<'_> {
                     (n, 1) => Shape::vector(n),
                     (n, m) => Shape::matrix(n, m),
                 };
-                Ok(Value::Tensor(Tensor { shape, components }))
+                Ok(Value::Tensor(tensor::of_numbers(self.graph, shape, &components)))
             }
             NodeKind::Limit(..) => refuse("latex::limit", "a limit stands alone on the left side", &node.span, ""),
         }
@@ -280,7 +315,11 @@ impl Elaborator<'_> {
 
     /// Whether this is a 0 by its numbers, not because something is not there, as an entry of ε.
     fn is_written_zero(&self, node: &Node, value: &Value) -> bool {
-        value.is_absent(self.graph) && node.is_numeric()
+        value.is_absent(self.graph) && (value.is_complex() || node.is_numeric())
+    }
+
+    fn numbers(&mut self, nodes: &[Node]) -> Elaborated<Vec<Tensor>> {
+        nodes.iter().map(|n| self.number(n)).collect()
     }
 
     fn scalars(&mut self, nodes: &[Node]) -> Elaborated<Vec<Expr>> {
@@ -301,7 +340,7 @@ impl Elaborator<'_> {
                 Value::Tensor(t) => tensors.push((t, at)),
                 Value::Identity(s) => {
                     identity = true;
-                    let row = tensors.last().is_some_and(|(t, _)| t.shape.rank() == 1);
+                    let row = tensors.last().is_some_and(|(t, _)| t.shape.real_extents().len() == 1);
                     if row {
                         let hint = "write the matrix before the vector";
                         return refuse("latex::shape", "no product of a vector and a matrix", span, hint);
@@ -315,6 +354,10 @@ impl Elaborator<'_> {
         }
         let scalars = tensors.iter().all(|(t, _)| t.shape.rank() == 0);
         let t = tensor::product(self.graph, tensors, written_zero, span)?;
+        if identity && t.shape == Shape::scalar().complexified() {
+            let hint = r"write the matrix by its components, or multiply a matrix";
+            return refuse("latex::unsupported", "a complex multiple of the identity matrix", span, hint);
+        }
         Ok(match (identity && scalars, t.as_scalar()) {
             (true, Some(s)) => Value::Identity(s),
             _ => Value::Tensor(t),
@@ -333,7 +376,7 @@ impl Elaborator<'_> {
         let mut written_zero = false;
         for part in parts {
             let value = self.value(part)?;
-            let rank = |v: &Value| if let Value::Tensor(t) = v { t.shape.rank() } else { 2 };
+            let rank = |v: &Value| if let Value::Tensor(t) = v { t.shape.real_extents().len() } else { 2 };
             vectors += usize::from(rank(&value) == 1);
             if vectors > 2 {
                 let hint = "put parentheses around two of the factors";
@@ -342,9 +385,10 @@ impl Elaborator<'_> {
             written_zero |= self.is_written_zero(part, &value);
             acc = Some(match acc {
                 None => (value, part.span.clone()),
-                Some((Value::Tensor(a), at)) if a.shape.rank() == 1 && rank(&value) == 1 => {
+                Some((Value::Tensor(a), at)) if a.shape.real_extents().len() == 1 && rank(&value) == 1 => {
                     let Value::Tensor(b) = value else { return self.value(part) };
                     let whole = at.start..part.span.end;
+                    self.conjugation_is_clear(&a, &b, parts, &whole)?;
                     (Value::Tensor(tensor::dot(self.graph, &a, &b, &whole)?), whole)
                 }
                 Some((a, at)) => {
@@ -372,6 +416,11 @@ impl Elaborator<'_> {
                 "det" => tensor::determinant(self.graph, &t, span),
                 _ => tensor::trace(self.graph, &t, span),
             };
+        }
+        if let [argument] = arguments
+            && let Some(value) = self.of_complex(function, argument, span)?
+        {
+            return Ok(value);
         }
         let values = self.scalars(arguments)?;
         if let ("binom", &[n, k]) = (function, values.as_slice()) {
@@ -453,21 +502,26 @@ impl Elaborator<'_> {
             }
             "log" => {
                 let logarithm = g.unary(Op::Ln, x);
-                match self.scope.logarithm() {
-                    Some(Logarithm::Natural) => logarithm,
-                    Some(Logarithm::Decimal) => {
-                        let ten = g.integer(10);
-                        let below = g.unary(Op::Ln, ten);
-                        g.div(logarithm, below)
-                    }
-                    None => {
-                        let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions]"#;
-                        return refuse("latex::ambiguous", "the base of `\\log` is not clear", span, hint);
-                    }
-                }
+                let base = self.logarithm_of_base(span)?;
+                self.graph.div(logarithm, base)
             }
             _ => return Ok(None),
         }))
+    }
+
+    /// What the natural logarithm is divided by to give `\log`.
+    pub(super) fn logarithm_of_base(&mut self, span: &Range<usize>) -> Elaborated<Expr> {
+        match self.scope.logarithm() {
+            Some(Logarithm::Natural) => Ok(self.graph.integer(1)),
+            Some(Logarithm::Decimal) => {
+                let ten = self.graph.integer(10);
+                Ok(self.graph.unary(Op::Ln, ten))
+            }
+            None => {
+                let hint = r#"write `\ln`, or say `log = "natural"` or `log = "decimal"` under [conventions]"#;
+                refuse("latex::ambiguous", "the base of `\\log` is not clear", span, hint)
+            }
+        }
     }
 
     // ---- derivatives ---------------------------------------------------------------------------------------------
@@ -478,6 +532,10 @@ impl Elaborator<'_> {
             self.has_rate(role, &of.span)?;
         }
         let value = self.tensor(of)?;
+        if self.number(by)?.shape.is_complex() {
+            let hint = "derivatives are taken by something real, along a motion";
+            return refuse("latex::derivative", "a derivative by a complex number", &by.span, hint);
+        }
         let by_value = self.scalar(by)?;
         let Some(time) = self.scope.time() else {
             let hint = "give one the role `time`";

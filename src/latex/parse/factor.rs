@@ -45,7 +45,8 @@ impl Parser<'_> {
 
     /// Whether a named function begins here.
     pub(super) fn begins_function(&self) -> bool {
-        matches!(self.kind(), Kind::Command(c) if FUNCTIONS.contains(&c.as_str()) || c == "operatorname")
+        matches!(self.kind(), Kind::Command(c)
+            if FUNCTIONS.contains(&c.as_str()) || c == "operatorname" || matches!(c.as_str(), "Re" | "Im" | "arg"))
     }
 
     /// A factor with its scripts; `None` where no factor begins.
@@ -84,6 +85,7 @@ impl Parser<'_> {
             NodeKind::Group(..) | NodeKind::Matrix(_) | NodeKind::Absolute(_) | NodeKind::Tuple(_) => true,
             NodeKind::Cross { bracket, .. } => *bracket,
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
+            NodeKind::Conjugate(_) => true,
             // Behind its arguments, or behind braces as in `{\dot x}_1`.
             NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
             _ => false,
@@ -388,6 +390,10 @@ impl Parser<'_> {
                 self.bump();
                 self.function(c, start).map(Some)
             }
+            "Re" | "Im" | "arg" => {
+                self.bump();
+                self.function(c, start).map(Some)
+            }
             "partial" | "nabla" | "int" | "sum" | "prod" => {
                 let message = format!("`\\{c}` is not part of the formula language");
                 let hint = "write the result of the operation, or an index sum";
@@ -410,6 +416,9 @@ impl Parser<'_> {
             _ if !self.begins_factor() => Ok(None),
             _ => match self.single_name()? {
                 Some((name, _)) => self.symbol_named(name, 0, start).map(Some),
+                None if name::style(c) == Some("bar") && *self.kind_after(1) == Kind::Sign('{') => {
+                    self.overlined(start).map(Some)
+                }
                 None if name::style(c).is_some() => {
                     let hint = "write one name in the braces, and scripts or dots outside";
                     refuse("latex::unexpected", format!("`\\{c}` stands before one name"), self.span(), hint)
@@ -480,6 +489,17 @@ impl Parser<'_> {
             return true;
         }
         false
+    }
+
+    /// `\overline{…}` over more than a name: the complex conjugate.
+    fn overlined(&mut self, start: usize) -> Parsed<Node> {
+        self.bump();
+        self.bump();
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let inner = self.sum()?;
+        self.expect('}')?;
+        self.bars = outer;
+        Ok(self.node(NodeKind::Conjugate(Box::new(inner)), start))
     }
 
     /// Whether what stands here can be the argument of a function without parentheses.

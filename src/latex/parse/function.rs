@@ -11,7 +11,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
 ];
 
 /// Functions of one argument that have no command of their own.
-const NAMED: &[&str] = &["asinh", "acosh", "atanh", "sech", "csch", "sgn"];
+const NAMED: &[&str] = &["asinh", "acosh", "atanh", "sech", "csch", "sgn", "Re", "Im", "arg"];
 
 /// Other words for functions, behind `\operatorname` or in upright type.
 const SYNONYMS: &[(&str, &str)] = &[

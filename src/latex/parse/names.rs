@@ -108,6 +108,10 @@ impl Parser<'_> {
     /// What stands behind `^`.
     pub(super) fn raised(&mut self) -> Parsed<Node> {
         let start = self.span().start;
+        if let Some((transposed, tokens)) = self.conjugation() {
+            self.at += tokens;
+            return Ok(self.node(NodeKind::Conjugation { transposed }, start));
+        }
         if self.eat('{') {
             let outer = std::mem::replace(&mut self.bars, 0);
             let node = self.sum()?;
@@ -144,6 +148,21 @@ impl Parser<'_> {
                 refuse("latex::unexpected", message, self.span(), "put the exponent into braces")
             }
         }
+    }
+
+    /// `*` or `\dagger`, perhaps in braces: whether it transposes, and the number of its tokens.
+    fn conjugation(&self) -> Option<(bool, usize)> {
+        let mark = |kind: &Kind| match kind {
+            Kind::Sign('*') => Some(false),
+            Kind::Command(c) if c == "ast" => Some(false),
+            Kind::Command(c) if matches!(c.as_str(), "dagger" | "dag") => Some(true),
+            _ => None,
+        };
+        if let Some(transposed) = mark(self.kind()) {
+            return Some((transposed, 1));
+        }
+        let braced = self.is('{') && *self.kind_after(2) == Kind::Sign('}');
+        mark(self.kind_after(1)).filter(|_| braced).map(|transposed| (transposed, 3))
     }
 
     pub(super) fn subscript(&mut self) -> Parsed<Vec<SubItem>> {
