@@ -68,7 +68,7 @@ impl Shape {
     }
     /// The part of a complex number that stands at a row-major position.
     pub fn part(&self, position: usize) -> Option<Part> {
-        self.complex.then_some(if position % 2 == 0 { Part::Real } else { Part::Imaginary })
+        self.complex.then_some(if position.is_multiple_of(2) { Part::Real } else { Part::Imaginary })
     }
     /// Indices, counted from 1, of what stands at a row-major position, without that of the part.
     pub fn real_indices(&self, position: usize) -> Vec<u16> {

@@ -47,7 +47,7 @@ impl Elaborator<'_> {
         span: &Range<usize>,
     ) -> Elaborated<()> {
         let both = a.shape.is_complex() && b.shape.is_complex();
-        if !both || parts.iter().any(|part| is_conjugated(part)) {
+        if !both || parts.iter().any(is_conjugated) {
             return Ok(());
         }
         let hint = r"write `{\bf a}^\dagger{\bf b}`, `{\bf a}^*\cdot{\bf b}` or `{\bf a}^T{\bf b}`";
