@@ -9,10 +9,9 @@
 
 use super::comparison::{Comparison, Group, at_instant, behind_rates, traced};
 use super::program::{Assumption, Denoted, Part, Program, What};
-use super::steep::exponents;
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, Graph, Part as ComplexPart, Rational, Shape, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::verdict::{Proposition, Quantifier};
 
@@ -114,6 +113,41 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
         }
     }
     (out, edges)
+}
+
+/// Powers from this one on are taken for exponentials.
+const HIGH: i32 = 16;
+
+/// The exponents in what a comparison compares, observables traced back.
+fn exponents(graph: &mut Graph, scope: &Scope, comparisons: &[&Comparison]) -> Vec<Expr> {
+    let sides: Vec<Expr> = comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
+    let roots: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
+    let mut out = Vec::new();
+    for node in graph.reachable(roots) {
+        let (base, exponent) = match *graph.node(node) {
+            Node::Unary(Op::Exp, a) => (None, a),
+            Node::Unary(Op::Powi(n), a) if n.unsigned_abs() >= HIGH.unsigned_abs() => {
+                (Some(a), graph.integer(i64::from(n)))
+            }
+            Node::Binary(Op::Pow, a, b) => (Some(a), b),
+            _ => continue,
+        };
+        let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
+        if !graph.leaves(base.into_iter().chain([exponent])).iter().any(moves) {
+            continue;
+        }
+        out.push(match base {
+            None => exponent,
+            Some(base) => {
+                let size = graph.unary(Op::Abs, base);
+                let log = graph.unary(Op::Ln, size);
+                graph.mul(exponent, log)
+            }
+        });
+    }
+    out.sort_unstable();
+    out.dedup();
+    out
 }
 
 /// What must not be negative for the sides to have values, as it is under a root: where it is negative and touches 0, they have

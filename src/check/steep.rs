@@ -7,16 +7,11 @@
 //!
 //! **In:** a claim that holds at all samples. **Out:** the times on the way to the extrema of the exponents.
 
-use super::comparison::{Comparison, traced};
 use super::trial::{Course, Trial};
 use crate::expr::tape::{Slots, Tape};
-use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::flow::Sample;
-use crate::latex::{Role, Scope};
 use crate::number::Bounded;
 
-/// Powers from this one on are taken for exponentials.
-const HIGH: i32 = 16;
 /// An exponent that changes by less than this from one sample to the next hides nothing.
 const STEEP: f64 = 8.0;
 /// Steps of the search for an extremum: beyond the last digit of the time.
@@ -25,38 +20,6 @@ const STEPS: usize = 80;
 const MOST: usize = 32;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// The exponents in what a comparison compares, observables traced back.
-pub(super) fn exponents(graph: &mut Graph, scope: &Scope, comparisons: &[&Comparison]) -> Vec<Expr> {
-    let sides: Vec<Expr> = comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
-    let roots: Vec<Expr> = sides.into_iter().map(|e| traced(graph, scope, e)).collect();
-    let mut out = Vec::new();
-    for node in graph.reachable(roots) {
-        let (base, exponent) = match *graph.node(node) {
-            Node::Unary(Op::Exp, a) => (None, a),
-            Node::Unary(Op::Powi(n), a) if n.unsigned_abs() >= HIGH.unsigned_abs() => {
-                (Some(a), graph.integer(i64::from(n)))
-            }
-            Node::Binary(Op::Pow, a, b) => (Some(a), b),
-            _ => continue,
-        };
-        let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
-        if !graph.leaves(base.into_iter().chain([exponent])).iter().any(moves) {
-            continue;
-        }
-        out.push(match base {
-            None => exponent,
-            Some(base) => {
-                let size = graph.unary(Op::Abs, base);
-                let log = graph.unary(Op::Ln, size);
-                graph.mul(exponent, log)
-            }
-        });
-    }
-    out.sort_unstable();
-    out.dedup();
-    out
-}
 
 /// Evaluates the exponents at times.
 struct Exponents<'a> {
