@@ -27,14 +27,25 @@ struct Node<'a> {
     row: usize,
 }
 
+/// The claims that are drawn: those with an edge; none where they are too many.
+fn drawn<'a>(wholes: &'a [Whole<'a>], edges: &[(&str, &str)]) -> Vec<&'a Whole<'a>> {
+    let drawn: Vec<&Whole> = wholes.iter().filter(|w| edges.iter().any(|(a, b)| *a == w.id || *b == w.id)).collect();
+    if drawn.len() > MOST { Vec::new() } else { drawn }
+}
+
+/// Whether there is a drawing.
+pub(super) fn is_drawn(derivation: &Derivation, account: &Account) -> bool {
+    let hangs = Consequences::new(derivation);
+    !drawn(&digest::wholes(derivation, account), &hangs.edges().collect::<Vec<_>>()).is_empty()
+}
+
 /// The drawing; nothing where nothing rests on anything.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     let wholes = digest::wholes(derivation, account);
     let hangs = Consequences::new(derivation);
     let edges: Vec<(&str, &str)> = hangs.edges().collect();
-    let drawn: Vec<&Whole<'_>> =
-        wholes.iter().filter(|w| edges.iter().any(|(a, b)| *a == w.id || *b == w.id)).collect();
-    if drawn.is_empty() || drawn.len() > MOST {
+    let drawn = drawn(&wholes, &edges);
+    if drawn.is_empty() {
         return html! {};
     }
     let nodes = placed(&drawn, &edges);

@@ -139,7 +139,7 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
         nav aria-label="Contents" {
             ul {
                 li { a href="#/findings" { "What was found" } }
-                li { a href="#/graph" { "What follows from what" } }
+                @if graph::is_drawn(derivation, account) { li { a href="#/graph" { "What follows from what" } } }
                 li { a href="#/matrix" { "Claims and trajectories" } }
                 li { a href="#/claims" { "Claims" } }
                 li { a href="#/trajectories" { "Trajectories" } }
