@@ -13,6 +13,8 @@ use order::{Question, Requirement};
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
+/// Most parameters whose orders of size are listed: four have 75.
+const MOST_ORDERED: usize = 3;
 /// Most names that are listed for one that is not.
 const MOST_NAMES: usize = 6;
 
@@ -394,6 +396,10 @@ impl Step<'_> {
             return None;
         }
         let (claimed, assumed) = (all, Vec::new());
+        // A long list of orders tells less than the conditions themselves.
+        if parameters.len() > MOST_ORDERED {
+            return None;
+        }
         let words = self.words_of(&Question { parameters, assumed, claimed, asserted: true });
         Some(format!("for positive {}, so far as it is about them, that is so {}", words.0, words.1))
     }
@@ -451,6 +457,9 @@ impl Step<'_> {
     /// For which orders of the parameters the claim holds, as conditions.
     pub(super) fn where_real(mut self) -> Vec<String> {
         let question = self.order_question();
+        if question.parameters.len() > MOST_ORDERED {
+            return Vec::new();
+        }
         let (names, words) = self.words_of(&question);
         vec![format!("for positive {names} that meet the assumptions it holds {words}")]
     }
@@ -458,10 +467,13 @@ impl Step<'_> {
     /// The account of a claim about parameters.
     pub(super) fn account_of_order(&mut self, question: &Question, found: order::Orders) -> IdentityAccount {
         let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
-        let words = found.words(&names);
+        let words = || {
+            let words = found.words(&names);
+            format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))
+        };
         let mut out = IdentityAccount {
             finding: Finding::of_signs(&found),
-            conditions: vec![format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))],
+            conditions: (names.len() <= MOST_ORDERED).then(words).into_iter().collect(),
             ..IdentityAccount::default()
         };
         if found.is_proved() {
