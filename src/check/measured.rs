@@ -334,6 +334,16 @@ impl<'a> MeasuredGroup<'a> {
         MeasuredGroup { group, signs, definedness, strict, mute, equal, crossing: Vec::new(), sizes, first, floors }
     }
 
+    /// What is equal at these times, a few single ones, is equal only if it is so along the whole motion.
+    pub fn single_times(&mut self, along: &MeasuredGroup) {
+        if self.definedness {
+            return;
+        }
+        for (here, there) in self.equal.iter_mut().flatten().zip(along.equal.iter().flatten()) {
+            *here &= there;
+        }
+    }
+
     /// What is typical of the size of the terms of the group. The components of a vector share it: that one of them vanishes
     /// does not make its rounding significant.
     pub fn floor(&self, sign: usize) -> f64 {
@@ -448,6 +458,14 @@ pub(super) struct Measurements<'a> {
     pub hypotheses: Vec<MeasuredGroup<'a>>,
     /// What the claim says, part by part.
     pub parts: Vec<MeasuredGroup<'a>>,
+}
+
+impl Measurements<'_> {
+    /// The measurements are those at single times of a motion that was measured `along`.
+    pub fn single_times(&mut self, along: &Measurements) {
+        let groups = self.selectors.iter_mut().zip(&along.selectors).chain(self.parts.iter_mut().zip(&along.parts));
+        groups.for_each(|(here, there)| here.single_times(there));
+    }
 }
 
 /// Measures all groups of a program at the given points. What is typical of the size of their terms is that of `along`, the

@@ -202,7 +202,9 @@ pub(super) fn try_claim(
                 false => course.points_at_events(program, &events),
             };
             let describer = Describer::new(trial, &zeros.times, &points);
+            let along = measured;
             let mut measured = measure(program, &points, None);
+            measured.single_times(&along);
             silence(trial.graph, program, course.leaves, &points, &mut measured);
             let mut left = selected(trial, &measured, &describer);
             beyond_the_span(trial, zeros, &mut left);

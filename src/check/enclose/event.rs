@@ -9,6 +9,7 @@
 use super::cover::{Along, Judgement, Ranges};
 use super::ready::{Ready, Shown, certain, changes_sign};
 use crate::check::program::What;
+use crate::flow::Reach;
 use crate::latex::RelationKind;
 use crate::number::{Interval, Scalar};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
@@ -21,7 +22,7 @@ const STEPS: usize = 40;
 /// # Errors
 /// The stretch on which there may be another one.
 pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, String> {
-    let mut found = Vec::new();
+    let (mut found, mut ending) = (Vec::new(), Vec::new());
     let judge = |time: Interval, ranges: &Ranges| {
         if ready.selected(ranges) == Some(false) {
             return Judgement::Settled;
@@ -34,16 +35,62 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
         }
         let (a, b) = (reach.at(time.lo()), reach.at(time.hi()));
         let monotone = ranges[rate].as_ref().is_ok_and(|r| !r.range().contains(0.0));
-        if monotone && !a.contains(0.0) && !b.contains(0.0) {
-            if changes_sign(reach, time) {
-                found.push(time);
+        match (monotone, a.contains(0.0) || b.contains(0.0)) {
+            (true, false) => {
+                if changes_sign(reach, time) {
+                    found.push(time);
+                }
+                return Judgement::Settled;
             }
-            return Judgement::Settled;
+            // Times of events are often round numbers, as the ends of stretches are.
+            (true, true) if a.contains(0.0) != b.contains(0.0) => {
+                ending.push(time);
+                return Judgement::Settled;
+            }
+            (true, true) | (false, _) => {}
         }
         Judgement::Open("whether there is an event, and one only, cannot be told".to_owned())
     };
     along.cover(&ready.roots, judge, |_| false)?;
+    for time in ending {
+        let wider = widened(time, along.span);
+        let ranges = along.over(&ready.roots, wider);
+        let monotone = ranges[rate].as_ref().is_ok_and(|r| !r.range().contains(0.0));
+        let mut sign = |t: f64| {
+            let there = along.over(&ready.roots, Interval::point(t));
+            there[place].as_ref().ok().map(Reach::range).filter(|r| !r.contains(0.0)).map(|r| r.lo() > 0.0)
+        };
+        match (sign(wider.lo()), sign(wider.hi())) {
+            (Some(before), Some(after)) if monotone && before != after => found.push(wider),
+            (Some(_), Some(_)) if monotone => {}
+            _ => {
+                let (from, to) = (time.lo(), time.hi());
+                return Err(format!("whether there is an event at an end of [{from:.6}, {to:.6}] cannot be told"));
+            }
+        }
+    }
+    let found = united(found);
     Ok(found.into_iter().map(|time| confined(ready, (place, rate), along, time)).collect())
+}
+
+/// A stretch with a quarter of its length added at each end, inside the span.
+fn widened(time: Interval, (from, to): (f64, f64)) -> Interval {
+    let more = 0.25 * time.width();
+    Interval::new((time.lo() - more).max(from), (time.hi() + more).min(to)).unwrap_or(time)
+}
+
+/// Stretches with one event each, in order. On the union of two that overlap the expression is monotone: they have the same
+/// event.
+fn united(mut stretches: Vec<Interval>) -> Vec<Interval> {
+    stretches.sort_by(|a, b| a.lo().total_cmp(&b.lo()));
+    let mut united: Vec<Interval> = Vec::new();
+    for next in stretches {
+        match united.last_mut() {
+            Some(last) if last.intersection(next).is_some_and(|common| !common.is_point()) => *last = last.hull(next),
+            _ => united.push(next),
+        }
+    }
+    united
 }
 
 /// The event of a stretch on which there is one.
