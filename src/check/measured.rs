@@ -12,10 +12,11 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::comparison::{Group, judge};
+use super::comparison::{Comparison, Group, judge};
 use super::part::{BLOCK, Block, Evaluation, Part as Tapes};
 use super::program::{Part, Program, What};
 use crate::expr::tape::Slots;
+use crate::expr::{Expr, Graph, Node, Op};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
@@ -291,7 +292,7 @@ impl<'a> MeasuredGroup<'a> {
         definedness: bool,
     ) -> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
-        let along = |(series, comparison): (&Series, &super::comparison::Comparison)| {
+        let along = |(series, comparison): (&Series, &Comparison)| {
             // Nothing else asks for it.
             if !is_strict(comparison.kind) {
                 return false;
@@ -334,13 +335,22 @@ impl<'a> MeasuredGroup<'a> {
         MeasuredGroup { group, signs, definedness, strict, mute, equal, crossing: Vec::new(), sizes, first, floors }
     }
 
-    /// What is equal at these times, a few single ones, is equal only if it is so along the whole motion.
-    pub fn single_times(&mut self, along: &MeasuredGroup) {
+    /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
+    fn at_events(&mut self, graph: &Graph, event: Expr, along: &MeasuredGroup) {
         if self.definedness {
             return;
         }
-        for (here, there) in self.equal.iter_mut().flatten().zip(along.equal.iter().flatten()) {
-            *here &= there;
+        let zero = |e: Expr| matches!(graph.node(e), Node::Constant(c) if c.is_zero());
+        let says = |c: &Comparison| match graph.node(event) {
+            Node::Binary(Op::Sub, a, b) => [(*a, *b), (*b, *a)].contains(&(c.left, c.right)),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                c.left == event && zero(c.right) || c.right == event && zero(c.left)
+            }
+        };
+        for (here, there) in self.equal.iter_mut().zip(&along.equal) {
+            for ((here, there), comparison) in here.iter_mut().zip(there).zip(&self.group.comparisons) {
+                *here &= there | says(comparison);
+            }
         }
     }
 
@@ -461,10 +471,10 @@ pub(super) struct Measurements<'a> {
 }
 
 impl Measurements<'_> {
-    /// The measurements are those at single times of a motion that was measured `along`.
-    pub fn single_times(&mut self, along: &Measurements) {
+    /// The measurements are those at the zeros of `event`, on a motion that was measured `along`.
+    pub fn at_events(&mut self, graph: &Graph, event: Expr, along: &Measurements) {
         let groups = self.selectors.iter_mut().zip(&along.selectors).chain(self.parts.iter_mut().zip(&along.parts));
-        groups.for_each(|(here, there)| here.single_times(there));
+        groups.for_each(|(here, there)| here.at_events(graph, event, there));
     }
 }
 

@@ -192,7 +192,7 @@ pub(super) fn try_claim(
             };
             (0..program.parts.len()).map(each).collect()
         }
-        (Some(_), Some(zeros)) if !zeros.times.is_empty() => {
+        (Some(event), Some(zeros)) if !zeros.times.is_empty() => {
             let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
             let points = match program.parts.iter().any(special) {
                 true => {
@@ -204,7 +204,7 @@ pub(super) fn try_claim(
             let describer = Describer::new(trial, &zeros.times, &points);
             let along = measured;
             let mut measured = measure(program, &points, None);
-            measured.single_times(&along);
+            measured.at_events(trial.graph, *event, &along);
             silence(trial.graph, program, course.leaves, &points, &mut measured);
             let mut left = selected(trial, &measured, &describer);
             beyond_the_span(trial, zeros, &mut left);
