@@ -321,6 +321,7 @@ fn identities_are_proved() {
         r"e^{i\pi}=-1",
         r"\mathrm{i}^2=-1",
         r"|zw|=|z||w|",
+        r"|w\cdot z|=|w|\cdot|z|",
         r"|z/w|=\frac{|z|}{|w|}",
         r"|z^3|=|z|^3",
         r"\overline{zw}=\bar z\bar w",

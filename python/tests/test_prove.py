@@ -80,3 +80,24 @@ def test_assumptions_are_taken_over() -> None:
     assert proof.verdict is Decision.PROVED
     given = rederive.prove(sympy.Eq(sympy.sqrt(free**2), free, evaluate=False), given=[free > 0])
     assert given.verdict is Decision.PROVED and given.given == ("x>0",)
+
+
+def test_complex_symbols_of_sympy() -> None:
+    sp = pytest.importorskip("sympy")
+    z, w = sp.symbols("z w", complex=True)
+    x = sp.Symbol("x", real=True)
+    true = [
+        sp.Eq(sp.exp(sp.I * x), sp.cos(x) + sp.I * sp.sin(x), evaluate=False),
+        sp.Eq(sp.Abs(z * w, evaluate=False), sp.Abs(z) * sp.Abs(w), evaluate=False),
+        sp.Eq(sp.re(z) ** 2 + sp.im(z) ** 2, z * sp.conjugate(z)),
+    ]
+    for equation in true:
+        assert rederive.prove(equation).verdict is Decision.PROVED, equation
+    for equation in [sp.Eq(sp.log(z * w), sp.log(z) + sp.log(w)), sp.Eq(sp.sqrt(z * w), sp.sqrt(z) * sp.sqrt(w))]:
+        proof = rederive.prove(equation)
+        assert proof.verdict is Decision.REFUTED and proof.counterexample is not None
+    amplitude = sp.Function("c", complex=True)(sp.Symbol("t"))
+    rabi = rederive.Derivation("Rabi", concerns="A textbook of quantum mechanics").symbol(amplitude)
+    assert rabi.data["symbols"]["c"] == {"role": "state", "complex": True}
+    with pytest.raises(rederive.NoCounterpart, match="not real"):
+        rederive.prove(sp.Eq(sp.Symbol("y", imaginary=True), x))

@@ -1,42 +1,12 @@
 // The page of every report in a real browser. Usage: node test.mjs FOLDER (with one folder for each report).
-import assert from "node:assert/strict";
 import fs from "node:fs";
-import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { inflateSync } from "node:zlib";
-import { createRequire } from "node:module";
-import { chromium } from "playwright-core";
+import { accessible, check, done, visit } from "./visit.mjs";
 
-const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const reports = path.resolve(process.argv[2] ?? "../../reports");
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync"];
 const LARGEST = 1_500_000;
-
-let checks = 0;
-const check = (good, what) => { checks++; assert.ok(good, what); };
-const profile = fs.mkdtempSync(path.join(os.tmpdir(), "rederive-browser-"));
-
-/** Opens a page; every console error and every request beside the file itself is kept. */
-async function visit(options, url, work) {
-  const folder = fs.mkdtempSync(path.join(profile, "user-"));
-  const context = await chromium.launchPersistentContext(folder, { executablePath, args, headless: true, offline: true, ...options });
-  const page = await context.newPage();
-  const seen = { errors: [], requests: [] };
-  page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
-  page.on("pageerror", e => seen.errors.push(String(e)));
-  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0])) seen.requests.push(r.url()); });
-  try {
-    await page.goto(url);
-    await work(page);
-  } finally {
-    await context.close();
-  }
-  check(seen.errors.length === 0, `the console stays silent: ${seen.errors.join("; ")}`);
-  check(seen.requests.length === 0, `nothing is fetched: ${seen.requests.join(", ")}`);
-}
 
 /** The data of a page, unpacked by other means than the page's own. */
 function dataOf(html) {
@@ -83,17 +53,13 @@ async function formulasAreLaidOut(page) {
   return found;
 }
 
-async function accessible(page, where) {
-  // One row is like the next, and one claim like the next: to look at all of them takes minutes.
+/** A page without most of what repeats itself: one row is like the next, and to look at all of them takes minutes. */
+async function thinned(page, where) {
   await page.evaluate(() => {
     const many = ".matrix tbody tr:nth-child(n+4), .verdicts tbody tr:nth-child(n+4), .claims > :nth-child(n+12), .trajectory:nth-of-type(n+4)";
     for (const e of document.querySelectorAll(many)) if (!e.matches(".here, .pair") && !e.querySelector(".here, .pair")) e.remove();
   });
-  await page.evaluate(axe);
-  const result = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-  const bad = result.violations.map(v => `${v.id} (${v.nodes.length}): ${v.help}, ${v.nodes[0].html.slice(0, 160)}`);
-  check(bad.length === 0, `${where}: ${bad.join("\n")}`);
-  return result.passes.length;
+  await accessible(page, where);
 }
 
 for (const id of fs.readdirSync(reports).sort()) {
@@ -223,8 +189,8 @@ for (const id of fs.readdirSync(reports).sort()) {
     check(await page.locator(".matrix tbody tr[hidden]").count() === 0, `${id}: everything is shown again`);
   });
 
-  await visit({ viewport: { width: 1280, height: 900 } }, url, page => accessible(page, `${id}, as it opens`));
-  await visit({ viewport: { width: 1280, height: 900 } }, url + opened, page => accessible(page, `${id}, with a pair`));
+  await visit({ viewport: { width: 1280, height: 900 } }, url, page => thinned(page, `${id}, as it opens`));
+  await visit({ viewport: { width: 1280, height: 900 } }, url + opened, page => thinned(page, `${id}, with a pair`));
 
   // Narrow and dark: nothing is wider than the screen.
   await visit({ viewport: { width: 360, height: 740 }, colorScheme: "dark" }, url, async page => {
@@ -236,9 +202,8 @@ for (const id of fs.readdirSync(reports).sort()) {
       const drawing = await page.locator("tr.here + tr.pair svg").first().boundingBox();
       check(drawing.width <= 360, `${id}: on a phone a drawing is ${drawing.width} wide`);
     }
-    await accessible(page, `${id}, narrow and dark`);
+    await thinned(page, `${id}, narrow and dark`);
   });
   console.log(`${id}: ${size} bytes, ${formulas.formulas} formulas, ${formulas.scripts} indices, ${formulas.fractions} fractions, ${special} special curves`);
 }
-fs.rmSync(profile, { recursive: true, force: true });
-console.log(`${checks} checks passed`);
+done();

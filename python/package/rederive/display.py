@@ -108,7 +108,7 @@ def _matrix(report: Report) -> str:
         rows.append(f"<tr><td>{html.escape(claim.name)}</td><td>{html.escape(claim.says)}</td>{''.join(cells)}</tr>")
     more = f'<p class="quiet">and {len(motions) - SHOWN} more motions</p>' if len(motions) > SHOWN else ""
     key = '<p class="quiet">H holds, F fails, – does not apply, ? undecided; underlined: not as expected</p>'
-    return f"<table><tr><th>claim</th><th></th>{head}</tr>{''.join(rows)}</table>{more}{key}"
+    return f"<table><tr><th>claim</th><th>says</th>{head}</tr>{''.join(rows)}</table>{more}{key}"
 
 
 def _curve(rows: list[list[float]]) -> str:

@@ -24,6 +24,7 @@ FUNCTIONS = {
     "asinh": r"\operatorname{asinh}", "acosh": r"\operatorname{acosh}", "atanh": r"\operatorname{atanh}",
     "sech": r"\operatorname{sech}", "csch": r"\operatorname{csch}",
     "exp": r"\exp", "log": r"\ln",
+    "re": r"\operatorname{Re}", "im": r"\operatorname{Im}", "arg": r"\arg",
 }  # fmt: skip
 RELATIONS = {
     "Equality": "=", "Unequality": r"\ne ", "StrictLessThan": "<", "LessThan": r"\le ",
@@ -50,8 +51,8 @@ class Names:
         applied = isinstance(symbol, sympy.core.function.AppliedUndef)
         if not applied and not isinstance(symbol, sympy.Symbol):
             raise NoCounterpart(f"a symbol or an applied function is declared, not {symbol!r}")
-        if symbol.is_real is False or symbol.is_imaginary:
-            raise NoCounterpart(f"{symbol} is not real, and formulas are about real values")
+        if symbol.is_real is False:
+            raise NoCounterpart(f"{symbol} is not real: declare it with complex=True, and say what it is in a premise")
         if applied and (len(symbol.args) != 1 or not isinstance(symbol.args[0], sympy.Symbol)):
             raise NoCounterpart(f"{symbol} must be a function of the time alone")
         name = latex or _name(symbol.func.__name__ if applied else symbol.name)
@@ -63,6 +64,9 @@ class Names:
         if applied:
             self._time = symbol.args[0]
         keys: dict[str, Any] = {"positive": True} if symbol.is_positive and not applied else {}
+        # Without an assumption a symbol is real here, as formulas have it.
+        if symbol.is_complex and symbol.is_real is None:
+            keys["complex"] = True
         return name, "state" if applied else "parameter", keys
 
     def name(self, symbol: Any) -> str:
@@ -87,7 +91,7 @@ class Names:
         words, given = [], []
         for symbol in symbols:
             name, role, keys = self.declare(symbol)
-            words.append(f"{name}: {role}" + (", positive" if keys else ""))
+            words.append(", ".join([f"{name}: {role}", *keys]))
             if keys or role == "state":
                 continue
             if symbol.is_negative:
@@ -155,6 +159,10 @@ class Names:
             return self._latex[e]
         if e is sympy.pi:
             return r"\pi"
+        if e is sympy.I:
+            return r"\mathrm{i}"
+        if kind == "conjugate":
+            return f"\\overline{{{self._sum(e.args[0])}}}"
         if e is sympy.E:
             return r"\exp\left(1\right)"
         if kind == "Symbol":

@@ -74,7 +74,7 @@ impl Elaborator<'_> {
     pub(super) fn size(&mut self, node: &Node) -> Elaborated<Expr> {
         match &node.kind {
             NodeKind::Group(inner, _) if !self.sums_over(node) => return self.size(inner),
-            NodeKind::Product(parts) if !self.sums_over(node) => {
+            NodeKind::Product(parts) | NodeKind::Dot(parts) if !self.sums_over(node) => {
                 let mut product: Option<Expr> = None;
                 for part in parts {
                     // Vectors and matrices have no sizes to be multiplied.
