@@ -1,0 +1,49 @@
+// Pages in a real browser, one after the other: what is looked at is counted, and the console and the network stay silent.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { createRequire } from "node:module";
+import { chromium } from "playwright-core";
+
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const args = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync"];
+
+let checks = 0;
+export const check = (good, what) => { checks++; assert.ok(good, what); };
+const profile = fs.mkdtempSync(path.join(os.tmpdir(), "rederive-browser-"));
+
+/** Opens a page; every console error and every request beside the file itself is kept. */
+export async function visit(options, url, work) {
+  const folder = fs.mkdtempSync(path.join(profile, "user-"));
+  const context = await chromium.launchPersistentContext(folder, { executablePath, args, headless: true, offline: true, ...options });
+  const page = await context.newPage();
+  const seen = { errors: [], requests: [] };
+  page.on("console", m => { if (m.type() === "error" || m.type() === "warning") seen.errors.push(m.text()); });
+  page.on("pageerror", e => seen.errors.push(String(e)));
+  page.on("request", r => { if (!r.url().startsWith(url.split("#")[0])) seen.requests.push(r.url()); });
+  try {
+    await page.goto(url);
+    await work(page);
+  } finally {
+    await context.close();
+  }
+  check(seen.errors.length === 0, `the console stays silent: ${seen.errors.join("; ")}`);
+  check(seen.requests.length === 0, `nothing is fetched: ${seen.requests.join(", ")}`);
+}
+
+/** What is wrong with a page for those who do not see it, or see it badly: nothing. */
+export async function accessible(page, where) {
+  await page.evaluate(axe);
+  const result = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+  const bad = result.violations.map(v => `${v.id} (${v.nodes.length}): ${v.help}, ${v.nodes[0].html.slice(0, 160)}`);
+  check(bad.length === 0, `${where}: ${bad.join("\n")}`);
+}
+
+/** Says how much was looked at, and leaves nothing behind. */
+export function done() {
+  fs.rmSync(profile, { recursive: true, force: true });
+  console.log(`${checks} checks passed`);
+}
