@@ -166,3 +166,41 @@ fn the_gallery_has_every_derivation() {
         assert_eq!(row[2..4], counts, "{id}");
     }
 }
+
+/// The files of Rust below a folder, as paths from the root of the project.
+fn sources(folder: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    let mut todo = vec![root().join(folder)];
+    while let Some(folder) = todo.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a room can be listed") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                todo.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                let name = path.strip_prefix(root()).expect("below the root");
+                out.push(name.to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    out.sort();
+    out
+}
+
+/// Every file of the engines has its place in the reading guide: by its name, or with its whole room.
+#[test]
+fn the_reading_guide_names_every_file_that_a_verdict_rests_on() {
+    let page = read(&root().join("docs/soundness.md"));
+    let named: BTreeSet<String> =
+        links(&page).into_iter().filter_map(|(_, target)| target.strip_prefix("../").map(str::to_owned)).collect();
+    // What only gathers a crate, holds data, or is compiled for tests.
+    let other = ["lib.rs", "tests.rs", "model_tests.rs", "faults.rs", "hash.rs", "random.rs", "sample.rs", "syntax.rs", "name.rs"];
+    let whole = ["src/latex/parse/", "src/latex/elaborate/", "src/check/variant/", "src/check/separation/", "src/derivation/"];
+    let rooms = ["src/verdict", "src/number", "src/expr", "src/latex", "src/derivation", "src/flow", "src/proof", "src/check"];
+    let missing: Vec<String> = rooms
+        .iter()
+        .flat_map(|room| sources(room))
+        .filter(|file| !named.contains(file) && !whole.iter().any(|room| file.starts_with(room)))
+        .filter(|file| !other.iter().any(|name| file.ends_with(&format!("/{name}"))))
+        .collect();
+    assert!(missing.is_empty(), "docs/soundness.md does not name {missing:?}");
+}
