@@ -7,8 +7,9 @@
 //! What passes at a few points of every motion is tried as a claim of its own, as it is printed, on the motions of the check:
 //! only what gets the verdict `holds` on every one is offered. So a correction is as strong as any verdict of this program.
 //!
-//! A correction that holds because it says nothing (x = x) is refused; one that is true by the definitions alone comes after
-//! those that are not. In which order they are offered is said in `nearness`.
+//! A correction that holds because it says nothing (x = x) is refused, and so is one whose units do not agree, if those of the
+//! print do; one that is true by the definitions alone comes after those that are not. In which order they are offered is said
+//! in `nearness`.
 
 use rayon::prelude::*;
 
@@ -30,7 +31,7 @@ use crate::check::account::{ClaimAccount, PairAccount};
 use crate::check::program::Program;
 use crate::check::step::Step;
 use crate::check::trial::{Course, Trial, Values};
-use crate::check::{CheckError, one_pair};
+use crate::check::{CheckError, one_pair, units};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::flow::Sample;
@@ -339,7 +340,10 @@ impl Search<'_> {
             kept.push((variant, classes, difference, changed));
         }
         let nearness = Nearness::of_all(self.derivation, setting.claim, graph, formula, vocabulary, &kept);
-        let mut kept: Vec<_> = kept.into_iter().zip(nearness).collect();
+        // What adds joules to kilograms is no correction of what did not.
+        let as_printed: Vec<_> = formula.parts.iter().map(|p| (p.sides.0, Some(p.sides.1))).collect();
+        let odd = units::inconsistent(self.derivation, graph, &[as_printed]).contains(&true);
+        let mut kept: Vec<_> = kept.into_iter().zip(nearness).filter(|(_, n)| odd || !n.inconsistent).collect();
         kept.sort_by(|a, b| a.1.cmp(&b.1));
         let mut rest = Vec::new();
         for ((variant, classes, difference, _), nearness) in kept {
