@@ -15,7 +15,12 @@ pub fn printed(text: &str) -> Option<String> {
         out.push_str(&text[token.span.clone()]);
         at = token.span.end;
     }
-    Some(shown(out.trim()).into_owned())
+    let text = out.trim_start();
+    let end = text.trim_end();
+    // A space behind a backslash belongs to it.
+    let escaped = end.bytes().rev().take_while(|&b| b == b'\\').count() % 2 == 1;
+    let space = text[end.len()..].chars().next().filter(|_| escaped).map_or(0, char::len_utf8);
+    Some(shown(&text[..end.len() + space]).into_owned())
 }
 
 /// What stands between two tokens, without comments and arguments.
@@ -73,6 +78,7 @@ mod tests {
             (r"\left( x\,\right)\quad y \hspace{1em}\cr z", r"\left( x\,\right)\quad y \cr z"),
             (r"\dot x=-\frac{k}{m}x~", r"\dot x=-\frac{k}{m}x~"),
             ("10^{\r12}=0", "10^{ 12}=0"),
+            ("x\n\\ \\ ", "x\n\\ \\ "),
             ("", ""),
         ] {
             assert_eq!(printed(text).as_deref(), Some(left), "{text}");
