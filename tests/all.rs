@@ -64,6 +64,7 @@ mod page;
 mod pdf;
 mod planted;
 mod premises;
+mod printed;
 mod prove;
 mod prove_traps;
 mod readme;

@@ -444,6 +444,11 @@ impl Scope {
         matches!(role, Some(Role::Time | Role::State | Role::Observable))
     }
 
+    /// Whether no symbol depends on time.
+    pub(super) fn is_timeless(&self) -> bool {
+        !self.entries.iter().any(|e| e.moving)
+    }
+
     /// Whether a symbol depends on time.
     pub(super) fn is_moving(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         let found = self.find(name, sub, None);

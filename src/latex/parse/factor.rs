@@ -111,12 +111,15 @@ impl Parser<'_> {
             Kind::Letter('e') if *self.kind_after(1) == Kind::Sign('^') && self.is_euler(2) => {
                 self.bump();
                 self.bump();
-                let exponent = self.raised()?;
+                let exponent = self.exponent()?;
                 Ok(Some(self.exponential(exponent, false, start)))
             }
             Kind::Letter(_) => {
                 if let Some(operator) = self.plain_word()? {
                     return self.operator(operator, start).map(Some);
+                }
+                if let Some(tokens) = self.begins_differential()? {
+                    return self.free_differential(tokens, start).map(Some);
                 }
                 if self.is_bare_euler()? {
                     self.bump();
@@ -143,6 +146,14 @@ impl Parser<'_> {
             Kind::Command(c) => self.command(&c, start),
             _ => Ok(None),
         }
+    }
+
+    /// The exponent of Euler's number.
+    fn exponent(&mut self) -> Parsed<Node> {
+        let outer = self.exponent.replace(self.depth + 1);
+        let exponent = self.raised();
+        self.exponent = outer;
+        exponent
     }
 
     fn exponential(&self, exponent: Node, upright: bool, start: usize) -> Node {
@@ -260,7 +271,7 @@ impl Parser<'_> {
         if !self.eat('^') {
             return Ok(self.node(NodeKind::Euler { upright: true }, start));
         }
-        let exponent = self.raised()?;
+        let exponent = self.exponent()?;
         Ok(self.exponential(exponent, true, start))
     }
 
@@ -423,6 +434,10 @@ impl Parser<'_> {
                     let hint = "write one name in the braces, and scripts or dots outside";
                     refuse("latex::unexpected", format!("`\\{c}` stands before one name"), self.span(), hint)
                 }
+                None if matches!(c, "lfloor" | "lceil") => {
+                    let hint = r"declare a parameter `n` for it, and assume `n\le x<n+1`";
+                    refuse("latex::unsupported", "whole parts are not part of the formula language", self.span(), hint)
+                }
                 None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
             },
         }
@@ -431,6 +446,9 @@ impl Parser<'_> {
     /// `\operatorname{…}` and `\mathrm{…}`: an operator, Euler's e, or a name.
     fn named_operator(&mut self, start: usize) -> Parsed<Option<Node>> {
         let back = self.at;
+        if let Some(tokens) = self.begins_differential()? {
+            return self.free_differential(tokens, start).map(Some);
+        }
         self.bump();
         let mut word = self.word();
         if word.is_none() && self.eat('{') {

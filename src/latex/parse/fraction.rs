@@ -1,6 +1,7 @@
 //! What takes its arguments in braces: fractions, derivatives, roots, matrices.
 
 use super::super::lexer::Kind;
+use super::super::name::{self, NAMES};
 use super::super::syntax::{Node, NodeKind};
 use super::names::plain;
 use super::{Open, Parsed, Parser, decimal, refuse};
@@ -118,6 +119,36 @@ impl Parser<'_> {
         }
     }
 
+    /// Number of tokens of the d of a differential that is not part of a fraction: it is not declared, and a name follows.
+    pub(super) fn begins_differential(&self) -> Parsed<Option<usize>> {
+        let Some(tokens) = self.differential_at(0) else { return Ok(None) };
+        let upright = *self.kind() != Kind::Letter('d');
+        if self.scope.is_known(if upright { "rm:d" } else { "d" }, None) || !upright && self.spelled_name()?.is_some() {
+            return Ok(None);
+        }
+        let named = match self.kind_after(tokens) {
+            Kind::Letter(_) => true,
+            Kind::Command(c) => NAMES.contains(&c.as_str()) || matches!(name::style(c), Some("bf" | "vec")),
+            Kind::Sign('{') => matches!(self.kind_after(tokens + 1), Kind::Command(c) if c == "bf"),
+            _ => false,
+        };
+        Ok(named.then_some(tokens))
+    }
+
+    /// At the d: what it is the differential of.
+    pub(super) fn free_differential(&mut self, tokens: usize, start: usize) -> Parsed<Node> {
+        let upright = *self.kind() != Kind::Letter('d');
+        self.at += tokens;
+        let of = self.primary()?;
+        let Some(of) = of.filter(|n| matches!(&n.kind, NodeKind::Symbol(s) if s.sup.is_none())) else {
+            let message = "it is not clear what this is the differential of";
+            let hint = r"write `d` before one symbol, and powers of differentials as products";
+            return refuse("latex::ambiguous", message, start..self.last_end(), hint);
+        };
+        self.rate_is_clear(&of)?;
+        Ok(self.node(NodeKind::Differential { of: Box::new(of), upright }, start))
+    }
+
     /// The order in `d^2`; 1 without a superscript.
     fn differential_order(&mut self) -> Parsed<u8> {
         if !self.eat('^') {
@@ -157,10 +188,10 @@ impl Parser<'_> {
         None
     }
 
-    /// Whether a derivative in Leibniz' notation begins here.
-    pub(super) fn begins_derivative(&self) -> bool {
-        let fraction = matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
-        fraction && *self.kind_after(1) == Kind::Sign('{') && self.differential_at(2).is_some()
+    /// Whether a derivative in Leibniz' notation begins so many tokens ahead.
+    pub(super) fn begins_derivative_after(&self, n: usize) -> bool {
+        let fraction = matches!(self.kind_after(n), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
+        fraction && *self.kind_after(n + 1) == Kind::Sign('{') && self.differential_at(n + 2).is_some()
     }
 
     fn leibniz(&mut self, start: usize) -> Parsed<Option<Node>> {

@@ -18,6 +18,7 @@ use std::ops::Range;
 
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
+use super::name;
 use super::refusal::{DEEPEST, Parsed, refuse};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
@@ -51,6 +52,8 @@ pub(super) struct Parser<'a> {
     bar: Option<(usize, usize)>,
     /// Letters in a subscript are labels or indices, one by one.
     in_subscript: bool,
+    /// How deep the terms of an exponent of Euler's number are that is being read.
+    exponent: Option<usize>,
 }
 
 /// Reads all chains of relations of a text; a chain may be a single expression.
@@ -101,7 +104,7 @@ impl<'a> Parser<'a> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
         let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
-        Ok(Parser { text, scope, tokens, at: 0, depth: 0, bars: 0, open: None, bar: None, in_subscript: false })
+        Ok(Parser { text, scope, tokens, at: 0, depth: 0, bars: 0, open: None, bar: None, in_subscript: false, exponent: None })
     }
 
     // ---- tokens --------------------------------------------------------------------------------------------------
@@ -390,20 +393,22 @@ impl<'a> Parser<'a> {
 
     fn crosses(&mut self) -> Parsed<Node> {
         let start = self.span().start;
-        let left = Box::new(self.product()?);
-        if !self.is_command("times") {
-            return Ok(*left);
+        let mut left = self.product()?;
+        let mut count = 0;
+        while self.is_command("times") {
+            count += 1;
+            if count > DEEPEST {
+                let hint = r"write `\cdot`, or nothing";
+                return refuse("latex::too-deep", "too many factors are joined by `\\times`", self.span(), hint);
+            }
+            self.joint_is_clear()?;
+            self.bump();
+            let from = self.at;
+            let right = Box::new(self.product()?);
+            self.bar_is_clear(from, [&left])?;
+            left = self.node(NodeKind::Cross { left: Box::new(left), right, bracket: false }, start);
         }
-        self.joint_is_clear()?;
-        self.bump();
-        let from = self.at;
-        let right = Box::new(self.product()?);
-        self.bar_is_clear(from, [&*left])?;
-        if self.is_command("times") {
-            let hint = "put parentheses around two of the factors";
-            return refuse("latex::ambiguous", "the product `\\times` is not associative", self.span(), hint);
-        }
-        Ok(self.node(NodeKind::Cross { left, right, bracket: false }, start))
+        Ok(left)
     }
 
     /// Refuses a factor behind something whose end cannot be seen.
@@ -417,7 +422,8 @@ impl<'a> Parser<'a> {
             }
             Open::Operator { clear } => {
                 // `\frac{d}{dt}x(t)\frac{d}{dt}y(t)`: what is derived shows its variable, and another derivative follows.
-                if *clear && self.begins_derivative() {
+                let bracket = usize::from(self.is('('));
+                if *clear && self.begins_derivative_after(bracket) {
                     return Ok(());
                 }
                 let hint = r"put what is derived into parentheses: `\frac{d}{dt}(…)`";
@@ -433,6 +439,41 @@ impl<'a> Parser<'a> {
                 refuse("latex::ambiguous", message, span, hint)
             }
         }
+    }
+
+    /// In the exponent of Euler's number, `e^{-x^2/4Dt}`: letters that touch the denominator belong to it, since a script is
+    /// set without spaces, and what is divided stands before the slash. Two prints are left out that are also used for the
+    /// other meaning: a bare number above, `e^{-1/2x^2}`, and a power below where there is none above, `e^{-a/2x^2}`.
+    fn tight_denominator(&mut self, numerator: &Node, first: Node) -> Parsed<Node> {
+        let single = |n: &Node| match &n.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && s.dots == 0,
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            _ => false,
+        };
+        if self.exponent != Some(self.depth) || numerator.is_numeric() || !single(&first) {
+            return Ok(first);
+        }
+        let (back, start) = (self.at, first.span.start);
+        let mut factors = vec![first.clone()];
+        let letter = |kind: &Kind| match kind {
+            Kind::Letter(_) => true,
+            Kind::Command(c) => name::NAMES.contains(&c.as_str()) || c == "pi",
+            _ => false,
+        };
+        while letter(self.kind()) && !self.is_spaced() {
+            match self.factor()? {
+                Some(factor) if single(&factor) => factors.push(factor),
+                _ => {
+                    self.at = back;
+                    return Ok(first);
+                }
+            }
+        }
+        if factors.len() == 1 || factors.iter().any(shows_power) && !shows_power(numerator) {
+            self.at = back;
+            return Ok(first);
+        }
+        Ok(self.node(NodeKind::Product(factors), start))
     }
 
     /// Juxtaposed factors, at most one slash among them.
@@ -495,6 +536,7 @@ impl<'a> Parser<'a> {
         let Some(denominator) = self.factor()? else {
             return refuse("latex::unexpected", "nothing stands behind `/`", slash, "");
         };
+        let denominator = self.tight_denominator(&numerator, denominator)?;
         self.open = Some((self.at, Open::Slash));
         if self.begins_factor() || self.is('/') {
             let end = self.span().end;
@@ -504,6 +546,16 @@ impl<'a> Parser<'a> {
         }
         let kind = NodeKind::Quotient { top: Box::new(numerator), bottom: Box::new(denominator), slash: true };
         Ok(self.node(kind, start))
+    }
+}
+
+/// Whether something is raised to a power somewhere outside of brackets.
+fn shows_power(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Symbol(s) => s.sup.is_some(),
+        NodeKind::Scripted { sup, .. } => sup.is_some(),
+        NodeKind::Product(parts) => parts.iter().any(shows_power),
+        _ => false,
     }
 }
 

@@ -274,7 +274,7 @@ impl Parser<'_> {
     }
 
     /// A declared name of several letters that stands here, as `KE`.
-    fn spelled_name(&self) -> Parsed<Option<Name>> {
+    pub(super) fn spelled_name(&self) -> Parsed<Option<Name>> {
         if !self.scope.has_words() || self.in_subscript {
             return Ok(None);
         }
