@@ -19,6 +19,7 @@ mod claims_random;
 mod cli;
 mod cli_mangled;
 mod complex;
+mod constants;
 mod contributing;
 mod corpus;
 mod derivation_docs;

@@ -76,10 +76,18 @@ fn arguments_and_factors() {
         ("latex::ambiguous", r"\sin\omega x=1", r"\omega, x"),
         ("latex::ambiguous", r"\cos k\,x=1", "k, x"),
         ("latex::ambiguous", r"\cos kx=1", "k: state; x"),
+        ("latex::ambiguous", r"\det AB=1", "A, B: 2x2"),
+        ("latex::ambiguous", r"\det AB=1", "A: 2x2; B: state, 2x2"),
         ("proved", r"e^{-\gamma t}(A+Bt)=Ae^{-\gamma t}+Bte^{-\gamma t}", r"t: time; \gamma, A, B"),
         ("latex::ambiguous", r"e^{-x}(A+Bt)=1", r"t: time; x: state; A, B"),
         ("latex::ambiguous", r"e^{-t}(1+2)=1", r"t: time"),
         ("proved", r"\sqrt{\pi^2a^2}=\pi|a|", "a"),
+        ("proved", r"\sin(90^{\circ}-x)=\cos x", "x"),
+        ("proved", r"\sin30^\circ=\frac12", "x"),
+        ("proved", r"360^\circ x=2\pi x", "x"),
+        ("refuted", r"\sin(90^\circ+x)=\sin x", "x"),
+        ("latex::ambiguous", r"\sin30^\circ x=1", "x"),
+        ("latex::double-script", r"x=(30^\circ^2)", "x"),
         ("refuted", r"\sqrt{(1-\pi)^2}=1-\pi", "a"),
         ("latex::unsupported", r"\left\lfloor x\right\rfloor=x", "x"),
     ]);
@@ -98,6 +106,10 @@ fn differentials_are_rates() {
         ("latex::derivative", r"dT=0", gas),
         ("latex::derivative", r"\dot U=dU", gas),
         ("latex::ambiguous", r"dU^2=0", gas),
+        ("latex::ambiguous", r"d(US)^2=0", gas),
+        ("proved", r"U\,dS=d(US)-S\,dU", gas),
+        ("refuted", r"U\,dS=d(US)+S\,dU", gas),
+        ("latex::derivative", r"d(d(U))=0", gas),
         ("latex::ambiguous", r"dU(0)=0", gas),
         ("latex::ambiguous", r"\sin V dU=0", gas),
         // Declared, the letter is what it is declared as.
@@ -159,4 +171,44 @@ fn a_change_of_the_logarithm_is_noticed() {
     let outcome = |json: String| json.contains("\"fails\": 1");
     let (natural, decimal) = (verdict("natural"), verdict("decimal"));
     assert_ne!(outcome(natural), outcome(decimal), "the verdicts differ");
+}
+
+#[test]
+fn primes_are_derivatives_by_a_variable_that_is_no_time() {
+    let curve = "x: time; y: state; a";
+    all(&[
+        ("proved", r"y'=\frac{dy}{dx}", curve),
+        ("proved", r"y''=\frac{d^2y}{dx^2}", curve),
+        ("proved", r"y''''=\frac{d^4y}{dx^4}", curve),
+        ("proved", r"y'(0)=\left.\frac{dy}{dx}\right|_{x=0}", curve),
+        ("proved", r"y'^2=(\frac{dy}{dx})^2", curve),
+        ("refuted", r"y''=y'^2", curve),
+        ("proved", r"r'=\frac{dr}{d\theta}", r"\theta: time; r: state"),
+        // Of a constant, of the variable itself, and beside a time: a name that is not declared.
+        ("latex::unknown-symbol", r"a'=0", curve),
+        ("latex::unknown-symbol", r"x'=1", curve),
+        ("latex::unknown-symbol", r"y'=0", "t: time; y: state"),
+        ("latex::unknown-symbol", r"y'=0", r"\tau: time; y: state"),
+        // Declared, it is what it is declared as.
+        ("refuted", r"y'=\frac{dy}{dx}", "x: time; y, y': state"),
+    ]);
+}
+
+#[test]
+fn names_in_square_brackets() {
+    let kinetics = r"[S], [ES]: state; k, S_0, [S]_0";
+    all(&[
+        ("proved", r"k[S]=[S]k", kinetics),
+        ("proved", r"\frac{d[S]}{dt}=\frac{d}{dt}[S]", kinetics),
+        ("proved", r"2[S][ES]-[S]([ES]+k)=[S][ES]-k[S]", kinetics),
+        ("refuted", r"[S]=[S]_0", kinetics),
+        ("refuted", r"d[S]=-k[S]\,dt", kinetics),
+        ("proved", r"[{\rm S}]=[\mathrm{S}]", r"[\mathrm{S}]"),
+        ("proved", r"[\mathrm{H}^+]^2=[\mathrm{H}^+][\mathrm{H}^+]", r"[\mathrm{H}^+]"),
+        ("latex::unknown-symbol", r"[P]=0", kinetics),
+        ("proved", r"[k]=k", kinetics),
+        ("refuted", r"[S_0]=[S]+[A_{\rm adsorption}]", r"[S_0], [S], [A_{\rm adsorption}]"),
+        ("latex::ambiguous", r"[S_0]=1", "[S_0]; S_0"),
+        ("latex::ambiguous", r"[S]=1", "[S]; S"),
+    ]);
 }

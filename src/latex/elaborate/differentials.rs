@@ -27,7 +27,10 @@ fn degree(node: &Node) -> Elaborated<Option<i32>> {
     };
     match &node.kind {
         NodeKind::Number(_) if node.is_zero() => Ok(None),
-        NodeKind::Differential { .. } => Ok(Some(1)),
+        NodeKind::Differential { of, .. } => match degree(of)? {
+            None | Some(0) => Ok(Some(1)),
+            Some(_) => refuse("latex::derivative", "a differential of a differential", &node.span, HINT),
+        },
         NodeKind::Group(inner, _) => degree(inner),
         NodeKind::Sum(terms) => same(&mut terms.iter().map(|(_, term)| term)),
         NodeKind::Tuple(parts) => same(&mut parts.iter()),
@@ -54,7 +57,9 @@ fn degree(node: &Node) -> Elaborated<Option<i32>> {
         | NodeKind::Factorial(_)
         | NodeKind::Limit(..) => match node.children().into_iter().find(|n| holds_differential(n)) {
             None => Ok(Some(0)),
-            Some(inside) => refuse("latex::derivative", "a differential stands inside of something", &inside.span, HINT),
+            Some(inside) => {
+                refuse("latex::derivative", "a differential stands inside of something", &inside.span, HINT)
+            }
         },
     }
 }

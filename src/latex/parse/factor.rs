@@ -5,6 +5,7 @@ use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Node, NodeKind};
 use super::function::{self, FUNCTIONS, OPERATORS, WORDS};
 use super::{Open, Parsed, Parser, decimal, refuse};
+use expr::Rational;
 
 impl Parser<'_> {
     /// π, unless it is declared as something else.
@@ -56,6 +57,12 @@ impl Parser<'_> {
             if p.is('!') {
                 node = p.factorial(node)?;
             }
+            if matches!(node.kind, NodeKind::Number(_)) && p.degree_sign() {
+                node = p.in_degrees(node);
+                if p.is('^') || p.is('_') {
+                    return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
+                }
+            }
             if !(p.is('_') || p.is('^')) {
                 return Ok(Some(node));
             }
@@ -64,6 +71,29 @@ impl Parser<'_> {
             let start = node.span.start;
             Ok(Some(p.node(NodeKind::Scripted { base: Box::new(node), sub, sup, sup_first }, start)))
         })
+    }
+
+    /// `^\circ`: eaten when it is there.
+    fn degree_sign(&mut self) -> bool {
+        let circle = |k: &Kind| matches!(k, Kind::Command(c) if c == "circ");
+        let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
+        let tokens = match self.is('^') {
+            true if circle(self.kind_after(1)) => 2,
+            true if braced && circle(self.kind_after(2)) => 4,
+            _ => return false,
+        };
+        self.at += tokens;
+        true
+    }
+
+    /// A number of degrees: one degree is π/180.
+    fn in_degrees(&self, number: Node) -> Node {
+        let start = number.span.start;
+        let top = Box::new(self.node(NodeKind::Pi, start));
+        let bottom = Box::new(self.node(NodeKind::Number(Rational::from(180)), start));
+        let one = self.node(NodeKind::Quotient { top, bottom, slash: false }, start);
+        let angle = self.node(NodeKind::Product(vec![number, one]), start);
+        self.node(NodeKind::Group(Box::new(angle), Bracket::Round), start)
     }
 
     /// At `!`: the factorial of what stands before it, which is one piece.
@@ -129,6 +159,7 @@ impl Parser<'_> {
             }
             Kind::Sign('{') => self.braces(start),
             Kind::Sign('(') => self.round(start).map(Some),
+            Kind::Sign('[') if self.bracketed_name()?.is_some() => self.symbol(0).map(Some),
             Kind::Sign('[') => self.square(start).map(Some),
             Kind::OpenFence => self.fenced(start).map(Some),
             Kind::OpenBar => {
@@ -143,7 +174,10 @@ impl Parser<'_> {
                 Ok(Some(self.node(NodeKind::Absolute(Box::new(inner)), start)))
             }
             Kind::Sign('|') if self.bars == 0 && !self.is_bar_of_time() => self.bars(start).map(Some),
-            Kind::Command(c) => self.command(&c, start),
+            Kind::Command(c) => match self.unit(start)? {
+                Some(unit) => Ok(Some(unit)),
+                None => self.command(&c, start),
+            },
             _ => Ok(None),
         }
     }

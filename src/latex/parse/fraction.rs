@@ -130,6 +130,7 @@ impl Parser<'_> {
             Kind::Letter(_) => true,
             Kind::Command(c) => NAMES.contains(&c.as_str()) || matches!(name::style(c), Some("bf" | "vec")),
             Kind::Sign('{') => matches!(self.kind_after(tokens + 1), Kind::Command(c) if c == "bf"),
+            Kind::Sign('[' | '(') => true,
             _ => false,
         };
         Ok(named.then_some(tokens))
@@ -140,9 +141,14 @@ impl Parser<'_> {
         let upright = *self.kind() != Kind::Letter('d');
         self.at += tokens;
         let of = self.primary()?;
-        let Some(of) = of.filter(|n| matches!(&n.kind, NodeKind::Symbol(s) if s.sup.is_none())) else {
+        let clear = |n: &Node| match &n.kind {
+            NodeKind::Symbol(s) => s.sup.is_none(),
+            NodeKind::Group(..) => true,
+            _ => false,
+        };
+        let Some(of) = of.filter(clear) else {
             let message = "it is not clear what this is the differential of";
-            let hint = r"write `d` before one symbol, and powers of differentials as products";
+            let hint = r"write `d` before one symbol or before parentheses, and powers of differentials as products";
             return refuse("latex::ambiguous", message, start..self.last_end(), hint);
         };
         self.rate_is_clear(&of)?;
@@ -190,7 +196,8 @@ impl Parser<'_> {
 
     /// Whether a derivative in Leibniz' notation begins so many tokens ahead.
     pub(super) fn begins_derivative_after(&self, n: usize) -> bool {
-        let fraction = matches!(self.kind_after(n), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
+        let fraction =
+            matches!(self.kind_after(n), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
         fraction && *self.kind_after(n + 1) == Kind::Sign('{') && self.differential_at(n + 2).is_some()
     }
 
@@ -275,6 +282,41 @@ impl Parser<'_> {
         Ok(Some(node))
     }
 
+    /// In the exponent of Euler's number, `e^{-x^2/4Dt}`: letters that touch the denominator belong to it, since a script is
+    /// set without spaces, and what is divided stands before the slash. Two prints are left out that are also used for the
+    /// other meaning: a bare number above, `e^{-1/2x^2}`, and a power below where there is none above, `e^{-a/2x^2}`.
+    pub(super) fn tight_denominator(&mut self, numerator: &Node, first: Node) -> Parsed<Node> {
+        let single = |n: &Node| match &n.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && s.dots == 0,
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            _ => false,
+        };
+        if self.exponent != Some(self.depth) || numerator.is_numeric() || !single(&first) {
+            return Ok(first);
+        }
+        let (back, start) = (self.at, first.span.start);
+        let mut factors = vec![first.clone()];
+        let letter = |kind: &Kind| match kind {
+            Kind::Letter(_) => true,
+            Kind::Command(c) => NAMES.contains(&c.as_str()) || c == "pi",
+            _ => false,
+        };
+        while letter(self.kind()) && !self.is_spaced() {
+            match self.factor()? {
+                Some(factor) if single(&factor) => factors.push(factor),
+                _ => {
+                    self.at = back;
+                    return Ok(first);
+                }
+            }
+        }
+        if factors.len() == 1 || factors.iter().any(shows_power) && !shows_power(numerator) {
+            self.at = back;
+            return Ok(first);
+        }
+        Ok(self.node(NodeKind::Product(factors), start))
+    }
+
     /// After `\begin`.
     pub(super) fn matrix(&mut self, start: usize) -> Parsed<Node> {
         let span = self.span();
@@ -330,5 +372,15 @@ impl Parser<'_> {
             return refuse("latex::too-large", format!("a matrix of more than {WIDEST} rows or columns"), span, "");
         }
         Ok(self.node(NodeKind::Matrix(rows), start))
+    }
+}
+
+/// Whether something is raised to a power somewhere outside of brackets.
+fn shows_power(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Symbol(s) => s.sup.is_some(),
+        NodeKind::Scripted { sup, .. } => sup.is_some(),
+        NodeKind::Product(parts) => parts.iter().any(shows_power),
+        _ => false,
     }
 }

@@ -169,7 +169,9 @@ impl Parser<'_> {
                 let timeless = self.scope.is_timeless();
                 let time = self.is_time(last) || timeless && is_letter(last) && last.is_named("t");
                 time && init.iter().all(|n| self.is_steady(n))
+                    // `\det AB` could be a number times a matrix.
                     || is_letter(last)
+                        && !matches!(name, "det" | "tr")
                         && (timeless || self.moves(last))
                         && init.iter().all(|n| self.is_coefficient(n))
             }

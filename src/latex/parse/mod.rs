@@ -13,12 +13,12 @@ mod function;
 mod instant;
 mod names;
 mod symbol;
+mod units;
 
 use std::ops::Range;
 
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
-use super::name;
 use super::refusal::{DEEPEST, Parsed, refuse};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
@@ -104,7 +104,18 @@ impl<'a> Parser<'a> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
         let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
-        Ok(Parser { text, scope, tokens, at: 0, depth: 0, bars: 0, open: None, bar: None, in_subscript: false, exponent: None })
+        Ok(Parser {
+            text,
+            scope,
+            tokens,
+            at: 0,
+            depth: 0,
+            bars: 0,
+            open: None,
+            bar: None,
+            in_subscript: false,
+            exponent: None,
+        })
     }
 
     // ---- tokens --------------------------------------------------------------------------------------------------
@@ -441,41 +452,6 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// In the exponent of Euler's number, `e^{-x^2/4Dt}`: letters that touch the denominator belong to it, since a script is
-    /// set without spaces, and what is divided stands before the slash. Two prints are left out that are also used for the
-    /// other meaning: a bare number above, `e^{-1/2x^2}`, and a power below where there is none above, `e^{-a/2x^2}`.
-    fn tight_denominator(&mut self, numerator: &Node, first: Node) -> Parsed<Node> {
-        let single = |n: &Node| match &n.kind {
-            NodeKind::Symbol(s) => s.arguments.is_none() && s.dots == 0,
-            NodeKind::Number(_) | NodeKind::Pi => true,
-            _ => false,
-        };
-        if self.exponent != Some(self.depth) || numerator.is_numeric() || !single(&first) {
-            return Ok(first);
-        }
-        let (back, start) = (self.at, first.span.start);
-        let mut factors = vec![first.clone()];
-        let letter = |kind: &Kind| match kind {
-            Kind::Letter(_) => true,
-            Kind::Command(c) => name::NAMES.contains(&c.as_str()) || c == "pi",
-            _ => false,
-        };
-        while letter(self.kind()) && !self.is_spaced() {
-            match self.factor()? {
-                Some(factor) if single(&factor) => factors.push(factor),
-                _ => {
-                    self.at = back;
-                    return Ok(first);
-                }
-            }
-        }
-        if factors.len() == 1 || factors.iter().any(shows_power) && !shows_power(numerator) {
-            self.at = back;
-            return Ok(first);
-        }
-        Ok(self.node(NodeKind::Product(factors), start))
-    }
-
     /// Juxtaposed factors, at most one slash among them.
     fn product(&mut self) -> Parsed<Node> {
         let start = self.span().start;
@@ -546,16 +522,6 @@ impl<'a> Parser<'a> {
         }
         let kind = NodeKind::Quotient { top: Box::new(numerator), bottom: Box::new(denominator), slash: true };
         Ok(self.node(kind, start))
-    }
-}
-
-/// Whether something is raised to a power somewhere outside of brackets.
-fn shows_power(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Symbol(s) => s.sup.is_some(),
-        NodeKind::Scripted { sup, .. } => sup.is_some(),
-        NodeKind::Product(parts) => parts.iter().any(shows_power),
-        _ => false,
     }
 }
 
