@@ -141,6 +141,9 @@ fn contents(derivation: &Derivation) -> Option<Contents> {
     };
     let (claims, motions) = (list("claim"), list("trajectory"));
     root.remove("derivation");
+    // Of the conventions, the texts are only shown; these say what a formula means.
+    let meant = |name: &str| root.get("conventions")?.get(name)?.as_str().map(str::to_owned);
+    let conventions = format!("{:?}\n", ["log", "i", "units"].map(meant));
     root.remove("conventions");
     let id = |table: &toml::Value| Some(table.get("id")?.as_str()?.to_owned());
     let mut symbols = String::new();
@@ -153,7 +156,7 @@ fn contents(derivation: &Derivation) -> Option<Contents> {
     };
     let claims = claims.into_iter().map(&mut one).collect::<Option<_>>()?;
     let motions = motions.iter().map(|m| Some((id(m)?, m.to_string()))).collect::<Option<_>>()?;
-    Some(Contents { base: root.to_string() + &symbols, motions, claims })
+    Some(Contents { base: conventions + &root.to_string() + &symbols, motions, claims })
 }
 
 /// Takes the words and the symbols out of a claim; the symbols are returned, since motions know the observables of all claims.

@@ -83,6 +83,17 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     if !problems.is_empty() {
         return Err(CheckError::Problems(problems));
     }
+    // Where units stand in formulas, one metre is not one second, though both are the number 1.
+    let typed_relations = conclusion.iter().chain(&assuming).flat_map(|w| &w.value.relations);
+    let sides_of: Vec<Vec<_>> = typed_relations
+        .map(|r| r.left.components.iter().copied().zip(r.right.components.iter().copied().map(Some)).collect())
+        .collect();
+    if scope.has_units() && units::inconsistent(derivation, &derivation.graph, &sides_of).contains(&true) {
+        let whole = 0..proposition.formula.len();
+        let d =
+            Diagnostic::at(&source, "prove::units", whole, "the two sides differ in their units, or terms of a sum do");
+        return Err(CheckError::Problems(vec![d.hint("see the units that the file declares")]));
+    }
     let pairs: Vec<_> = conclusion.iter().flat_map(|w| &w.value.relations).flat_map(sides).collect();
     let formulas = vec![Formula { text: proposition.formula.clone(), kind: FormKind::Always }];
     let claim = Claim {

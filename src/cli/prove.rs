@@ -15,7 +15,7 @@ use super::{Exit, Stop, print, say};
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words
 are those of [symbols] in a derivation file: a role (parameter, which is so
-unless given; state, observable, abbreviation, time), a shape (3, 3x3,
+unless given; state, observable, abbreviation, time, constant), a shape (3, 3x3,
 diagonal 3), positive, complex. Where a state is declared, and no time, t is the
 time. Unless it is declared, i is the imaginary unit.
 

@@ -16,6 +16,7 @@
 mod ambiguity;
 mod claims;
 mod conditions;
+mod constants;
 pub mod keys;
 mod load;
 mod model;

@@ -98,6 +98,10 @@ pub(super) struct Loader<'s> {
     taken: HashMap<(&'static str, String), Range<usize>>,
     /// Ids of things that were refused: no second complaint about a use of them.
     pub refused: Vec<String>,
+    /// Constants whose values are in coherent units of the SI.
+    pub in_si: Vec<String>,
+    /// Whether upright names are units.
+    pub has_units: bool,
 }
 
 impl<'s> Loader<'s> {
@@ -105,7 +109,7 @@ impl<'s> Loader<'s> {
         let file = Arc::clone(problems.source);
         let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
         let out = Derivation { file, sha256, ..Derivation::blank() };
-        Loader { problems, out, taken: HashMap::new(), refused: Vec::new() }
+        Loader { problems, out, taken: HashMap::new(), refused: Vec::new(), in_si: Vec::new(), has_units: false }
     }
 
     fn finish(self) -> Result<Derivation, Vec<Diagnostic>> {
@@ -151,6 +155,11 @@ impl<'s> Loader<'s> {
                                         problems.note("derivation::wrong-type", value.span(), message);
                                     }
                                 }
+                            }
+                            // Any other text is for the reader of the report.
+                            if key.get_ref() == "units" && text.trim() == "SI" {
+                                self.out.scope.set_units();
+                                self.has_units = true;
                             }
                             if key.get_ref() == "i" && text.trim() == "imaginary unit" {
                                 self.out.scope.set_imaginary();

@@ -102,6 +102,7 @@ impl SymbolEntry {
         match self.role {
             Role::Time => "time",
             Role::State => "state",
+            Role::Parameter if self.formula.is_some() => "constant",
             Role::Parameter => "parameter",
             Role::Observable => "observable",
             Role::Abbreviation => "abbreviation",

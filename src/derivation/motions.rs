@@ -278,7 +278,10 @@ impl Loader<'_> {
                 (_, text) => (0, text.as_ref()),
             };
             let Some(symbol) = self.symbol(bare, name.span(), scope) else { continue };
-            if scope.role(symbol) == Some(role) {
+            if role == Role::Parameter && scope.definition(symbol).is_some() {
+                let message = format!("`{}` is a constant: its value is fixed", name.get_ref());
+                self.problems.note("derivation::bad-role", name.span(), message).hint("leave it out");
+            } else if scope.role(symbol) == Some(role) {
                 out.push(Assigned { symbol, rate, span: name.span(), value });
             } else {
                 let word = if role == Role::State { "a state" } else { "a parameter" };
@@ -292,6 +295,15 @@ impl Loader<'_> {
     /// The values of parameters, those of the source first.
     fn parameters(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>, scope: &Scope) -> Values {
         let mut out: Values = source.map(|s| s.parameters.clone()).unwrap_or_default();
+        let constants = self.out.symbols.iter().filter(|s| s.role == Role::Parameter);
+        for entry in constants {
+            if let (Some(text), Some(definition)) = (&entry.formula, scope.definition(entry.symbol))
+                && !out.iter().any(|(s, _)| *s == entry.symbol)
+            {
+                let (text, span, value) = (text.clone(), entry.span.clone(), definition.components.clone());
+                out.push((entry.symbol, Written { text, span, value }));
+            }
+        }
         let mut known: Known = out.iter().map(|(s, w)| (*s, w.value.clone())).collect();
         for Assigned { symbol, value, .. } in self.given(table, "parameters", Role::Parameter, scope) {
             let Some(mut written) = self.components(value, symbol, scope) else {

@@ -61,6 +61,11 @@ impl Loader<'_> {
                 .hint("give the symbols of its formula a range, or declare it in the claim's `symbols` as a parameter");
             return Vec::new();
         }
+        if scope.role(symbol) == Some(Role::Parameter) && scope.definition(symbol).is_some() {
+            let message = format!("`{name}` is a constant: it has no range");
+            self.problems.note("derivation::bad-role", place, message).hint("leave it out");
+            return Vec::new();
+        }
         if before.iter().any(|r| r.leaf.symbol == symbol) {
             let message = format!("`{name}` has two ranges");
             self.problems.note("derivation::duplicate-id", place, message);

@@ -44,7 +44,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[derivation]", "remark") => text("What a reader of the report should know"),
         ("[derivation]", "encoded-by") => text("Who wrote the file: sentences and remarks are theirs"),
         ("[symbols]", "role") => json!({
-            "enum": ["time", "state", "parameter", "observable", "abbreviation"], "description": "What the symbol is",
+            "enum": ["time", "state", "parameter", "observable", "abbreviation", "constant"], "description": "What the symbol is",
         }),
         ("[symbols]", "shape") => json!({
             "type": ["string", "integer"],

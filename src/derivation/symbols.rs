@@ -17,6 +17,9 @@ pub(super) const ROLES: &[(&str, Role)] = &[
     ("abbreviation", Role::Abbreviation),
 ];
 
+/// The role of a parameter whose value is fixed.
+pub(super) const CONSTANT: &str = "constant";
+
 /// Largest number of components of a symbol.
 const LARGEST_SHAPE: usize = 1024;
 
@@ -28,8 +31,11 @@ impl Loader<'_> {
             return;
         };
         let mut scope = self.out.scope.clone();
+        let units = self.declare_units(&mut scope);
         self.out.symbols = self.declare_all(value, &mut scope, false);
         self.out.scope = scope;
+        self.units_are_coherent(!units.is_empty());
+        self.out.symbols.extend(units);
     }
 
     /// Declares the symbols of a table, in its order.
@@ -77,6 +83,9 @@ impl Loader<'_> {
         in_claim: bool,
     ) -> Option<SymbolEntry> {
         let table = Table::open(&mut self.problems, value, "a symbol", keys::SYMBOL)?;
+        if table.get("role").and_then(|v| v.get_ref().as_str()) == Some(CONSTANT) {
+            return self.constant(name, span, &table, scope, in_claim);
+        }
         let problems = &mut self.problems;
         let role = role(problems, &table)?;
         if in_claim && matches!(role, Role::Time | Role::State) {
@@ -150,7 +159,7 @@ impl Loader<'_> {
     }
 
     /// Notes why a declaration was refused.
-    fn note_declaration(
+    pub(super) fn note_declaration(
         &mut self,
         name: &str,
         span: std::ops::Range<usize>,
@@ -178,7 +187,7 @@ fn role(problems: &mut super::table::Problems<'_>, table: &Table<'_, '_>) -> Opt
     let found = ROLES.iter().find(|(word, _)| *word == text).map(|(_, role)| *role);
     if found.is_none() {
         let span = table.get("role").map_or(table.span.clone(), |v| v.span());
-        let words = ROLES.iter().map(|(word, _)| *word);
+        let words = ROLES.iter().map(|(word, _)| *word).chain([CONSTANT]);
         problems.unknown("derivation::bad-role", span, "role", &text, words);
     }
     found

@@ -1,7 +1,7 @@
 //! Symbols typed on a command line, in the words of `[symbols]`.
 //!
 //! A declaration is `NAMES`, `NAMES: WORDS`, `NAME = FORMULA` or `NAME: WORDS = FORMULA`. Names are separated by commas; words,
-//! too: a role, a shape, `positive`, `angle`. Without a role a symbol is a parameter, with a formula an abbreviation. For
+//! too: a role, a shape, `positive`, `angle`, or `constant` for a parameter with a fixed value. Without a role a symbol is a parameter, with a formula an abbreviation. For
 //! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`.
 //!
 //! Where a state or an observable is declared, and no time, `t` is the time.
@@ -9,8 +9,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::constants::exact_value;
 use super::model::{Derivation, SymbolEntry};
-use super::symbols::{ROLES, parse_shape};
+use super::symbols::{CONSTANT, ROLES, parse_shape};
 use super::table::as_printed;
 use diag::{Diagnostic, Source, nearest};
 use expr::{Graph, Shape};
@@ -94,7 +95,13 @@ impl Derivation {
         }
         let arguments = typed.arguments(name, &self.scope);
         let names: Vec<&str> = arguments.iter().map(String::as_str).collect();
-        let formula = typed.formula.as_ref().map(|(text, _)| text.as_str());
+        let mut formula = typed.formula.as_ref().map(|(text, _)| text.as_str());
+        if typed.constant && formula.is_none() {
+            let (_, value, ..) = exact_value(name).map_err(|(message, hint)| {
+                vec![Diagnostic::at(source, "derivation::bad-role", span.clone(), message).hint(hint)]
+            })?;
+            formula = Some(value);
+        }
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
         let declaration =
             Declaration { role: typed.role, shape, diagonal, formula, arguments: &names, complex: typed.complex };
@@ -107,13 +114,18 @@ impl Derivation {
                 DeclareError::Formula(found) => at(typed.formula.as_ref().map_or(0, |(_, start)| *start), found),
             }
         })?;
+        let constant = self.scope.definition(symbol).and_then(|t| t.as_scalar()).filter(|_| typed.constant);
+        if typed.constant && !constant.is_some_and(|value| self.graph.leaves([value]).is_empty()) {
+            let message = format!("the value of the constant `{name}` is not a number");
+            return Err(vec![Diagnostic::at(source, "derivation::bad-role", span.clone(), message)]);
+        }
         self.symbols.push(SymbolEntry {
             name: as_printed(name),
             symbol,
             role: typed.role,
             unit: None,
             measured_in: None,
-            positive: typed.positive,
+            positive: typed.positive || typed.constant && typed.formula.is_none(),
             angle: typed.angle,
             complex: typed.complex,
             formula: formula.map(as_printed),
@@ -130,6 +142,8 @@ struct Typed {
     /// Names, with their places.
     names: Vec<(String, Range<usize>)>,
     role: Role,
+    /// A parameter with a fixed value.
+    constant: bool,
     shape: Option<(Shape, bool)>,
     positive: bool,
     angle: bool,
@@ -186,6 +200,7 @@ impl Typed {
         let mut out = Typed {
             role: if formula.is_some() { Role::Abbreviation } else { Role::Parameter },
             names,
+            constant: false,
             shape: None,
             positive: false,
             angle: false,
@@ -200,10 +215,11 @@ impl Typed {
                 ("positive", ..) => (out.positive, positive) = (true, span),
                 ("angle", ..) => out.angle = true,
                 ("complex", ..) => (out.complex, complex) = (true, span),
+                (CONSTANT, ..) => (out.constant, out.role) = (true, Role::Parameter),
                 (_, Some((_, role)), _) => out.role = *role,
                 (_, None, Some(shape)) => out.shape = Some(shape),
                 _ => {
-                    let known = ["positive", "angle", "complex", "diagonal 3", "3x3"];
+                    let known = [CONSTANT, "positive", "angle", "complex", "diagonal 3", "3x3"];
                     let known = ROLES.iter().map(|(word, _)| *word).chain(known);
                     let hint = match nearest(word, known.clone()) {
                         Some(near) => format!("did you mean `{near}`?"),
@@ -215,7 +231,13 @@ impl Typed {
             }
         }
         let defined = matches!(out.role, Role::Observable | Role::Abbreviation);
-        if defined != out.formula.is_some() {
+        if out.constant
+            && (out.role != Role::Parameter || out.positive || out.angle || out.complex || out.shape.is_some())
+        {
+            let message = "a constant is one real number, and nothing else".to_owned();
+            return Err(problem(head, "derivation::bad-role", message, "write 'c: constant', or 'g: constant = 9.81'"));
+        }
+        if !out.constant && defined != out.formula.is_some() {
             let message =
                 if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
             let hint = "observables and abbreviations are defined by a formula, nothing else is";

@@ -140,6 +140,24 @@ impl Unit {
         self.dimension.is_empty()
     }
 
+    /// The factor to the base units where it is a fraction of whole numbers, and the unit without it.
+    pub fn taken_apart(&self) -> Option<(Rational, Unit)> {
+        let mut factor = Rational::ONE;
+        for (&prime, power) in &self.factor {
+            let power = i64::try_from(power.clone()).ok().filter(|n| prime > 0 && n.abs() <= 64)?;
+            for _ in 0..power.abs() {
+                let prime = Rational::from(prime);
+                factor = if power > 0 { factor * prime } else { factor / prime };
+            }
+        }
+        Some((factor, Unit { dimension: self.dimension.clone(), factor: BTreeMap::new() }))
+    }
+
+    /// Whether it is a product of powers of base units, without a factor.
+    pub fn is_coherent(&self) -> bool {
+        self.factor.is_empty()
+    }
+
     /// Exponents of the base units kg, m, s, A, K, mol, cd.
     pub fn exponents(&self) -> [f64; 7] {
         std::array::from_fn(|i| self.dimension.get(&i).map_or(0.0, |p| p.to_f64().value()))

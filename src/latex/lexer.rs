@@ -149,7 +149,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                             "left" => (['(', '[', '|', '.'], r"\lvert"),
                             _ => ([')', ']', '|', '.'], r"\rvert"),
                         };
-                        if !next.starts_with(signs) && !next.starts_with(bar) {
+                        let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil"];
+                        if whole.iter().any(|w| next.starts_with(w)) {
+                            // Refused where it stands, with a hint.
+                        } else if !next.starts_with(signs) && !next.starts_with(bar) {
                             problems.push(problem(
                                 "latex::unexpected",
                                 format!("`\\{name}` stands before a bracket"),

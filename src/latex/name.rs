@@ -93,6 +93,9 @@ pub(super) fn is_imaginary_unit(name: &str) -> bool {
     matches!(name, "i" | "rm:i" | "\\imath")
 }
 
+/// The style of a name in square brackets, as `[S]` for a concentration.
+pub(super) const AMOUNT: &str = "amount";
+
 /// The style and the rest of a canonical name.
 pub(super) fn split(name: &str) -> (Option<&str>, &str) {
     match name.split_once(':') {
@@ -111,6 +114,7 @@ pub(super) fn to_latex(name: &str) -> String {
         Some("bf") if base.starts_with('\\') => format!(r"{{\boldsymbol{base}}}"),
         Some(switch) if is_switch(switch) && !base.contains([':', '\'']) => format!(r"{{\{switch} {base}}}"),
         Some(switch) if is_switch(switch) => format!(r"\math{switch}{{{}}}", to_latex(base)),
+        Some(AMOUNT) => format!("[{}]", to_latex(base)),
         Some("bb") => format!(r"\mathbb{{{base}}}"),
         Some(accent) => format!(r"\{accent}{{{}}}", to_latex(base)),
     };

@@ -123,6 +123,8 @@ pub struct Scope {
     logarithm: Option<Logarithm>,
     /// Whether `i` is the imaginary unit by a convention of the file.
     imaginary: bool,
+    /// Whether upright letters are units where they are declared.
+    units: bool,
 }
 
 /// What `\log` stands for, by a convention of the file.
@@ -180,6 +182,7 @@ impl Scope {
             words: Vec::new(),
             logarithm: None,
             imaginary: false,
+            units: false,
             sign: Leaf { symbol, component: 0, rate: 0, instant: None },
         }
     }
@@ -192,6 +195,16 @@ impl Scope {
     /// Says that `i`, where it is not declared, is the imaginary unit.
     pub fn set_imaginary(&mut self) {
         self.imaginary = true;
+    }
+
+    /// Says that declared names in upright type are units: `\mathrm{m/s^2}` is then a quotient of them.
+    pub fn set_units(&mut self) {
+        self.units = true;
+    }
+
+    /// Whether units may stand in formulas.
+    pub fn has_units(&self) -> bool {
+        self.units
     }
 
     /// Whether `i` is the imaginary unit: something is complex, or the file says so.
@@ -442,6 +455,11 @@ impl Scope {
     pub(super) fn is_variable(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         let role = self.find(name, sub, None).map(|f| f.role);
         matches!(role, Some(Role::Time | Role::State | Role::Observable))
+    }
+
+    /// Whether no symbol depends on time.
+    pub(super) fn is_timeless(&self) -> bool {
+        !self.entries.iter().any(|e| e.moving)
     }
 
     /// Whether a symbol depends on time.

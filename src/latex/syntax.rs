@@ -156,6 +156,13 @@ pub enum NodeKind {
         /// Written `\mathrm{d}`.
         upright: bool,
     },
+    /// A differential that is not part of a fraction, as in `dW=F\,dx`: along a motion, the rate.
+    Differential {
+        /// Of what.
+        of: Box<Node>,
+        /// Written `\mathrm{d}`.
+        upright: bool,
+    },
     /// The value of something at a time: `(x+y)(0)`, `\left.\dot x\right|_{t=0}`. Of a symbol, the time stands among its
     /// arguments.
     At {
@@ -228,6 +235,11 @@ impl Node {
         matches!(&self.kind, NodeKind::Number(r) if *r == Rational::ZERO)
     }
 
+    /// Whether this is a symbol of this name.
+    pub(super) fn is_named(&self, name: &str) -> bool {
+        matches!(&self.kind, NodeKind::Symbol(s) if s.name == name)
+    }
+
     /// Whether digits are printed first.
     pub fn begins_with_number(&self) -> bool {
         match &self.kind {
@@ -271,6 +283,7 @@ impl Node {
             NodeKind::Derivative { of, by, .. } => vec![of, by],
             NodeKind::At { of, time, .. } => vec![of, time],
             NodeKind::Factorial(a)
+            | NodeKind::Differential { of: a, .. }
             | NodeKind::Group(a, _)
             | NodeKind::Root(a, _)
             | NodeKind::Absolute(a)

@@ -140,7 +140,8 @@ impl Text {
                 let (open, middle, close, least) =
                     if *bracket { ("[", ",", "]", Least::Sum) } else { ("", r"\times", "", Least::Product) };
                 self.put(open);
-                self.node(left, least);
+                // `a\times b\times c` of numbers.
+                self.node(left, if *bracket { least } else { Least::Cross });
                 self.put(middle);
                 self.node(right, least);
                 self.put(close);
@@ -195,6 +196,10 @@ impl Text {
                 if *operator {
                     self.node(of, Least::Factor);
                 }
+            }
+            NodeKind::Differential { of, upright } => {
+                self.put(if *upright { r"\mathrm{d}" } else { "d" });
+                self.node(of, Least::Factor);
             }
             NodeKind::At { of, time, bar: None } => {
                 self.node(of, Least::Factor);

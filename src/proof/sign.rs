@@ -119,6 +119,9 @@ impl Facts {
             Node::Pi => Known { not_negative: true, not_positive: false, nonzero: true },
             Node::Leaf(leaf) => match generators.get(leaf) {
                 Some(Generator::Exponential(_)) => Known { not_negative: true, not_positive: false, nonzero: true },
+                Some(Generator::Opaque(of)) if matches!(graph.node(*of), Node::Pi) => {
+                    Known { not_negative: true, not_positive: false, nonzero: true }
+                }
                 Some(Generator::Sign) => Known { nonzero: true, ..Known::default() },
                 _ => Known::default(),
             },

@@ -261,6 +261,10 @@ impl Markup {
                     self.node(of, Least::Factor);
                 }
             }
+            NodeKind::Differential { of, upright } => {
+                self.put(if *upright { "<mi mathvariant=\"normal\">d</mi>" } else { "<mi>d</mi>" });
+                self.node(of, Least::Factor);
+            }
             NodeKind::At { of, time, bar: None } => {
                 self.row(of, Least::Factor);
                 self.put(APPLY);

@@ -219,7 +219,8 @@ impl<'d> Checker<'d> {
             let declared = entry.measured_in.clone();
             let scope = claim.map_or(&self.derivation.scope, |c| &c.scope);
             let by_formula = scope.definition(entry.symbol).or_else(|| self.derivation.definition(entry.symbol));
-            let Some(formula) = entry.formula.as_deref() else {
+            // The value of a constant is a number in its unit.
+            let Some(formula) = entry.formula.as_deref().filter(|_| entry.role != Role::Parameter) else {
                 self.inference.declare(entry.symbol, declared);
                 continue;
             };

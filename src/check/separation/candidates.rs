@@ -177,7 +177,8 @@ fn of_role(derivation: &Derivation, role: Role) -> impl Iterator<Item = &SymbolE
 fn parameters(derivation: &Derivation) -> Vec<String> {
     let mut out = Vec::new();
     let mut scalars: Vec<(&SymbolEntry, String)> = Vec::new();
-    for entry in of_role(derivation, Role::Parameter) {
+    // A constant is the same on all motions.
+    for entry in of_role(derivation, Role::Parameter).filter(|s| s.formula.is_none()) {
         let names = components(derivation, entry);
         if names.len() > MOST_COMPONENTS {
             continue;

@@ -242,6 +242,7 @@ impl<'a> Sites<'a> {
             | NodeKind::Conjugation { .. }
             | NodeKind::Absolute(_)
             | NodeKind::Derivative { .. }
+            | NodeKind::Differential { .. }
             | NodeKind::Tuple(_)
             | NodeKind::Matrix(_)
             | NodeKind::Limit(..) => {}

@@ -198,6 +198,7 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
         NodeKind::Derivative { of, by, .. } => vec![of, by],
         NodeKind::At { of, time, .. } => vec![of, time],
         NodeKind::Factorial(a)
+        | NodeKind::Differential { of: a, .. }
         | NodeKind::Group(a, _)
         | NodeKind::Root(a, _)
         | NodeKind::Absolute(a)

@@ -37,6 +37,10 @@ pub(super) struct Word {
 
 impl Word {
     fn new(graph: &Graph, scope: &Scope, entry: &SymbolEntry) -> Option<Word> {
+        // Nobody slips from a quantity to a constant of nature, or to a unit, whose value is another by many powers of ten.
+        if entry.role == Role::Parameter && entry.formula.is_some() {
+            return None;
+        }
         let mut chains = latex::parse(&entry.name, scope).ok()?;
         let side = chains.pop()?.sides.pop()?;
         let NodeKind::Symbol(SymbolNode { name, sub, dots: 0, sup: None, .. }) = side.kind else { return None };

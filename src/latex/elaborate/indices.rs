@@ -161,6 +161,7 @@ impl Elaborator<'_> {
             NodeKind::Derivative { of, by, .. } => self.pieces([&**of, by]),
             NodeKind::At { of, time, .. } => self.pieces([&**of, time]),
             NodeKind::Factorial(a)
+            | NodeKind::Differential { of: a, .. }
             | NodeKind::Root(a, _)
             | NodeKind::Exponential { exponent: a, .. }
             | NodeKind::Conjugate(a)

@@ -4,6 +4,7 @@
 //! sum stops is decided once, before anything is computed, see [`indices`].
 
 mod conjugate;
+mod differentials;
 mod indices;
 mod scripts;
 mod symbol;
@@ -125,6 +126,7 @@ impl<'a> Elaborator<'a> {
 
     /// The value of a tree without free indices.
     pub(super) fn closed_expression(&mut self, node: &Node) -> Elaborated<Tensor> {
+        differentials::cancel(node)?;
         if let Some(open) = self.free(node)?.first() {
             return stray(&open.letter, &open.span);
         }
@@ -141,6 +143,7 @@ impl<'a> Elaborator<'a> {
     }
 
     fn defined(&mut self, node: &Node, letters: &[Name]) -> Elaborated<(Tensor, bool)> {
+        differentials::cancel(node)?;
         self.fixed = letters.iter().cloned().collect();
         self.loose = self.fixed.clone();
         let open = self.free(node)?;
@@ -167,6 +170,7 @@ impl<'a> Elaborator<'a> {
         if chain.relations.is_empty() {
             return refuse("latex::not-a-relation", "a relation is expected here", &chain.span, "write `… = …`");
         }
+        differentials::agree(chain)?;
         let sides: Vec<(&Node, Option<&Target>)> = chain
             .sides
             .iter()

@@ -188,13 +188,18 @@ impl Elaborator<'_> {
                 self.product(values, written_zero, &node.span)
             }
             NodeKind::Dot(parts) => self.dot(parts, &node.span),
-            NodeKind::Cross { left, right, .. } => {
+            NodeKind::Cross { left, right, bracket } => {
                 let (a, b) = (self.tensor(left)?, self.tensor(right)?);
-                // `3\times10^8`: between numbers it is a product.
-                if let (true, Some(x), Some(y)) =
-                    (begins_numeric(left) && begins_numeric(right), a.as_scalar(), b.as_scalar())
-                {
-                    return Ok(Value::scalar(self.graph.mul(x, y)));
+                // `3\times10^8`, `a\times b`: between numbers it is a product; components could be those of a vector product.
+                let scalars = !*bracket && a.as_scalar().is_some() && b.as_scalar().is_some();
+                if scalars && self.values.is_empty() {
+                    let (a, b) = (Value::Tensor(a), Value::Tensor(b));
+                    let zero = self.is_written_zero(left, &a) || self.is_written_zero(right, &b);
+                    return self.product(vec![(a, left.span.clone()), (b, right.span.clone())], zero, &node.span);
+                }
+                if matches!(left.kind, NodeKind::Cross { bracket: false, .. }) {
+                    let hint = "put parentheses around two of the factors";
+                    return refuse("latex::ambiguous", "the product `\\times` is not associative", &node.span, hint);
                 }
                 tensor::cross(self.graph, &a, &b, &node.span).map(Value::Tensor)
             }
@@ -271,6 +276,16 @@ impl Elaborator<'_> {
             }
             NodeKind::Derivative { of, by, order, .. } => {
                 self.derivative(of, by, *order, &node.span).map(Value::Tensor)
+            }
+            NodeKind::Differential { of, .. } => {
+                if let NodeKind::Symbol(s) = &of.kind
+                    && matches!(self.resolve(s, &of.span)?.role, Role::Parameter | Role::Argument)
+                {
+                    let hint = "declare what changes as a state or an observable";
+                    return refuse("latex::derivative", "the differential of a constant", &node.span, hint);
+                }
+                let value = self.tensor(of)?;
+                self.time_derivative(value, &node.span).map(Value::Tensor)
             }
             NodeKind::At { of, time, .. } => {
                 let value = self.tensor(of)?;
@@ -591,14 +606,6 @@ impl Elaborator<'_> {
 
 /// Largest number whose factorial is written out.
 const LARGEST_FACTORIAL: u16 = 170;
-
-/// Whether a number stands first, or alone.
-fn begins_numeric(node: &Node) -> bool {
-    match &node.kind {
-        NodeKind::Product(parts) => parts.first().is_some_and(Node::is_numeric),
-        _ => node.is_numeric(),
-    }
-}
 
 /// n over k.
 fn binomial(n: u16, k: u16) -> Rational {

@@ -5,6 +5,7 @@ use super::super::name::{self, NAMES};
 use super::super::syntax::{Bracket, Node, NodeKind};
 use super::function::{self, FUNCTIONS, OPERATORS, WORDS};
 use super::{Open, Parsed, Parser, decimal, refuse};
+use expr::Rational;
 
 impl Parser<'_> {
     /// π, unless it is declared as something else.
@@ -56,6 +57,12 @@ impl Parser<'_> {
             if p.is('!') {
                 node = p.factorial(node)?;
             }
+            if matches!(node.kind, NodeKind::Number(_)) && p.degree_sign() {
+                node = p.in_degrees(node);
+                if p.is('^') || p.is('_') {
+                    return refuse("latex::double-script", "a script behind degrees", p.span(), "use parentheses");
+                }
+            }
             if !(p.is('_') || p.is('^')) {
                 return Ok(Some(node));
             }
@@ -64,6 +71,29 @@ impl Parser<'_> {
             let start = node.span.start;
             Ok(Some(p.node(NodeKind::Scripted { base: Box::new(node), sub, sup, sup_first }, start)))
         })
+    }
+
+    /// `^\circ`: eaten when it is there.
+    fn degree_sign(&mut self) -> bool {
+        let circle = |k: &Kind| matches!(k, Kind::Command(c) if c == "circ");
+        let braced = *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(3) == Kind::Sign('}');
+        let tokens = match self.is('^') {
+            true if circle(self.kind_after(1)) => 2,
+            true if braced && circle(self.kind_after(2)) => 4,
+            _ => return false,
+        };
+        self.at += tokens;
+        true
+    }
+
+    /// A number of degrees: one degree is π/180.
+    fn in_degrees(&self, number: Node) -> Node {
+        let start = number.span.start;
+        let top = Box::new(self.node(NodeKind::Pi, start));
+        let bottom = Box::new(self.node(NodeKind::Number(Rational::from(180)), start));
+        let one = self.node(NodeKind::Quotient { top, bottom, slash: false }, start);
+        let angle = self.node(NodeKind::Product(vec![number, one]), start);
+        self.node(NodeKind::Group(Box::new(angle), Bracket::Round), start)
     }
 
     /// At `!`: the factorial of what stands before it, which is one piece.
@@ -111,12 +141,15 @@ impl Parser<'_> {
             Kind::Letter('e') if *self.kind_after(1) == Kind::Sign('^') && self.is_euler(2) => {
                 self.bump();
                 self.bump();
-                let exponent = self.raised()?;
+                let exponent = self.exponent()?;
                 Ok(Some(self.exponential(exponent, false, start)))
             }
             Kind::Letter(_) => {
                 if let Some(operator) = self.plain_word()? {
                     return self.operator(operator, start).map(Some);
+                }
+                if let Some(tokens) = self.begins_differential()? {
+                    return self.free_differential(tokens, start).map(Some);
                 }
                 if self.is_bare_euler()? {
                     self.bump();
@@ -126,6 +159,7 @@ impl Parser<'_> {
             }
             Kind::Sign('{') => self.braces(start),
             Kind::Sign('(') => self.round(start).map(Some),
+            Kind::Sign('[') if self.bracketed_name()?.is_some() => self.symbol(0).map(Some),
             Kind::Sign('[') => self.square(start).map(Some),
             Kind::OpenFence => self.fenced(start).map(Some),
             Kind::OpenBar => {
@@ -140,9 +174,20 @@ impl Parser<'_> {
                 Ok(Some(self.node(NodeKind::Absolute(Box::new(inner)), start)))
             }
             Kind::Sign('|') if self.bars == 0 && !self.is_bar_of_time() => self.bars(start).map(Some),
-            Kind::Command(c) => self.command(&c, start),
+            Kind::Command(c) => match self.unit(start)? {
+                Some(unit) => Ok(Some(unit)),
+                None => self.command(&c, start),
+            },
             _ => Ok(None),
         }
+    }
+
+    /// The exponent of Euler's number.
+    fn exponent(&mut self) -> Parsed<Node> {
+        let outer = self.exponent.replace(self.depth + 1);
+        let exponent = self.raised();
+        self.exponent = outer;
+        exponent
     }
 
     fn exponential(&self, exponent: Node, upright: bool, start: usize) -> Node {
@@ -260,7 +305,7 @@ impl Parser<'_> {
         if !self.eat('^') {
             return Ok(self.node(NodeKind::Euler { upright: true }, start));
         }
-        let exponent = self.raised()?;
+        let exponent = self.exponent()?;
         Ok(self.exponential(exponent, true, start))
     }
 
@@ -423,6 +468,10 @@ impl Parser<'_> {
                     let hint = "write one name in the braces, and scripts or dots outside";
                     refuse("latex::unexpected", format!("`\\{c}` stands before one name"), self.span(), hint)
                 }
+                None if matches!(c, "lfloor" | "lceil") => {
+                    let hint = r"declare a parameter `n` for it, and assume `n\le x<n+1`";
+                    refuse("latex::unsupported", "whole parts are not part of the formula language", self.span(), hint)
+                }
                 None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
             },
         }
@@ -431,6 +480,9 @@ impl Parser<'_> {
     /// `\operatorname{…}` and `\mathrm{…}`: an operator, Euler's e, or a name.
     fn named_operator(&mut self, start: usize) -> Parsed<Option<Node>> {
         let back = self.at;
+        if let Some(tokens) = self.begins_differential()? {
+            return self.free_differential(tokens, start).map(Some);
+        }
         self.bump();
         let mut word = self.word();
         if word.is_none() && self.eat('{') {

@@ -1,6 +1,7 @@
 //! What takes its arguments in braces: fractions, derivatives, roots, matrices.
 
 use super::super::lexer::Kind;
+use super::super::name::{self, NAMES};
 use super::super::syntax::{Node, NodeKind};
 use super::names::plain;
 use super::{Open, Parsed, Parser, decimal, refuse};
@@ -118,6 +119,42 @@ impl Parser<'_> {
         }
     }
 
+    /// Number of tokens of the d of a differential that is not part of a fraction: it is not declared, and a name follows.
+    pub(super) fn begins_differential(&self) -> Parsed<Option<usize>> {
+        let Some(tokens) = self.differential_at(0) else { return Ok(None) };
+        let upright = *self.kind() != Kind::Letter('d');
+        if self.scope.is_known(if upright { "rm:d" } else { "d" }, None) || !upright && self.spelled_name()?.is_some() {
+            return Ok(None);
+        }
+        let named = match self.kind_after(tokens) {
+            Kind::Letter(_) => true,
+            Kind::Command(c) => NAMES.contains(&c.as_str()) || matches!(name::style(c), Some("bf" | "vec")),
+            Kind::Sign('{') => matches!(self.kind_after(tokens + 1), Kind::Command(c) if c == "bf"),
+            Kind::Sign('[' | '(') => true,
+            _ => false,
+        };
+        Ok(named.then_some(tokens))
+    }
+
+    /// At the d: what it is the differential of.
+    pub(super) fn free_differential(&mut self, tokens: usize, start: usize) -> Parsed<Node> {
+        let upright = *self.kind() != Kind::Letter('d');
+        self.at += tokens;
+        let of = self.primary()?;
+        let clear = |n: &Node| match &n.kind {
+            NodeKind::Symbol(s) => s.sup.is_none(),
+            NodeKind::Group(..) => true,
+            _ => false,
+        };
+        let Some(of) = of.filter(clear) else {
+            let message = "it is not clear what this is the differential of";
+            let hint = r"write `d` before one symbol or before parentheses, and powers of differentials as products";
+            return refuse("latex::ambiguous", message, start..self.last_end(), hint);
+        };
+        self.rate_is_clear(&of)?;
+        Ok(self.node(NodeKind::Differential { of: Box::new(of), upright }, start))
+    }
+
     /// The order in `d^2`; 1 without a superscript.
     fn differential_order(&mut self) -> Parsed<u8> {
         if !self.eat('^') {
@@ -157,10 +194,11 @@ impl Parser<'_> {
         None
     }
 
-    /// Whether a derivative in Leibniz' notation begins here.
-    pub(super) fn begins_derivative(&self) -> bool {
-        let fraction = matches!(self.kind(), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
-        fraction && *self.kind_after(1) == Kind::Sign('{') && self.differential_at(2).is_some()
+    /// Whether a derivative in Leibniz' notation begins so many tokens ahead.
+    pub(super) fn begins_derivative_after(&self, n: usize) -> bool {
+        let fraction =
+            matches!(self.kind_after(n), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
+        fraction && *self.kind_after(n + 1) == Kind::Sign('{') && self.differential_at(n + 2).is_some()
     }
 
     fn leibniz(&mut self, start: usize) -> Parsed<Option<Node>> {
@@ -244,6 +282,41 @@ impl Parser<'_> {
         Ok(Some(node))
     }
 
+    /// In the exponent of Euler's number, `e^{-x^2/4Dt}`: letters that touch the denominator belong to it, since a script is
+    /// set without spaces, and what is divided stands before the slash. Two prints are left out that are also used for the
+    /// other meaning: a bare number above, `e^{-1/2x^2}`, and a power below where there is none above, `e^{-a/2x^2}`.
+    pub(super) fn tight_denominator(&mut self, numerator: &Node, first: Node) -> Parsed<Node> {
+        let single = |n: &Node| match &n.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && s.dots == 0,
+            NodeKind::Number(_) | NodeKind::Pi => true,
+            _ => false,
+        };
+        if self.exponent != Some(self.depth) || numerator.is_numeric() || !single(&first) {
+            return Ok(first);
+        }
+        let (back, start) = (self.at, first.span.start);
+        let mut factors = vec![first.clone()];
+        let letter = |kind: &Kind| match kind {
+            Kind::Letter(_) => true,
+            Kind::Command(c) => NAMES.contains(&c.as_str()) || c == "pi",
+            _ => false,
+        };
+        while letter(self.kind()) && !self.is_spaced() {
+            match self.factor()? {
+                Some(factor) if single(&factor) => factors.push(factor),
+                _ => {
+                    self.at = back;
+                    return Ok(first);
+                }
+            }
+        }
+        if factors.len() == 1 || factors.iter().any(shows_power) && !shows_power(numerator) {
+            self.at = back;
+            return Ok(first);
+        }
+        Ok(self.node(NodeKind::Product(factors), start))
+    }
+
     /// After `\begin`.
     pub(super) fn matrix(&mut self, start: usize) -> Parsed<Node> {
         let span = self.span();
@@ -299,5 +372,15 @@ impl Parser<'_> {
             return refuse("latex::too-large", format!("a matrix of more than {WIDEST} rows or columns"), span, "");
         }
         Ok(self.node(NodeKind::Matrix(rows), start))
+    }
+}
+
+/// Whether something is raised to a power somewhere outside of brackets.
+fn shows_power(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Symbol(s) => s.sup.is_some(),
+        NodeKind::Scripted { sup, .. } => sup.is_some(),
+        NodeKind::Product(parts) => parts.iter().any(shows_power),
+        _ => false,
     }
 }

@@ -165,8 +165,15 @@ impl Parser<'_> {
             [first, Node { kind: NodeKind::Pi, .. }, _] => matches!(first.kind, NodeKind::Number(_)),
             // `\cos\omega t`, `\cos kx`.
             [init @ .., last] => {
-                self.is_time(last) && init.iter().all(|n| self.is_steady(n))
-                    || is_letter(last) && self.moves(last) && init.iter().all(|n| self.is_coefficient(n))
+                // Where nothing moves, the letter `t` is as good as a time.
+                let timeless = self.scope.is_timeless();
+                let time = self.is_time(last) || timeless && is_letter(last) && last.is_named("t");
+                time && init.iter().all(|n| self.is_steady(n))
+                    // `\det AB` could be a number times a matrix.
+                    || is_letter(last)
+                        && !matches!(name, "det" | "tr")
+                        && (timeless || self.moves(last))
+                        && init.iter().all(|n| self.is_coefficient(n))
             }
         };
         let ended = self.is_spaced() && factors.last().is_some_and(|n| self.moves(n));

@@ -164,7 +164,8 @@ impl Parser<'_> {
             }
             return Ok(Reading::Factor);
         }
-        if content.sum && !content.number && !content.time {
+        // `e^{-\gamma t}(A+Bt)`: what shows the time is not taken at another one.
+        if content.sum && !content.number && (!content.time || self.is_explicit(factor)) {
             return Ok(Reading::Factor);
         }
         if content.sum || content.signed && !content.number || content.joined || !content.number && !content.time {
@@ -207,6 +208,15 @@ impl Parser<'_> {
         }
         let message = "is this the derivative at a time, or that of a value?";
         refuse("latex::ambiguous", message, of.span.clone(), r"write `\dot x(0)`, or `\frac{dx}{dt}(0)`")
+    }
+
+    /// Whether something depends on time by the time itself alone, as `e^{-\gamma t}` does.
+    fn is_explicit(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::At { .. } | NodeKind::Derivative { .. } | NodeKind::Differential { .. } => false,
+            NodeKind::Symbol(s) if self.scope.is_moving(&s.name, s.sub.as_deref()) || s.arguments.is_some() => false,
+            _ => node.children().into_iter().all(|n| self.is_explicit(n)),
+        }
     }
 
     /// Whether something depends on time.

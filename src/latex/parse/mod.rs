@@ -13,6 +13,7 @@ mod function;
 mod instant;
 mod names;
 mod symbol;
+mod units;
 
 use std::ops::Range;
 
@@ -51,6 +52,8 @@ pub(super) struct Parser<'a> {
     bar: Option<(usize, usize)>,
     /// Letters in a subscript are labels or indices, one by one.
     in_subscript: bool,
+    /// How deep the terms of an exponent of Euler's number are that is being read.
+    exponent: Option<usize>,
 }
 
 /// Reads all chains of relations of a text; a chain may be a single expression.
@@ -101,7 +104,18 @@ impl<'a> Parser<'a> {
         let tokens = tokens(text)?;
         balanced(&tokens).map_err(|p| vec![*p])?;
         let tokens = without_invisible_braces(tokens).map_err(|p| vec![*p])?;
-        Ok(Parser { text, scope, tokens, at: 0, depth: 0, bars: 0, open: None, bar: None, in_subscript: false })
+        Ok(Parser {
+            text,
+            scope,
+            tokens,
+            at: 0,
+            depth: 0,
+            bars: 0,
+            open: None,
+            bar: None,
+            in_subscript: false,
+            exponent: None,
+        })
     }
 
     // ---- tokens --------------------------------------------------------------------------------------------------
@@ -390,20 +404,22 @@ impl<'a> Parser<'a> {
 
     fn crosses(&mut self) -> Parsed<Node> {
         let start = self.span().start;
-        let left = Box::new(self.product()?);
-        if !self.is_command("times") {
-            return Ok(*left);
+        let mut left = self.product()?;
+        let mut count = 0;
+        while self.is_command("times") {
+            count += 1;
+            if count > DEEPEST {
+                let hint = r"write `\cdot`, or nothing";
+                return refuse("latex::too-deep", "too many factors are joined by `\\times`", self.span(), hint);
+            }
+            self.joint_is_clear()?;
+            self.bump();
+            let from = self.at;
+            let right = Box::new(self.product()?);
+            self.bar_is_clear(from, [&left])?;
+            left = self.node(NodeKind::Cross { left: Box::new(left), right, bracket: false }, start);
         }
-        self.joint_is_clear()?;
-        self.bump();
-        let from = self.at;
-        let right = Box::new(self.product()?);
-        self.bar_is_clear(from, [&*left])?;
-        if self.is_command("times") {
-            let hint = "put parentheses around two of the factors";
-            return refuse("latex::ambiguous", "the product `\\times` is not associative", self.span(), hint);
-        }
-        Ok(self.node(NodeKind::Cross { left, right, bracket: false }, start))
+        Ok(left)
     }
 
     /// Refuses a factor behind something whose end cannot be seen.
@@ -417,7 +433,8 @@ impl<'a> Parser<'a> {
             }
             Open::Operator { clear } => {
                 // `\frac{d}{dt}x(t)\frac{d}{dt}y(t)`: what is derived shows its variable, and another derivative follows.
-                if *clear && self.begins_derivative() {
+                let bracket = usize::from(self.is('('));
+                if *clear && self.begins_derivative_after(bracket) {
                     return Ok(());
                 }
                 let hint = r"put what is derived into parentheses: `\frac{d}{dt}(…)`";
@@ -495,6 +512,7 @@ impl<'a> Parser<'a> {
         let Some(denominator) = self.factor()? else {
             return refuse("latex::unexpected", "nothing stands behind `/`", slash, "");
         };
+        let denominator = self.tight_denominator(&numerator, denominator)?;
         self.open = Some((self.at, Open::Slash));
         if self.begins_factor() || self.is('/') {
             let end = self.span().end;

@@ -33,6 +33,12 @@ pub(super) type Scripts = (Option<Vec<SubItem>>, Option<Box<Node>>, bool);
 
 impl Parser<'_> {
     fn whole_name(&mut self) -> Parsed<Option<WrittenName>> {
+        if let Some((name, close)) = self.in_brackets() {
+            self.at = close;
+            self.bump();
+            let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
+            return Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments: None }));
+        }
         let Some((mut name, _)) = self.single_name()? else { return Ok(None) };
         // `KE`: letters of one name.
         if let [c] = name.as_bytes()
@@ -237,6 +243,14 @@ impl Parser<'_> {
     pub(super) fn single_name(&mut self) -> Parsed<Option<(Name, Range<usize>)>> {
         let start = self.span().start;
         let mut name = match self.kind().clone() {
+            Kind::Sign('[') => match self.bracketed_name()? {
+                Some((name, close)) => {
+                    self.at = close;
+                    self.bump();
+                    name
+                }
+                None => return Ok(None),
+            },
             Kind::Letter(_) if self.spelled_name()?.is_some() => {
                 let name = self.spelled_name()?.unwrap_or_default();
                 self.at += name.len();
@@ -273,8 +287,46 @@ impl Parser<'_> {
         Ok(Some((name, start..self.last_end())))
     }
 
+    /// What stands here in square brackets as a name, and where they are closed: letters and their scripts, as in
+    /// `[S]`, `[\mathrm{H}^+]`.
+    fn in_brackets(&self) -> Option<(Name, usize)> {
+        if !self.is('[') {
+            return None;
+        }
+        let close = (self.at + 1..self.tokens.len()).find(|&i| self.tokens[i].kind == Kind::Sign(']'))?;
+        let inside = &self.tokens[self.at + 1..close];
+        let fits = |kind: &Kind| match kind {
+            Kind::Letter(_) | Kind::Number(_) => true,
+            Kind::Sign(c) => matches!(c, '{' | '}' | '_' | '^' | '+' | '-'),
+            Kind::Command(c) => matches!(c.as_str(), "mathrm" | "text" | "rm") || NAMES.contains(&c.as_str()),
+            Kind::OpenBar | Kind::CloseBar | Kind::OpenFence | Kind::Row | Kind::End => false,
+        };
+        let begins =
+            matches!(inside.first().map(|t| &t.kind), Some(Kind::Letter(_) | Kind::Command(_) | Kind::Sign('{')));
+        let name = format!("{}:{}", name::AMOUNT, canonical(inside));
+        (begins && inside.len() <= LONGEST_WORD && inside.iter().all(|t| fits(&t.kind))).then_some((name, close))
+    }
+
+    /// The same, where it is declared.
+    pub(super) fn bracketed_name(&self) -> Parsed<Option<(Name, usize)>> {
+        let Some((name, close)) = self.in_brackets().filter(|(name, _)| self.scope.declares(name)) else {
+            return Ok(None);
+        };
+        let content = name::split(&name).1;
+        let clash = match content.split_once(['_', '^']) {
+            Some((base, _)) => self.scope.declares(base),
+            None => self.scope.is_known(content, None),
+        };
+        if clash {
+            let message = "is this a name, or something in brackets?";
+            let span = self.span().start..self.tokens[close].span.end;
+            return refuse("latex::ambiguous", message, span, "rename one of the two");
+        }
+        Ok(Some((name, close)))
+    }
+
     /// A declared name of several letters that stands here, as `KE`.
-    fn spelled_name(&self) -> Parsed<Option<Name>> {
+    pub(super) fn spelled_name(&self) -> Parsed<Option<Name>> {
         if !self.scope.has_words() || self.in_subscript {
             return Ok(None);
         }

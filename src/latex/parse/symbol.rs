@@ -1,8 +1,11 @@
 //! Symbols with what is attached to them: dots, scripts, and parentheses that may or may not be arguments.
 
 use super::super::name::canonical;
-use super::super::syntax::{Name, Node, NodeKind, SymbolNode};
+use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, refuse};
+
+/// Most primes that are derivatives: as many as there are commands for dots.
+const MOST_PRIMES: usize = 4;
 
 impl Parser<'_> {
     pub(super) fn symbol(&mut self, dots: u8) -> Parsed<Node> {
@@ -46,13 +49,23 @@ impl Parser<'_> {
         self.scripted_symbol(name, dots, None, start)
     }
 
-    fn scripted_symbol(
-        &mut self,
-        mut name: Name,
-        dots: u8,
-        under: Option<Vec<super::super::syntax::SubItem>>,
-        start: usize,
-    ) -> Parsed<Node> {
+    /// `y'` of a function y of x is its derivative, unless it is declared. Where the independent variable is the time by name,
+    /// too, rates have dots, and a prime makes another name.
+    fn primed_rate(&self, name: &mut Name, dots: u8, sub: Option<&[SubItem]>) -> u8 {
+        let base = name.trim_end_matches('\'');
+        let primes = name.len() - base.len();
+        let variable = self.scope.time_name().is_some_and(|n| !n.starts_with(['t', 'T']) && !n.starts_with(r"\tau"));
+        if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || !variable {
+            return dots;
+        }
+        if self.scope.declares(name) || !self.scope.is_moving(base, sub) {
+            return dots;
+        }
+        name.truncate(base.len());
+        primes as u8
+    }
+
+    fn scripted_symbol(&mut self, mut name: Name, dots: u8, under: Option<Vec<SubItem>>, start: usize) -> Parsed<Node> {
         let (sub, mut sup, sup_first) = self.script_pair()?;
         // `y_1''` is printed as `y''_1`.
         if sub.is_some() && sup.is_none() && self.primes(&mut name) {
@@ -65,6 +78,7 @@ impl Parser<'_> {
             sup = raised;
         }
         let sub = under.or(sub);
+        let dots = self.primed_rate(&mut name, dots, sub.as_deref());
         let mut symbol = SymbolNode { name, dots, sub, sup, sup_first, arguments: None, arguments_text: String::new() };
         if self.is('(')
             && let Some(close) = self.closing()

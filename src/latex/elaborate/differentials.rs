@@ -1,0 +1,111 @@
+//! Differentials that are not part of a fraction: `dW=F\,dx`.
+//!
+//! Along a motion every differential is a rate times the same small time, so that a relation between them is one between
+//! rates, if every term has just one. Terms of another number of differentials are small of another order, and a formula in
+//! which they stand together says nothing of rates: it is refused. `dx/dt` has as many above as below.
+
+use super::super::syntax::{Chain, Node, NodeKind, RelationKind};
+use super::{Elaborated, refuse};
+
+const HINT: &str = r"let every term have one differential, or write rates, `\dot x`";
+
+/// The number of differentials of every term; `None` of a 0, which agrees with all.
+fn degree(node: &Node) -> Elaborated<Option<i32>> {
+    let same = |parts: &mut dyn Iterator<Item = &Node>| {
+        let mut common = None;
+        for part in parts {
+            match (common, degree(part)?) {
+                (Some(a), Some(b)) if a != b => {
+                    let message = "a term with a differential beside one without";
+                    return refuse("latex::derivative", message, &node.span, HINT);
+                }
+                (None, found) => common = found,
+                _ => {}
+            }
+        }
+        Ok(common)
+    };
+    match &node.kind {
+        NodeKind::Number(_) if node.is_zero() => Ok(None),
+        NodeKind::Differential { of, .. } => match degree(of)? {
+            None | Some(0) => Ok(Some(1)),
+            Some(_) => refuse("latex::derivative", "a differential of a differential", &node.span, HINT),
+        },
+        NodeKind::Group(inner, _) => degree(inner),
+        NodeKind::Sum(terms) => same(&mut terms.iter().map(|(_, term)| term)),
+        NodeKind::Tuple(parts) => same(&mut parts.iter()),
+        NodeKind::Matrix(rows) => same(&mut rows.iter().flatten()),
+        NodeKind::Product(parts) | NodeKind::Dot(parts) => {
+            parts.iter().try_fold(Some(0), |sum, part| Ok(sum.zip(degree(part)?).map(|(a, b)| a + b)))
+        }
+        NodeKind::Cross { left, right, .. } => Ok(degree(left)?.zip(degree(right)?).map(|(a, b)| a + b)),
+        NodeKind::Quotient { top, bottom, .. } => Ok(degree(top)?.zip(degree(bottom)?).map(|(a, b)| a - b)),
+        NodeKind::Number(_)
+        | NodeKind::Pi
+        | NodeKind::Euler { .. }
+        | NodeKind::Identity
+        | NodeKind::Symbol(_)
+        | NodeKind::Scripted { .. }
+        | NodeKind::Root(..)
+        | NodeKind::Exponential { .. }
+        | NodeKind::Function(..)
+        | NodeKind::Conjugate(_)
+        | NodeKind::Conjugation { .. }
+        | NodeKind::Absolute(_)
+        | NodeKind::Derivative { .. }
+        | NodeKind::At { .. }
+        | NodeKind::Factorial(_)
+        | NodeKind::Limit(..) => match node.children().into_iter().find(|n| holds_differential(n)) {
+            None => Ok(Some(0)),
+            Some(inside) => {
+                refuse("latex::derivative", "a differential stands inside of something", &inside.span, HINT)
+            }
+        },
+    }
+}
+
+fn holds_differential(node: &Node) -> bool {
+    let mut stack = vec![node];
+    while let Some(node) = stack.pop() {
+        if matches!(node.kind, NodeKind::Differential { .. }) {
+            return true;
+        }
+        stack.extend(node.children());
+    }
+    false
+}
+
+/// Refuses an expression in which differentials are left over.
+pub(super) fn cancel(node: &Node) -> Elaborated<()> {
+    if !holds_differential(node) || degree(node)?.is_none_or(|n| n == 0) {
+        return Ok(());
+    }
+    refuse("latex::derivative", "a differential stands alone", &node.span, "write an equation between differentials")
+}
+
+/// Refuses a relation whose sides differ in their number of differentials, or have more than one.
+pub(super) fn agree(chain: &Chain) -> Elaborated<()> {
+    if !chain.sides.iter().any(holds_differential) {
+        return Ok(());
+    }
+    let mut common = None;
+    for side in &chain.sides {
+        match (common, degree(side)?) {
+            (Some(a), Some(b)) if a != b => {
+                let message = "the sides differ in their number of differentials";
+                return refuse("latex::derivative", message, &chain.span, HINT);
+            }
+            (None, found) => common = found,
+            _ => {}
+        }
+    }
+    match common {
+        None | Some(0) => Ok(()),
+        Some(1) if chain.relations.iter().all(|r| *r == RelationKind::Equal) => Ok(()),
+        Some(1) => {
+            let hint = r"write rates, `\dot x>0`, for what happens in the course of time";
+            refuse("latex::derivative", "differentials are compared by `=` only", &chain.span, hint)
+        }
+        Some(_) => refuse("latex::derivative", "products of differentials", &chain.span, HINT),
+    }
+}
