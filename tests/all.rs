@@ -66,6 +66,7 @@ mod planted;
 mod premises;
 mod prove;
 mod prove_traps;
+mod reach;
 mod readme;
 mod regions;
 mod report_sizes;
