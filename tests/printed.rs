@@ -209,6 +209,8 @@ fn names_in_square_brackets() {
         ("proved", r"[k]=k", kinetics),
         ("refuted", r"[S_0]=[S]+[A_{\rm adsorption}]", r"[S_0], [S], [A_{\rm adsorption}]"),
         ("latex::ambiguous", r"[S_0]=1", "[S_0]; S_0"),
+        ("proved", r"[A_{12}]-[A_{12}]=0", "[A_{12}]"),
+        ("latex::ambiguous", r"[A_12]=0", "[A_{12}]"),
         ("latex::ambiguous", r"[S]=1", "[S]; S"),
     ]);
 }

@@ -303,6 +303,12 @@ impl Parser<'_> {
         };
         let begins =
             matches!(inside.first().map(|t| &t.kind), Some(Kind::Letter(_) | Kind::Command(_) | Kind::Sign('{')));
+        // `A_12` is not printed as `A_{12}`, and braces are not part of a canonical name.
+        let script = |kind: &Kind| matches!(kind, Kind::Sign('_' | '^'));
+        let split = |kind: &Kind| matches!(kind, Kind::Number(n) if n.len() > 1);
+        if inside.windows(2).any(|w| script(&w[0].kind) && split(&w[1].kind)) {
+            return None;
+        }
         let name = format!("{}:{}", name::AMOUNT, canonical(inside));
         (begins && inside.len() <= LONGEST_WORD && inside.iter().all(|t| fits(&t.kind))).then_some((name, close))
     }
