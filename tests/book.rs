@@ -193,9 +193,21 @@ fn the_reading_guide_names_every_file_that_a_verdict_rests_on() {
     let named: BTreeSet<String> =
         links(&page).into_iter().filter_map(|(_, target)| target.strip_prefix("../").map(str::to_owned)).collect();
     // What only gathers a crate, holds data, or is compiled for tests.
-    let other = ["lib.rs", "tests.rs", "model_tests.rs", "faults.rs", "hash.rs", "random.rs", "sample.rs", "syntax.rs", "name.rs"];
-    let whole = ["src/latex/parse/", "src/latex/elaborate/", "src/check/variant/", "src/check/separation/", "src/derivation/"];
-    let rooms = ["src/verdict", "src/number", "src/expr", "src/latex", "src/derivation", "src/flow", "src/proof", "src/check"];
+    let other = [
+        "lib.rs",
+        "tests.rs",
+        "model_tests.rs",
+        "faults.rs",
+        "hash.rs",
+        "random.rs",
+        "sample.rs",
+        "syntax.rs",
+        "name.rs",
+    ];
+    let whole =
+        ["src/latex/parse/", "src/latex/elaborate/", "src/check/variant/", "src/check/separation/", "src/derivation/"];
+    let rooms =
+        ["src/verdict", "src/number", "src/expr", "src/latex", "src/derivation", "src/flow", "src/proof", "src/check"];
     let missing: Vec<String> = rooms
         .iter()
         .flat_map(|room| sources(room))

@@ -43,6 +43,14 @@ fn all(rows: &[Row]) {
 fn signs_and_absolute_values() {
     all(&[
         ("undecided", r"y=5", "x,y", r"(x^{1/4})^4+y^2=0"),
+        // A power of 0 is 0, the exponential that it is written as is not.
+        ("except", r"y=0", "a,y", r"\sqrt[3]ay=0"),
+        ("except", r"y=0", "a,y", r"a^{2/3}y=0"),
+        ("except", r"y=0", "a,b,y", r"a^by=0"),
+        ("proved", r"y=0", "a: positive; y", r"\sqrt[3]ay=0"),
+        ("proved", r"y=0", "a,y", r"\sqrt[3]ay=0; a\ne 0"),
+        ("proved", r"y=0", "a,y", r"a^{-1/3}y=0"),
+        ("proved", r"y=0", "a,y", r"\sqrt[3]ay+0\ln a=0"),
         ("refuted", r"x=y", "x,y", r"|x|=|y|"),
         ("proved", r"x^2=y^2", "x,y", r"|x|=|y|"),
         ("proved", r"(x^2-1)/(x-1)=0", "x", r"x^2=1"),

@@ -115,6 +115,11 @@ impl Default for Group {
 }
 
 impl Group {
+    /// Whether at each time some sign of ± serves, not the same at all of them.
+    pub fn chooses(&self) -> bool {
+        self.branching && !self.throughout && self.signs == Quantifier::Some
+    }
+
     /// What the group is, where `comparison` tells what is known of each comparison, for one sign of ±.
     pub fn value(&self, mut comparison: impl FnMut(usize) -> Possible) -> Possible {
         let mut one = |n: usize| match self.asserted {

@@ -164,7 +164,7 @@ fn closed_edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<It
 
 /// What some comparisons of a group with ±, or one sign, need to have a value, and others do not.
 fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
-    if !group.branching || group.throughout || group.signs != Quantifier::Some {
+    if !group.chooses() {
         return Vec::new();
     }
     let sign = scope.branch_sign();

@@ -98,7 +98,14 @@ pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -
         let gaps = zeros.incomplete.iter().map(|gap| gap.stretch().0);
         zeros.times.iter().chain(&zeros.touching).copied().chain(gaps).next()
     };
-    match group.one_sided.iter().find_map(single) {
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    // Where the formulas of the motion, or their rates, have no value, that of some parts may be all that is left.
+    let motion = &trial.course.motion;
+    let gaps = motion.unresolved().iter().filter(|gap| matches!(gap, Incomplete::NoValue { .. }));
+    let absent = gaps.map(Incomplete::stretch).chain(motion.corners().iter().map(|&t| (t, t)));
+    let parts = group.chooses() && group.comparisons.len() > 1;
+    let inside = absent.filter(|&(start, end)| parts && start <= to && end >= from).map(|(start, _)| start.max(from));
+    match group.one_sided.iter().find_map(single).or(inside.min_by(f64::total_cmp)) {
         Some(t) => {
             let reason = format!(
                 "near t = {} some of it may have no value with one sign of ±, and be false with the other",

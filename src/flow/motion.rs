@@ -338,6 +338,11 @@ impl Motion {
         &self.core.resolution.gaps
     }
 
+    /// Times, known to about a billionth of the span, at which a state of a motion by formulas has a corner, and a rate no value.
+    pub fn corners(&self) -> &[f64] {
+        &self.core.resolution.corners
+    }
+
     /// All zeros along the motion of an expression in leaves.
     ///
     /// # Errors

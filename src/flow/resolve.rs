@@ -38,6 +38,8 @@ const STEP: f64 = 1e-6;
 pub(super) struct Resolution {
     pub(super) cuts: Vec<f64>,
     pub(super) gaps: Vec<Incomplete>,
+    /// Times at which all states are continuous and one has a corner: there a rate has no value.
+    pub(super) corners: Vec<f64>,
 }
 
 /// Series over intervals of time.
@@ -137,7 +139,7 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
             Stretch::Piece(ref p) => (p.start, p.end),
             Stretch::Gap { start, end, .. } => {
                 if let Some(prober) = &mut prober {
-                    gaps(prober, &sizes, (start, end), b - a, &mut out.gaps);
+                    gaps(prober, &sizes, (start, end), b - a, &mut out);
                 }
                 (start, end)
             }
@@ -150,7 +152,8 @@ pub(super) fn resolve(core: &Core, program: &Program) -> Resolution {
 }
 
 /// What the gaps in the cover are. A kink, across which all states are continuous, is none.
-fn gaps(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f64, out: &mut Vec<Incomplete>) {
+fn gaps(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f64, found: &mut Resolution) {
+    let Resolution { gaps: out, corners, .. } = found;
     // Where values end lies in a gap with the times at which there are none: it is cut until the two are apart.
     let mut stack = vec![(start, end)];
     let mut budget = MOST_CUTS;
@@ -163,7 +166,10 @@ fn gaps(prober: &mut Prober, sizes: &[f64], (start, end): (f64, f64), length: f6
         let what = match unclear {
             _ if nowhere => Some(Incomplete::NoValue { start, end, reason: NoValue::OutOfDomain }),
             Some(reason) if instant => Some(Incomplete::NoValue { start, end, reason }),
-            None if instant && !steps => None,
+            None if instant && !steps => {
+                corners.push(start + 0.5 * (end - start));
+                None
+            }
             None if instant => Some(Incomplete::Unresolved { start, end }),
             _ if budget > 0 => {
                 budget -= 1;

@@ -8,7 +8,7 @@ use super::restate::restated;
 use super::sign::Facts;
 use super::solve::{Resolved, unmarked};
 use expr::domain::{Need, Sign, Term};
-use expr::{Expr, Graph, Node, Op};
+use expr::{Expr, Graph, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 
 /// Radicands, denominators … of the operations of some formulas, see [`Condition`].
@@ -66,6 +66,24 @@ pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Exp
     })
 }
 
+/// Bases of powers in premises that may be 0. A power is e^{b ln a} here, which is never 0, while 0^b is: what follows from a
+/// premise by that leaves a = 0 out. (In what is claimed, both sides are continuous there.)
+fn bases(graph: &mut Graph, given: &Premises, formulas: &[Expr]) -> Vec<Expr> {
+    let falls = |b: Expr| graph.as_constant(b).is_some_and(|b| *b < Rational::ZERO);
+    let mut out: Vec<Expr> = Vec::new();
+    for e in graph.reachable(given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r])) {
+        match *graph.node(e) {
+            Node::Binary(Op::Pow, a, b) if !falls(b) => out.push(a),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {}
+        }
+    }
+    // What a logarithm, or a divisor, needs anyway.
+    let needed = graph.needs_below(formulas.iter().copied());
+    let needed = |a: Expr| needed.iter().any(|n| n.op != Op::Pow && n.value == a && n.sign != Sign::NotNegative);
+    out.retain(|&a| !needed(a));
+    out
+}
+
 /// Conditions that are not among the facts, in words of the formulas as given.
 pub(super) fn conditions(
     graph: &mut Graph,
@@ -98,6 +116,7 @@ pub(super) fn conditions(
         });
     }
     out.extend(explicit.iter().map(|&e| Condition::Pivot(e)));
+    out.extend(bases(graph, given, formulas).into_iter().map(Condition::Pivot));
     // Declared facts need no mention.
     let mut facts = Facts::default();
     given.positive.iter().for_each(|&e| facts.note_positive(graph, e));
