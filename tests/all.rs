@@ -68,7 +68,6 @@ mod premises;
 mod printed;
 mod prove;
 mod prove_traps;
-mod reach;
 mod readme;
 mod regions;
 mod report_sizes;
