@@ -351,6 +351,11 @@ impl Orders {
         !self.list.is_empty() && self.list.iter().all(|(_, fate)| *fate == Fate::Holds)
     }
 
+    /// Whether some order is settled, so that a list of orders tells anything.
+    pub fn tells(&self) -> bool {
+        self.list.iter().any(|(_, fate)| matches!(fate, Fate::Holds | Fate::Fails | Fate::NoValue))
+    }
+
     /// Values for which the assumptions hold and the claim does not.
     pub fn refuting(&self) -> Option<Vec<Rational>> {
         self.list.iter().find_map(|(order, fate)| match fate {

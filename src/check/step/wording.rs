@@ -400,15 +400,15 @@ impl Step<'_> {
         if parameters.len() > MOST_ORDERED {
             return None;
         }
-        let words = self.words_of(&Question { parameters, assumed, claimed, asserted: true });
+        let words = self.words_of(&Question { parameters, assumed, claimed, asserted: true })?;
         Some(format!("for positive {}, so far as it is about them, that is so {}", words.0, words.1))
     }
 
-    /// Names of the parameters, and in which orders of their sizes the claim holds.
-    fn words_of(&mut self, question: &Question) -> (String, String) {
+    /// Names of the parameters, and in which orders of their sizes the claim holds; `None` where no order is settled.
+    fn words_of(&mut self, question: &Question) -> Option<(String, String)> {
         let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
         let found = order::decide(&mut self.graph, question);
-        (names.join(", "), found.words(&names))
+        found.tells().then(|| (names.join(", "), found.words(&names)))
     }
 
     /// The claim, about positive parameters only, as requirements of signs.
@@ -460,8 +460,11 @@ impl Step<'_> {
         if question.parameters.len() > MOST_ORDERED {
             return Vec::new();
         }
-        let (names, words) = self.words_of(&question);
-        vec![format!("for positive {names} that meet the assumptions it holds {words}")]
+        let words = self.words_of(&question);
+        words
+            .into_iter()
+            .map(|(names, words)| format!("for positive {names} that meet the assumptions it holds {words}"))
+            .collect()
     }
 
     /// The account of a claim about parameters.
