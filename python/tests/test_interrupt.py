@@ -15,7 +15,9 @@ import rederive
 
 LONG = textwrap.dedent(
     """
-    import sys, time, rederive
+    import signal, sys, time, rederive
+    # What runs in the background of a shell ignores it, and its children with it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     print("begin", flush=True)
     try:
         rederive.check(sys.argv[1])

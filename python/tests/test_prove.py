@@ -100,4 +100,4 @@ def test_complex_symbols_of_sympy() -> None:
     rabi = rederive.Derivation("Rabi", concerns="A textbook of quantum mechanics").symbol(amplitude)
     assert rabi.data["symbols"]["c"] == {"role": "state", "complex": True}
     with pytest.raises(rederive.NoCounterpart, match="not real"):
-        rederive.prove(sp.Eq(sp.Symbol("y", imaginary=True), x))
+        rederive.prove(sp.Eq(sp.Symbol("y", imaginary=True), z))
