@@ -8,11 +8,11 @@
 use super::between::may_lie_beyond;
 use super::comparison::Group;
 use super::describe::{incomplete, short};
-use super::measured::{MeasuredGroup, Measurements};
+use super::measured::{MeasuredGroup, Measurements, measure};
 use super::met;
 use super::program::{Part, What};
 use super::trial::{Trial, Tried};
-use super::weigh::Left;
+use super::weigh::{Judged, Left};
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
 use crate::latex::Role;
@@ -21,6 +21,8 @@ use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 
 /// Times that are closer than this share of the span are one.
 const SINGLE: f64 = 1e-9;
+/// How far beside a time it is looked whether something has a value: this share of the span.
+const BESIDE: f64 = 1e-7;
 
 /// What samples leave possible of a part.
 pub(super) fn known(finding: &Finding) -> Possible {
@@ -50,10 +52,11 @@ pub(super) fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Findi
 pub(super) fn unless_valued_between(
     trial: &Trial,
     measured: &Measurements,
-    part: &MeasuredGroup,
+    of: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
     tried: &Tried,
     finding: Finding,
 ) -> Finding {
+    let part = of(measured);
     let seen = match known(&finding).decided() {
         Some(Truth::True | Truth::Void) => None,
         Some(Truth::False) => match &finding.evidence().witness {
@@ -74,11 +77,24 @@ pub(super) fn unless_valued_between(
         let beside = [before, Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
         beside.into_iter().any(missing)
     };
-    let zeros = trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e));
+    let zeros = || trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e));
     // What passes through 0 at an end of the span has a value at that time alone, if beside it there is none.
     let at_end = |t: &&f64| (**t - from).min(to - **t) <= SINGLE * (to - from);
-    let touching = zeros.flat_map(|z| z.touching.iter().chain(z.times.iter().filter(at_end)));
-    match touching.into_iter().filter(counts).find(single) {
+    let touching = zeros().flat_map(|z| z.touching.iter().chain(z.times.iter().filter(at_end)));
+    // Or it has one on a side on which a selector, or another edge, leaves nothing.
+    let lives = |t: f64| {
+        let point = trial.course.points_at(trial.program, &[t]);
+        let measured = measure(trial.program, &point, None);
+        let has_values = |g: &MeasuredGroup| g.signs.iter().any(|sign| sign.iter().all(|s| s.difference(0).is_ok()));
+        let judged = |g| Judged::new(g, trial.claim.precision).at(0).decided();
+        from <= t
+            && t <= to
+            && has_values(of(&measured))
+            && measured.selectors.iter().all(|g| !matches!(judged(g), Some(Truth::False | Truth::Void)))
+    };
+    let alone = |t: &&f64| !at_end(t) && ![-BESIDE, BESIDE].iter().any(|share| lives(**t + share * (to - from)));
+    let crossing = zeros().flat_map(|z| &z.times).filter(alone);
+    match touching.into_iter().filter(counts).find(single).or_else(|| crossing.into_iter().find(counts)) {
         Some(&t) => {
             let reason = format!("near t = {} it may have a value at a single time", short(t));
             reopened(finding, Possible::ANY, reason)

@@ -267,10 +267,11 @@ pub(super) struct MeasuredGroup<'a> {
     pub mute: Vec<Vec<bool>>,
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
     /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
-    /// At events such agreement does not show either that a weak relation is not denied.
+    /// Nor does such agreement at some times show a weak relation, where that is `doubted`.
     pub equal: Vec<Vec<bool>>,
-    /// Whether the times are those of events, each by itself: nothing before and after tells more.
-    events: bool,
+    /// Whether agreement within the error bound does not show a weak relation: where it selects times, and at events where it
+    /// is denied that something happens.
+    doubted: bool,
     /// For each time, where a search found it, the comparison that changes its sign there: its sides are equal.
     pub crossing: Vec<Option<usize>>,
     /// For each sign the sizes of terms, those of the group from position `first` on.
@@ -297,7 +298,7 @@ impl<'a> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
         let along = |(series, comparison): (&Series, &Comparison)| {
             // Nothing else asks for it.
-            if !is_strict(comparison.kind) && !group.denied {
+            if comparison.kind == RelationKind::Equal {
                 return false;
             }
             let mut known = series.differences().map(|d| d.contains_zero());
@@ -318,7 +319,7 @@ impl<'a> MeasuredGroup<'a> {
             strict: false,
             mute,
             equal,
-            events: false,
+            doubted: false,
             crossing: Vec::new(),
             sizes,
             first,
@@ -335,9 +336,9 @@ impl<'a> MeasuredGroup<'a> {
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        let (definedness, strict, events) = (along.definedness, along.strict, along.events);
+        let (definedness, strict, doubted) = (along.definedness, along.strict, along.doubted);
         let crossing = Vec::new();
-        MeasuredGroup { group, signs, definedness, strict, mute, equal, events, crossing, sizes, first, floors }
+        MeasuredGroup { group, signs, definedness, strict, mute, equal, doubted, crossing, sizes, first, floors }
     }
 
     /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
@@ -345,7 +346,7 @@ impl<'a> MeasuredGroup<'a> {
         if self.definedness {
             return;
         }
-        self.events = true;
+        self.doubted |= self.group.denied;
         let zero = |e: Expr| matches!(graph.node(e), Node::Constant(c) if c.is_zero());
         let says = |c: &Comparison| match graph.node(event) {
             Node::Binary(Op::Sub, a, b) => [(*a, *b), (*b, *a)].contains(&(c.left, c.right)),
@@ -398,9 +399,10 @@ impl<'a> MeasuredGroup<'a> {
         strict && difference.error > 0.0 && difference.contains_zero() && !equal()
     }
 
-    /// Whether agreement within an error shows nothing for what must be: where it is denied that something happens.
+    /// Whether agreement within the error bound shows nothing of what should be.
     fn is_doubted(&self, sign: usize, comparison: usize) -> bool {
-        self.strict || self.events && self.group.denied && !self.equal[sign][comparison]
+        let weak = self.group.comparisons[comparison].kind != RelationKind::Equal;
+        self.strict || self.doubted && weak && !self.equal[sign][comparison]
     }
 
     /// What is known of the group at every time, for one sign.
@@ -538,7 +540,8 @@ fn gathered<'a>(
         };
         of.into_iter().enumerate().map(one).collect()
     };
-    let selectors = each(program.selectors.iter().map(|a| &a.part).collect(), along.map(|m| &m.selectors));
+    let mut selectors = each(program.selectors.iter().map(|a| &a.part).collect(), along.map(|m| &m.selectors));
+    selectors.iter_mut().for_each(|group| group.doubted = true);
     let hypotheses = each(program.hypotheses.iter().map(|a| &a.part).collect(), along.map(|m| &m.hypotheses));
     let parts = each(program.parts.iter().collect(), along.map(|m| &m.parts));
     Measurements { selectors, hypotheses, parts }

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use super::between::is_weak;
 use super::describe::{incomplete, short};
 use super::measured::measure;
+use super::program::What;
 use super::trial::{Trial, Values};
 use super::weigh::Judged;
 use crate::flow::{Incomplete, Points};
@@ -76,6 +77,17 @@ pub(super) fn look(trial: &Trial) -> Search {
                 found.open = Some(format!("when `{text}` is met is not known: {}", incomplete(gap)));
             }
         }
+    }
+    // What two motions have in common ends where one of them has a corner.
+    let others = program.parts.iter().filter_map(|part| match part.what {
+        What::SameMotion(other, _) => course.stage.motion(other),
+        What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => None,
+        What::Independent => None,
+    });
+    for other in others {
+        any = true;
+        let corners = other.corners().iter().chain(course.motion.corners()).copied();
+        cuts.extend(corners.filter(|t| from < *t && *t < to));
     }
     if !any {
         return found;

@@ -188,7 +188,7 @@ pub(super) fn try_claim(
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
                 let finding = unless_met_elsewhere(&met, finding);
-                unless_valued_between(trial, &measured, &measured.parts[position], &along, finding)
+                unless_valued_between(trial, &measured, &|m| &m.parts[position], &along, finding)
             };
             (0..program.parts.len()).map(each).collect()
         }
@@ -283,7 +283,8 @@ fn met_on(
     let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
     let finding = unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence));
     let finding = unless_one_sided(trial, &part.group, finding);
-    unless_valued_between(trial, measured, &measured.hypotheses[position], along, unless_met_elsewhere(met, finding))
+    let finding = unless_met_elsewhere(met, finding);
+    unless_valued_between(trial, measured, &|m| &m.hypotheses[position], along, finding)
 }
 
 /// What is known of one part of a claim, at the times that count.

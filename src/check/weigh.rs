@@ -93,6 +93,8 @@ impl<'a, 'g> Judged<'a, 'g> {
         }
         let size = |c: usize| match series[c].difference(time) {
             Ok(d) => (ratio(d.value.abs(), d.error), d.error),
+            // What has no value says nothing; it is not what is false, unless a value is promised.
+            Err(_) if self.whole[sign][time] == Possible::FALSE && !self.measured.group.asserted => (-1.0, 0.0),
             Err(_) => (f64::INFINITY, f64::INFINITY),
         };
         let larger = |a: (usize, (f64, f64)), b: (usize, (f64, f64))| if b.1 > a.1 { b } else { a };
