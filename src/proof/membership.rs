@@ -135,6 +135,7 @@ impl Search<'_> {
         // Variables: roots and |·| first, then rates, then the rest, so that elimination goes that way.
         let mut variables = Vec::new();
         let mut only_circles = lowered.premises.iter().all(|&(e, _)| self.graph.is_zero(e));
+        only_circles &= lowered.generators.are_independent(self.graph);
         for e in self.graph.reachable(roots) {
             match *self.graph.node(e) {
                 Node::Leaf(leaf) => {
