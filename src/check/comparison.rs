@@ -95,6 +95,8 @@ pub(super) struct Group {
     pub throughout: bool,
     /// Whether a value is promised: what has none is false, not void.
     pub asserted: bool,
+    /// Whether the comparisons are the opposites of what is written, which must not be.
+    pub denied: bool,
     /// What leaves one comparison without a value and not another, or for one sign of ±: where it vanishes, the sign that serves
     /// elsewhere may not count, and the other is false.
     pub one_sided: Vec<Expr>,
@@ -109,6 +111,7 @@ impl Default for Group {
             signs: Quantifier::Some,
             throughout: false,
             asserted: false,
+            denied: false,
             one_sided: Vec::new(),
         }
     }

@@ -475,7 +475,7 @@ impl Denotation<'_> {
 
     /// The comparisons of relations that must be true at once, or, `denied`, that must not be; where the selected ones are.
     fn group(&mut self, relations: &[Said], denied: bool, selected: &[Said]) -> Group {
-        let mut group = Group::default();
+        let mut group = Group { denied, ..Group::default() };
         let mut all = Vec::new();
         for (text, relation) in relations {
             all.push(self.compared(&mut group, text, relation, denied));

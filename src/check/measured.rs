@@ -267,7 +267,10 @@ pub(super) struct MeasuredGroup<'a> {
     pub mute: Vec<Vec<bool>>,
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
     /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
+    /// At events such agreement does not show either that a weak relation is not denied.
     pub equal: Vec<Vec<bool>>,
+    /// Whether the times are those of events, each by itself: nothing before and after tells more.
+    events: bool,
     /// For each time, where a search found it, the comparison that changes its sign there: its sides are equal.
     pub crossing: Vec<Option<usize>>,
     /// For each sign the sizes of terms, those of the group from position `first` on.
@@ -294,7 +297,7 @@ impl<'a> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
         let along = |(series, comparison): (&Series, &Comparison)| {
             // Nothing else asks for it.
-            if !is_strict(comparison.kind) {
+            if !is_strict(comparison.kind) && !group.denied {
                 return false;
             }
             let mut known = series.differences().map(|d| d.contains_zero());
@@ -315,6 +318,7 @@ impl<'a> MeasuredGroup<'a> {
             strict: false,
             mute,
             equal,
+            events: false,
             crossing: Vec::new(),
             sizes,
             first,
@@ -331,8 +335,9 @@ impl<'a> MeasuredGroup<'a> {
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        let (definedness, strict) = (along.definedness, along.strict);
-        MeasuredGroup { group, signs, definedness, strict, mute, equal, crossing: Vec::new(), sizes, first, floors }
+        let (definedness, strict, events) = (along.definedness, along.strict, along.events);
+        let crossing = Vec::new();
+        MeasuredGroup { group, signs, definedness, strict, mute, equal, events, crossing, sizes, first, floors }
     }
 
     /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
@@ -340,6 +345,7 @@ impl<'a> MeasuredGroup<'a> {
         if self.definedness {
             return;
         }
+        self.events = true;
         let zero = |e: Expr| matches!(graph.node(e), Node::Constant(c) if c.is_zero());
         let says = |c: &Comparison| match graph.node(event) {
             Node::Binary(Op::Sub, a, b) => [(*a, *b), (*b, *a)].contains(&(c.left, c.right)),
@@ -392,6 +398,11 @@ impl<'a> MeasuredGroup<'a> {
         strict && difference.error > 0.0 && difference.contains_zero() && !equal()
     }
 
+    /// Whether agreement within an error shows nothing for what must be: where it is denied that something happens.
+    fn is_doubted(&self, sign: usize, comparison: usize) -> bool {
+        self.strict || self.events && self.group.denied && !self.equal[sign][comparison]
+    }
+
     /// What is known of the group at every time, for one sign.
     pub fn stand(&self, sign: usize, precision: f64) -> Vec<Possible> {
         let all = &self.signs[sign];
@@ -403,8 +414,11 @@ impl<'a> MeasuredGroup<'a> {
         let mut whole = vec![Possible::TRUE; times];
         for (c, series) in all.iter().enumerate() {
             let equation = self.group.comparisons[c].kind == RelationKind::Equal;
-            let plain =
-                equation && !self.definedness && !self.strict && !self.mute[sign][c] && series.missing.is_empty();
+            let plain = equation
+                && !self.definedness
+                && !self.is_doubted(sign, c)
+                && !self.mute[sign][c]
+                && series.missing.is_empty();
             for (i, whole) in whole.iter_mut().enumerate() {
                 // Nearly all points of an equation that holds.
                 let agrees = |d: &Bounded| d.value.abs() <= d.error && d.error <= precision * self.floor(sign);
@@ -437,7 +451,9 @@ impl<'a> MeasuredGroup<'a> {
                 };
                 match judge(kind, d, scale, precision) {
                     Possible::FALSE if self.is_open(sign, comparison, time, d) => Possible::OPEN,
-                    Possible::TRUE if self.strict && d.error > 0.0 && d.contains_zero() => Possible::OPEN,
+                    Possible::TRUE if self.is_doubted(sign, comparison) && d.error > 0.0 && d.contains_zero() => {
+                        Possible::OPEN
+                    }
                     known => known,
                 }
             }
