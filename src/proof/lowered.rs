@@ -35,6 +35,8 @@ pub(super) struct Lowered {
     pub(super) frozen: FastSet<Leaf>,
     /// Orthogonal matrices among the premises.
     pub(super) orthogonal: Orthogonal,
+    /// [`super::outcome::Options::further`].
+    further: bool,
 }
 
 /// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
@@ -45,7 +47,7 @@ pub(super) fn lower(
     claim: &[(Expr, Expr)],
     [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
-    with_signs: bool,
+    [with_signs, further]: [bool; 2],
     combinations: &mut Combinations,
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
@@ -58,8 +60,10 @@ pub(super) fn lower(
     let radicands: Vec<Expr> = radicands.collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
-    let mut logarithms = Logarithms::of(graph, &roots, positive);
-    let implied = implied(graph, &roots, [positive, not_negative]);
+    let (mut logarithms, implied) = match further {
+        true => (Logarithms::of(graph, &roots, positive), implied(graph, &roots, [positive, not_negative])),
+        false => (Logarithms::default(), Vec::new()),
+    };
     let mut apart = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
         list.iter().map(|&e| logarithms.put_into(graph, e)).collect()
     };
@@ -106,8 +110,8 @@ pub(super) fn lower(
         of_definitions.push(lowering.lower(e)?);
     }
     // What a root of higher order is of: the root, to its power, is that.
-    for radical in lowering.radicals()? {
-        images.push((radical, false));
+    if further {
+        images.extend(lowering.radicals()?.into_iter().map(|radical| (radical, false)));
     }
     let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
     let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
@@ -140,7 +144,7 @@ pub(super) fn lower(
         facts.note_not_negative(graph, e);
     }
     // What still stands in arguments after lowering must stay free.
-    let named = |at: &usize| !generators.radicals.iter().any(|r| r.generator == *at);
+    let named = |at: &usize| !further || !generators.radicals.iter().any(|r| r.generator == *at);
     let arguments = (0..generators.list.len()).filter(named).filter_map(|at| generators.list[at].argument());
     let arguments: Vec<Expr> = arguments.collect();
     let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
@@ -160,6 +164,7 @@ pub(super) fn lower(
         denominators,
         assumed: not_zero,
         frozen,
+        further,
     })
 }
 
@@ -252,7 +257,7 @@ pub(super) fn question(
     }
     let mut all = residuals.clone();
     all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
-    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
+    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts, lowered.further);
     roots.prepare(&all);
     let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
     let (residuals, filters) = (normal(residuals), normal(filters));

@@ -54,7 +54,7 @@ pub(super) fn certify(
     let inserted: Vec<(Expr, Expr)> = named.iter().map(|&f| (insert(graph, f), zero)).collect();
     let all: Vec<(Expr, Expr)> = claim.iter().chain(&inserted).copied().collect();
     let lowered =
-        lower(graph, &solved.rest, &all, [&nonzero, &positive, &[]], &[], false, &mut Combinations::default())
+        lower(graph, &solved.rest, &all, [&nonzero, &positive, &[]], &[], [false; 2], &mut Combinations::default())
             .map_err(wrong)?;
     let images = named.iter().copied().zip(lowered.claim[claim.len()..].iter().map(|&(image, _)| image)).collect();
     let origin = Given { equations, solved: &solved, images: &images };

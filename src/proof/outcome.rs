@@ -52,6 +52,9 @@ pub struct Options {
     pub most_nodes: usize,
     /// What the answer is wanted for.
     pub wanted: Wanted,
+    /// Whether roots are written by other roots, logarithms are taken apart, and signs are looked for in ranges. What is left
+    /// open without is asked again with it, where it is small: what is open for other reasons would only cost more.
+    pub further: bool,
 }
 
 impl Default for Options {
@@ -64,6 +67,7 @@ impl Default for Options {
             special_cases: 8,
             most_nodes: 20_000,
             wanted: Wanted::Answer,
+            further: false,
         }
     }
 }

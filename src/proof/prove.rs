@@ -155,9 +155,16 @@ fn decide(
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered =
-        lower(graph, &solved.rest, &claim, facts, &definitions, true, &mut memory.structure.borrow_mut().combinations)?;
-    let asked = Asked::new(&lowered, options.most_nodes);
+    let mut lowered = lower(
+        graph,
+        &solved.rest,
+        &claim,
+        facts,
+        &definitions,
+        [true, options.further],
+        &mut memory.structure.borrow_mut().combinations,
+    )?;
+    let asked = Asked::new(&lowered, options.most_nodes, options.further);
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
     }

@@ -45,6 +45,10 @@ const MULTIPLES: [i64; 8] = [1, 2, 4, 6, 8, 10, 12, 24];
 const PARTS_OF_PI: i64 = 60;
 /// Larger problems, premises included, are left: each way asks several questions.
 const MOST_NODES: usize = 250;
+/// The same where a proof is one of many that are tried aside, without premises.
+const MOST_ASIDE: usize = 64;
+/// With more premises nothing is asked again.
+const MOST_PREMISES: usize = 12;
 
 /// What answers a question that was left open; `None` where nothing does.
 pub(super) fn settle(
@@ -63,16 +67,28 @@ pub(super) fn settle(
         }
         Reason::NoDerivative | Reason::Unextended | Reason::Defect(_) => false,
     };
-    if !open || depth >= DEEPEST || options.wanted == Wanted::Fault {
+    if !open || depth >= DEEPEST {
         return None;
+    }
+    let sides = |equations: &[(Expr, Expr)]| -> Vec<Expr> { equations.iter().flat_map(|&(l, r)| [l, r]).collect() };
+    let premises = given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r]);
+    let all: Vec<Expr> = sides(equations).into_iter().chain(premises).collect();
+    let count = given.equations.len() + given.only_now.len();
+    let most = match options.wanted {
+        Wanted::Answer if count <= MOST_PREMISES => MOST_NODES,
+        Wanted::Proof if count == 0 => MOST_ASIDE,
+        Wanted::Answer | Wanted::Proof | Wanted::Fault => return None,
+    };
+    if graph.reachable(all).len() > most {
+        return None;
+    }
+    if !options.further {
+        return match identity_at(memory, graph, equations, given, &Options { further: true, ..*options }, depth) {
+            Identity::Undecided(_) => None,
+            settled @ (Identity::Proved(_) | Identity::Refuted(_)) => Some(settled),
+        };
     }
     let equations: Pairs = equations.iter().map(|&(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
-    let sides: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-    let premises = given.equations.iter().chain(&given.only_now).flat_map(|&(l, r)| [l, r]);
-    let all: Vec<Expr> = sides.iter().copied().chain(premises).collect();
-    if graph.reachable(all).len() > MOST_NODES {
-        return None;
-    }
     if let Some(found) = numbers(graph, &equations, given) {
         return Some(found);
     }

@@ -53,6 +53,8 @@ pub(super) struct Roots<'a> {
     sums: FastMap<Expr, bool>,
     /// Candidates for square roots: expression, squares of values.
     candidates: Vec<(Expr, [Finite; 2])>,
+    /// Whether roots are written by other roots, and signs of sums are looked up.
+    further: bool,
 }
 
 /// Rational factors by which two radicands may differ and still be recognised.
@@ -73,6 +75,7 @@ impl<'a> Roots<'a> {
         generators: &'a mut Generators,
         probe: &'a mut Probe,
         facts: Facts,
+        further: bool,
     ) -> Roots<'a> {
         Roots {
             graph,
@@ -89,6 +92,7 @@ impl<'a> Roots<'a> {
             pairs: Vec::new(),
             sums: FastMap::default(),
             candidates: Vec::new(),
+            further,
         }
     }
 
@@ -119,7 +123,9 @@ impl<'a> Roots<'a> {
         if !any {
             return;
         }
-        self.note_sums();
+        if self.further {
+            self.note_sums();
+        }
         // The last are the largest; both ends are wanted when there are too many.
         if free.len() > MOST_CANDIDATES {
             let tail = free.split_off(free.len() - MOST_CANDIDATES / 2);
@@ -295,12 +301,14 @@ impl<'a> Roots<'a> {
         if self.graph.is_zero(e) || self.graph.is_one(e) {
             return e;
         }
-        let e = self.without_roots_of(e);
+        let e = if self.further { self.without_roots_of(e) } else { e };
         let (mut q, mut parts) = factors(self.graph, e);
         // A sum of fractions is one fraction, and what all terms have in common comes out.
-        let (scale, apart) = without_content(self.graph, q.clone(), parts.clone(), false);
-        if apart.len() > parts.len() {
-            (q, parts) = (scale, apart);
+        if self.further {
+            let (scale, apart) = without_content(self.graph, q.clone(), parts.clone(), false);
+            if apart.len() > parts.len() {
+                (q, parts) = (scale, apart);
+            }
         }
         // Products are taken apart first; only what stays together is looked up.
         let together = parts.iter().filter(|&&(base, k)| k % 2 != 0 && !self.not_negative(base)).count();
@@ -314,7 +322,10 @@ impl<'a> Roots<'a> {
         let mut rest_empty = true;
         for (mut base, k) in parts {
             let sum = matches!(self.graph.node(base), Node::Binary(Op::Add | Op::Sub, ..));
-            if sum && let Some((m, p)) = polynomial_root(self.graph, base) {
+            if self.further
+                && sum
+                && let Some((m, p)) = polynomial_root(self.graph, base)
+            {
                 let size = self.absolute(m);
                 let power = self.graph.powi(size, k);
                 out = self.graph.mul(out, power);
@@ -394,7 +405,9 @@ impl<'a> Roots<'a> {
         };
         self.unit_roots.insert(e, image);
         // It stands for the root that is not negative.
-        self.facts.note_not_negative(self.graph, image);
+        if self.further {
+            self.facts.note_not_negative(self.graph, image);
+        }
         self.graph.mul(constant, image)
     }
 
@@ -450,7 +463,9 @@ impl<'a> Roots<'a> {
 
     /// √e = √q·|m₁·m₂| when e = q·(m₁m₂)² for expressions of the problem.
     fn as_square(&mut self, e: Expr) -> Option<Expr> {
-        if let Some((m, q)) = polynomial_root(self.graph, e) {
+        if self.further
+            && let Some((m, q)) = polynomial_root(self.graph, e)
+        {
             let size = self.absolute(m);
             let constant = self.constant_root(&q);
             return Some(self.graph.mul(constant, size));

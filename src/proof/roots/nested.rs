@@ -11,6 +11,9 @@ impl Roots<'_> {
     /// √e = √(e·b)/√b where e·b is a square, for b a radicand seen before or a product of two: none of them is negative, as
     /// all roots of the problem have values.
     pub(super) fn by_others(&mut self, e: Expr) -> Option<Expr> {
+        if !self.further {
+            return None;
+        }
         let seen: Vec<Expr> = self.ordered.iter().copied().take(MOST_RELATED).collect();
         let pairs = seen.iter().enumerate().flat_map(|(i, &a)| seen[i + 1..].iter().map(move |&b| (a, Some(b))));
         let choices: Vec<(Expr, Option<Expr>)> = seen.iter().map(|&a| (a, None)).chain(pairs).collect();
@@ -36,7 +39,7 @@ impl Roots<'_> {
     /// The difference of the roots has the sign of m.
     pub(super) fn nested(&mut self, e: Expr) -> Option<Expr> {
         let below = self.graph.reachable([e]);
-        if below.len() > MOST_NESTED {
+        if !self.further || below.len() > MOST_NESTED {
             return None;
         }
         let (zero, one, two) = (self.graph.integer(0), self.graph.integer(1), self.graph.integer(2));
