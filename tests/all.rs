@@ -68,6 +68,7 @@ mod premises;
 mod printed;
 mod prove;
 mod prove_traps;
+mod reach;
 mod readme;
 mod regions;
 mod report_sizes;

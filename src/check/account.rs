@@ -226,6 +226,9 @@ impl IdentityAccount {
         match (decision, self.log2_error) {
             (Decision::Proved | Decision::ProvedExcept, bound) => {
                 let how = match bound {
+                    Some(_) if self.evidence.trials.is_none() => {
+                        "both sides are algebraic numbers, compared exactly".to_owned()
+                    }
                     Some(bound) => {
                         format!("proved by random evaluation, with an error probability of at most 2^{}", bound.ceil())
                     }

@@ -184,7 +184,7 @@ pub(super) fn evidence_of(graph: &Graph, identity: &Identity) -> Result<Identity
     }
     let mut out = IdentityEvidence { contradiction: is_contradiction(identity), ..IdentityEvidence::default() };
     match identity {
-        Identity::Proved(proof) => out.trials = Some(trials(proof)),
+        Identity::Proved(proof) => out.trials = (!proof.is_certain()).then(|| trials(proof)),
         Identity::Refuted(refutation) => out.counterexample = Some(counterexample(graph, refutation)),
         Identity::Undecided(_) => {}
     }
@@ -211,7 +211,14 @@ pub(super) fn evidence(
     match found {
         Ok(certificates) => out.certificates = certificates,
         // What is refuted has none, and needs no reason.
-        Err(reason) => out.no_certificate = Some(reason.to_string()).filter(|_| identity.word() != "refuted"),
+        Err(reason) => {
+            let needed = match identity {
+                Identity::Proved(proof) => !proof.is_certain(),
+                Identity::Refuted(_) => false,
+                Identity::Undecided(_) => true,
+            };
+            out.no_certificate = needed.then(|| reason.to_string());
+        }
     }
     Ok(out)
 }

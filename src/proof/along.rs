@@ -168,7 +168,7 @@ fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bo
 /// largest coefficient; and that coefficient.
 fn expanded(graph: &mut Graph, left: Expr, right: Expr) -> Option<(Expr, f64)> {
     let mut combinations = Combinations::default();
-    let lowered = lower(graph, &[], &[(left, right)], [&[], &[], &[]], &[], false, &mut combinations).ok()?;
+    let lowered = lower(graph, &[], &[(left, right)], [&[], &[], &[]], &[], [false; 2], &mut combinations).ok()?;
     let &(l, r) = lowered.claim.first()?;
     let difference = graph.sub(l, r);
     let combination: Combination = Combinations::default().of(graph, difference);

@@ -84,6 +84,9 @@ enum Sheet {
     NotZero,
 }
 
+/// Primes drawn in one trial where roots of numbers do not exist for all: √(2 + √2) lies in GF(p²) for half of them.
+const PRIMES: usize = 32;
+
 /// Runs the trials of one case.
 pub(super) fn trials(
     graph: &Graph,
@@ -91,6 +94,22 @@ pub(super) fn trials(
     question: &Question,
     options: &Options,
     draws: &mut Draws,
+) -> Trials {
+    match trials_with(graph, generators, question, options, draws, 1) {
+        Trials::Unsettled(Reason::NoPoint) => trials_with(graph, generators, question, options, draws, PRIMES),
+        settled => settled,
+    }
+}
+
+/// A trial draws primes until all roots exist, so many at most. Each of them may be one that hides something: their number
+/// counts in the bound.
+fn trials_with(
+    graph: &Graph,
+    generators: &Generators,
+    question: &Question,
+    options: &Options,
+    draws: &mut Draws,
+    most_primes: usize,
 ) -> Trials {
     let roots: Vec<Expr> =
         [&question.residuals, &question.filters, &question.zeros, &question.assumed, &question.nonzeros]
@@ -117,7 +136,7 @@ pub(super) fn trials(
     // one of the listed values there).
     let primes = height / FiniteField::LOG2_P * power_of_two(-FiniteField::LOG2_PRIMES);
     let points = DRAWS as f64 * (1.0 + CONSTANT_COUNT) * degree * power_of_two(-FiniteField::LOG2_P);
-    let each = log2_above((primes + points) * MARGIN);
+    let each = log2_above((primes + points) * MARGIN * most_primes as f64);
     if each.is_nan() || each >= -8.0 {
         return Trials::Unsettled(Reason::Bound(each));
     }
@@ -127,7 +146,10 @@ pub(super) fn trials(
     let mut bound = Bound { log2_error: each * count as f64, degree, height, primes: Vec::new(), signs: signs.len() };
     let mut held = false;
     let choices = Choices::new(&tape, signs);
-    for _ in 0..count {
+    // Primes drawn in the present trial.
+    let mut drawn = 0;
+    while bound.primes.len() < count {
+        drawn += 1;
         let field = FiniteField::draw(draws);
         bound.primes.push(field.prime());
         let mut slots: Slots<Finite> = tape.slots(&field);
@@ -151,9 +173,14 @@ pub(super) fn trials(
                 Some(again) => last = again,
             }
         }
+        if !passed && last == Trials::Unsettled(Reason::NoPoint) && drawn < most_primes {
+            bound.primes.pop();
+            continue;
+        }
         if !passed {
             return last;
         }
+        drawn = 0;
     }
     if held { Trials::Vanish(bound) } else { Trials::Void(bound) }
 }

@@ -8,7 +8,7 @@
 //!
 //! 1. Premises are differentiated by time as far as the claim and hidden constraints ask for (`closing`); explicit definitions
 //!    are inserted (`prepare`).
-//! 2. Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
+//! 2. Logarithms are taken apart by factors (`logarithm`). Transcendental functions become rational functions of generators (`lower`), arguments being compared as rational
 //!    combinations of monomials (`linear`).
 //! 3. |a| in a premise is written σ·a with a sign σ (`absolute`). Orthogonal matrices among the premises are recognised and parametrised (`orthogonal`); a sum of squares that vanishes
 //!    is several equations, since all leaves are real. The other premises are solved, equation by equation, for unknowns in
@@ -76,10 +76,16 @@
 //!
 //! # What is not decided
 //!
-//! Relations between ln, arccos, arctan … of different arguments (arctan x + arctan 1/x = ±π/2); roots of order above 2;
-//! arguments that are equal but not by expanding sums and products; premises of degree above 2 in every unknown; identities
-//! that depend on signs of roots which neither the normal form nor a real point settles; more than
-//! [`Options::most_signs`] independent roots. A false equation of that kind is still refuted when a real point shows it.
+//! Relations between functions beyond those of `logarithm`, `roots` and `relate`; arguments that are equal, but by no proof of
+//! their own; premises of degree above 2 in every unknown, where the claim holds; identities that depend on signs of roots
+//! which neither the normal form nor a real point settles; more than [`Options::most_signs`] independent roots. A false
+//! equation of that kind is still refuted when a real point shows it.
+//!
+//! # What is looked at when the field leaves a question open
+//!
+//! `relate` has the ways, each of which ends in another question or in certainty: algebraic numbers are compared exactly
+//! (`algebraic`), logarithms by exponentials, angles by their cosine and range (`range`), functions by their arguments; premises
+//! are written with lower degrees (`simpler`), and real points that satisfy them are found by Newton's method (`newton`).
 //!
 //! # The second route
 //!
@@ -98,6 +104,7 @@
 #![forbid(unsafe_code)]
 
 mod absolute;
+mod algebraic;
 mod along;
 #[cfg(feature = "certificates")]
 mod budget;
@@ -109,11 +116,13 @@ mod field;
 mod growth;
 mod insertion;
 mod linear;
+mod logarithm;
 mod lower;
 mod lowered;
 #[cfg(feature = "certificates")]
 mod membership;
 mod memory;
+mod newton;
 pub mod order;
 mod orthogonal;
 mod outcome;
@@ -121,9 +130,12 @@ mod polynomial;
 mod prepare;
 mod probe;
 mod prove;
+mod range;
+mod relate;
 mod restate;
 mod roots;
 mod sign;
+mod simpler;
 mod solve;
 mod structure;
 mod values;

@@ -9,14 +9,13 @@
 //! stands for e^{m/N}. Functions of a variable and of its cosine, sine and exponential satisfy no other algebraic relation
 //! (Ax 1971), but nothing rests on that: a relation that is missed can only leave an identity undecided.
 //!
-//! Multiples of π/12 have exact values in √2 and √3. cos, sin of arccos, arcsin, arctan, atan2 (once, twice … and halved)
+//! Multiples of π/60, and halves and quarters of them, have exact values in √2, √3, √5 and roots of sums of these. cos, sin of arccos, arcsin, arctan, atan2 (once, twice … and halved)
 //! are algebraic, with the roots of the principal values: sin arccos x = √(1 − x²) ≥ 0, cos atan2(y, x) = x/√(x² + y²).
 //! exp(q·ln u) = u^q for integer and half-integer q. Every other occurrence of arccos, ln, agm … is a generator of its own,
 //! the same for the same argument.
 
 use super::linear::{Combination, Combinations, Monomial, expression};
-use expr::FastMap;
-use expr::{Expr, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
+use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
 
 /// What a generator stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +46,9 @@ impl Generator {
     }
 }
 
+/// Roots of this order at most are related to what they are of.
+const HIGHEST_ROOT: i32 = 12;
+
 /// The name of the one hidden symbol whose components are the generators.
 const HIDDEN: &str = "\u{2063}generator";
 
@@ -54,6 +56,17 @@ const HIDDEN: &str = "\u{2063}generator";
 pub(super) struct Generators {
     symbol: Symbol,
     pub(super) list: Vec<Generator>,
+    /// Roots of order above 2 among the exponentials.
+    pub(super) radicals: Vec<Radical>,
+}
+
+/// An exponential that is a root: u^{1/n} = e^{(ln u)/n}.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Radical {
+    /// Its number.
+    pub(super) generator: usize,
+    of: Expr,
+    order: i32,
 }
 
 impl Generators {
@@ -63,7 +76,7 @@ impl Generators {
             Some(symbol) => symbol,
             None => graph.declare(HIDDEN, Shape::vector(u16::MAX), false),
         };
-        Generators { symbol, list: Vec::new() }
+        Generators { symbol, list: Vec::new(), radicals: Vec::new() }
     }
 
     /// A new generator; `None` when there are too many.
@@ -82,6 +95,20 @@ impl Generators {
     /// What a leaf stands for, if it is a generator.
     pub(super) fn get(&self, leaf: Leaf) -> Option<&Generator> {
         if leaf.symbol == self.symbol { self.list.get(leaf.component as usize) } else { None }
+    }
+
+    /// Whether nothing relates the generators but c² + s² = 1: they are cosines, sines and exponentials of multiples of
+    /// different monomials in the leaves (Ax 1971). Values of other functions may be related in ways that are not looked for.
+    pub(super) fn are_independent(&self, graph: &Graph) -> bool {
+        let leaf = |base: Expr| matches!(graph.node(base), Node::Leaf(l) if self.get(*l).is_none());
+        self.list.iter().all(|g| match *g {
+            Generator::Cosine(a) | Generator::Sine(a) | Generator::Exponential(a) => {
+                let combination = Combinations::default().of(graph, a);
+                combination.keys().all(|m| m.iter().all(|&(base, _)| leaf(base)))
+            }
+            Generator::Opaque(_) => false,
+            Generator::Sign | Generator::Half | Generator::Free => true,
+        })
     }
 
     /// The other generator of a cosine and sine pair: (cosine, sine) for either.
@@ -161,13 +188,37 @@ impl<'g> Lowering<'g> {
 
     /// The image of an expression.
     pub(super) fn lower(&mut self, e: Expr) -> Result<Expr, TooLarge> {
-        for node in self.graph.reachable([e]) {
-            if !self.image.contains_key(&node) {
-                let image = self.step(node)?;
-                self.image.insert(node, image);
-            }
+        for node in self.needed(e) {
+            let image = self.step(node)?;
+            self.image.insert(node, image);
         }
         Ok(self.image[&e])
+    }
+
+    /// The nodes whose images are missing, children before parents. What stands in the argument of a cosine or an exponential
+    /// has a place of its own only where [`Self::step`] asks for it.
+    fn needed(&self, e: Expr) -> Vec<Expr> {
+        let (mut open, mut new) = (vec![e], FastSet::default());
+        while let Some(e) = open.pop() {
+            if self.image.contains_key(&e) || !new.insert(e) {
+                continue;
+            }
+            let node = self.graph.node(e);
+            match *node {
+                Node::Unary(Op::Sin | Op::Cos | Op::Tan | Op::Exp | Op::Sinh | Op::Cosh | Op::Tanh, _) => {}
+                Node::Binary(Op::Pow, ..) => {}
+                Node::Unary(Op::Ln, a) => match *self.graph.node(a) {
+                    Node::Unary(Op::Exp, x) => open.push(x),
+                    Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => open.push(a),
+                },
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
+                    open.extend(node.children());
+                }
+            }
+        }
+        let mut new: Vec<Expr> = new.into_iter().collect();
+        new.sort_unstable();
+        new
     }
 
     fn step(&mut self, node: Expr) -> Result<Expr, TooLarge> {
@@ -311,37 +362,39 @@ impl<'g> Lowering<'g> {
     fn special_angle(&mut self, m: &Monomial, q: &Rational) -> Result<Option<(Expr, Expr)>, TooLarge> {
         let &[(base, 1)] = m.as_slice() else { return Ok(None) };
         if matches!(self.graph.node(base), Node::Pi) {
-            let twelfths = q * Rational::from(12);
-            return Ok(match i64::try_from(twelfths) {
-                Ok(n) => Some(self.twelfths_of_pi(n.rem_euclid(24) as i32)),
-                Err(_) => None,
-            });
+            return Ok(self.part_of_pi(q));
         }
+        // The argument may have been made while lowering.
+        let (first, second) = match *self.graph.node(base) {
+            Node::Unary(Op::Arccos | Op::Arcsin | Op::Arctan, u) => (self.lower(u)?, None),
+            Node::Binary(Op::Arctan2, y, x) => (self.lower(y)?, Some(self.lower(x)?)),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => return Ok(None),
+        };
         let g = &mut *self.graph;
         let one = g.integer(1);
-        let pair = match *g.node(base) {
-            Node::Unary(op @ (Op::Arccos | Op::Arcsin), u) => {
-                let u = self.image[&u];
+        let pair = match (*g.node(base)).clone() {
+            Node::Unary(op @ (Op::Arccos | Op::Arcsin), _) => {
+                let u = first;
                 let square = g.powi(u, 2);
                 let under = g.sub(one, square);
                 let root = g.unary(Op::Sqrt, under);
                 if op == Op::Arccos { (u, root) } else { (root, u) }
             }
-            Node::Unary(Op::Arctan, u) => {
-                let u = self.image[&u];
+            Node::Unary(Op::Arctan, _) => {
+                let u = first;
                 let square = g.powi(u, 2);
                 let under = g.add(one, square);
                 let root = g.unary(Op::Sqrt, under);
                 (g.div(one, root), g.div(u, root))
             }
-            Node::Binary(Op::Arctan2, y, x) => {
-                let (y, x) = (self.image[&y], self.image[&x]);
+            Node::Binary(Op::Arctan2, ..) => {
+                let (y, x) = (first, second.unwrap_or(one));
                 let (yy, xx) = (g.powi(y, 2), g.powi(x, 2));
                 let under = g.add(xx, yy);
                 let root = g.unary(Op::Sqrt, under);
                 (g.div(x, root), g.div(y, root))
             }
-            _ => return Ok(None),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => return Ok(None),
         };
         if let Ok(n) = i64::try_from(q.clone()) {
             return Ok(Some(self.multiple(pair, integer(&Rational::from(n))?)));
@@ -362,6 +415,53 @@ impl<'g> Lowering<'g> {
             g.div(pair.1, twice)
         };
         Ok(Some(self.multiple((c, s), integer(&Rational::from(halves))?)))
+    }
+
+    /// (cos, sin) of qπ for multiples of π/60, and for halves and quarters of them; `None` for others.
+    fn part_of_pi(&mut self, q: &Rational) -> Option<(Expr, Expr)> {
+        let sixtieths = i64::try_from(q * Rational::from(60)).ok();
+        if let Some(n) = sixtieths {
+            // n/60 = a/12 + b/5 with n = 5a + 12b: 12·3 = 36 = 1 modulo 5.
+            let b = (3 * n).rem_euclid(5);
+            let a = (n - 12 * b) / 5;
+            let twelfth = self.twelfths_of_pi(a.rem_euclid(24) as i32);
+            if b == 0 {
+                return Some(twelfth);
+            }
+            let fifth = self.fifth_of_pi();
+            let fifths = self.multiple(fifth, b as i32);
+            return Some(self.turn(twelfth, fifths));
+        }
+        // Of halves, π/2ᵏ⁺¹ from π/2ᵏ: in (0, π) the sine and the cosine of the half are positive.
+        let (top, under) = q.clone().into_parts();
+        let under = i64::try_from(under).ok().filter(|n| *n <= 240)?;
+        let whole = Rational::ONE / Rational::from(under / 2);
+        if under % 2 != 0 {
+            return None;
+        }
+        let (c, _) = self.part_of_pi(&whole)?;
+        let g = &mut *self.graph;
+        let (one, two) = (g.integer(1), g.integer(2));
+        let half = |g: &mut Graph, e: Expr| {
+            let over = g.div(e, two);
+            g.unary(Op::Sqrt, over)
+        };
+        let (more, less) = (g.add(one, c), g.sub(one, c));
+        let pair = (half(g, more), half(g, less));
+        let n = i32::try_from(top % (2 * under)).ok()?;
+        Some(self.multiple(pair, n))
+    }
+
+    /// (cos, sin) of π/5: (1 + √5)/4 and √(10 − 2√5)/4.
+    fn fifth_of_pi(&mut self) -> (Expr, Expr) {
+        let g = &mut *self.graph;
+        let (one, two, four, five, ten) = (g.integer(1), g.integer(2), g.integer(4), g.integer(5), g.integer(10));
+        let root = g.unary(Op::Sqrt, five);
+        let sum = g.add(one, root);
+        let twice = g.mul(two, root);
+        let under = g.sub(ten, twice);
+        let sine = g.unary(Op::Sqrt, under);
+        (g.div(sum, four), g.div(sine, four))
     }
 
     /// (cos, sin) of n·π/12: a quarter turn n div 6 times, then π/12 = π/3 − π/4, π/6, π/4, π/3, 5π/12 = π/4 + π/6.
@@ -403,6 +503,7 @@ impl<'g> Lowering<'g> {
                         None => {
                             let part = expression(self.graph, &m, &(Rational::ONE / &n));
                             let leaf = self.generators.add(Generator::Exponential(part)).ok_or(TooLarge)?;
+                            self.note_radical(&m, &n, leaf)?;
                             let e = self.graph.leaf(leaf);
                             self.exponentials.insert(m.clone(), e);
                             e
@@ -412,6 +513,34 @@ impl<'g> Lowering<'g> {
                 }
             };
             out = self.graph.mul(out, factor);
+        }
+        Ok(out)
+    }
+
+    /// Keeps what a root is of, if the exponential is one, and of something that is not a number.
+    fn note_radical(&mut self, m: &Monomial, n: &Rational, leaf: Leaf) -> Result<(), TooLarge> {
+        let &[(base, 1)] = m.as_slice() else { return Ok(()) };
+        let &Node::Unary(Op::Ln, of) = self.graph.node(base) else { return Ok(()) };
+        let order = integer(n)?;
+        if order > 2 && order <= HIGHEST_ROOT && !self.graph.leaves([of]).is_empty() {
+            self.generators.radicals.push(Radical { generator: leaf.component.into(), of, order });
+        }
+        Ok(())
+    }
+
+    /// rⁿ − u for the roots r = u^{1/n}.
+    pub(super) fn radicals(&mut self) -> Result<Vec<Expr>, TooLarge> {
+        let mut out = Vec::new();
+        // Lowering what a root is of may bring others.
+        let mut at = 0;
+        while let Some(&Radical { generator, of, order }) = self.generators.radicals.get(at) {
+            let of = self.lower(of)?;
+            if let Some(leaf) = self.generators.leaf(generator) {
+                let root = self.graph.leaf(leaf);
+                let power = self.graph.powi(root, order);
+                out.push(self.graph.sub(power, of));
+            }
+            at += 1;
         }
         Ok(out)
     }

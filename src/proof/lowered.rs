@@ -4,16 +4,18 @@ use super::absolute::AbsoluteValues;
 use super::field::Question;
 use super::insertion::Insertion;
 use super::linear::Combinations;
+use super::logarithm::Logarithms;
 use super::lower::{Generator, Generators, Lowering};
 use super::orthogonal::{Orthogonal, orthogonal};
-use super::outcome::Reason;
-use super::polynomial::factors;
+use super::outcome::{Premises, Reason};
+use super::polynomial::{factors, primitive};
 use super::prepare::{Premise, argument_leaves};
 use super::probe::Probe;
+use super::range::Ranges;
 use super::roots::Roots;
 use super::sign::Facts;
 use super::solve::{Resolved, insert_definitions};
-use expr::{Expr, Graph, Leaf, Node, Op};
+use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 
 type Pairs = Vec<(Expr, Expr)>;
@@ -33,6 +35,8 @@ pub(super) struct Lowered {
     pub(super) frozen: FastSet<Leaf>,
     /// Orthogonal matrices among the premises.
     pub(super) orthogonal: Orthogonal,
+    /// [`super::outcome::Options::further`].
+    further: bool,
 }
 
 /// Premises and claim, definitions inserted, without transcendental functions; `with_signs`, absolute values in premises become
@@ -43,45 +47,71 @@ pub(super) fn lower(
     claim: &[(Expr, Expr)],
     [nonzero, positive, not_negative]: [&[Expr]; 3],
     definitions: &[Expr],
-    with_signs: bool,
+    [with_signs, further]: [bool; 2],
     combinations: &mut Combinations,
 ) -> Result<Lowered, Reason> {
     let residuals: Vec<Expr> = premises.iter().map(|p| graph.sub(p.left, p.right)).collect();
+    // Nor are the radicands of premises negative.
+    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
+    let radicands = graph.reachable(formulas).into_iter().filter_map(|node| match *graph.node(node) {
+        Node::Unary(Op::Sqrt, a) => Some(a),
+        _ => None,
+    });
+    let radicands: Vec<Expr> = radicands.collect();
     let mut roots: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
     roots.extend(residuals.iter().chain(nonzero).chain(positive).chain(not_negative).chain(definitions));
+    let (mut logarithms, implied) = match further {
+        true => (Logarithms::of(graph, &roots, positive), implied(graph, &roots, [positive, not_negative])),
+        false => (Logarithms::default(), Vec::new()),
+    };
+    let mut apart = |graph: &mut Graph, list: &[Expr]| -> Vec<Expr> {
+        list.iter().map(|&e| logarithms.put_into(graph, e)).collect()
+    };
+    let residuals = apart(graph, &residuals);
+    let claimed: Vec<Expr> = claim.iter().flat_map(|&(l, r)| [l, r]).collect();
+    let claimed = apart(graph, &claimed);
+    let [nonzero, positive, not_negative, definitions, radicands, implied] =
+        [nonzero, positive, not_negative, definitions, &radicands, &implied].map(|list| apart(graph, list));
+    let mut roots = claimed.clone();
+    let lists = [&residuals, &nonzero, &positive, &not_negative, &definitions, &radicands, &implied];
+    roots.extend(lists.into_iter().flatten());
     let mut lowering = Lowering::new(graph, &roots);
     let mut images = Vec::new();
     for (&e, premise) in residuals.iter().zip(premises) {
         images.push((lowering.lower(e)?, premise.derived));
     }
     let mut sides = Vec::new();
-    for &(l, r) in claim {
-        sides.push((lowering.lower(l)?, lowering.lower(r)?));
+    for pair in claimed.chunks_exact(2) {
+        sides.push((lowering.lower(pair[0])?, lowering.lower(pair[1])?));
     }
     let mut facts = Facts::default();
-    for &e in positive {
+    for e in positive {
         let image = lowering.lower(e)?;
         facts.note_positive(lowering.graph, image);
     }
-    for &e in not_negative {
+    for e in not_negative {
         let image = lowering.lower(e)?;
         facts.note_not_negative(lowering.graph, image);
     }
     let mut not_zero = Vec::new();
-    for &e in nonzero {
+    for e in nonzero {
         not_zero.push(lowering.lower(e)?);
     }
-    // Nor are their radicands negative.
-    let formulas: Vec<Expr> = premises.iter().flat_map(|p| [p.left, p.right]).collect();
-    for node in lowering.graph.reachable(formulas) {
-        if let Node::Unary(Op::Sqrt, a) = *lowering.graph.node(node) {
-            let image = lowering.lower(a)?;
-            facts.note_not_negative(lowering.graph, image);
-        }
+    for a in radicands {
+        let image = lowering.lower(a)?;
+        facts.note_not_negative(lowering.graph, image);
+    }
+    let mut of_values = Vec::new();
+    for a in implied {
+        of_values.push(lowering.lower(a)?);
     }
     let mut of_definitions = Vec::new();
-    for &e in definitions {
+    for e in definitions {
         of_definitions.push(lowering.lower(e)?);
+    }
+    // What a root of higher order is of: the root, to its power, is that.
+    if further {
+        images.extend(lowering.radicals()?.into_iter().map(|radical| (radical, false)));
     }
     let (graph, mut generators) = (&mut *lowering.graph, lowering.generators);
     let premises: Vec<Expr> = images.iter().filter(|_| with_signs).map(|&(e, _)| e).collect();
@@ -110,8 +140,13 @@ pub(super) fn lower(
     not_zero.iter().for_each(|&e| note(&mut facts, e));
     let mut given_facts = facts.clone();
     denominators.iter().for_each(|&e| note(&mut facts, e));
+    for e in of_values {
+        facts.note_not_negative(graph, e);
+    }
     // What still stands in arguments after lowering must stay free.
-    let arguments: Vec<Expr> = generators.list.iter().filter_map(Generator::argument).collect();
+    let named = |at: &usize| !further || !generators.radicals.iter().any(|r| r.generator == *at);
+    let arguments = (0..generators.list.len()).filter(named).filter_map(|at| generators.list[at].argument());
+    let arguments: Vec<Expr> = arguments.collect();
     let frozen = argument_leaves(graph, arguments.iter().copied()).into_iter().chain(graph.leaves(arguments)).collect();
     let given: Vec<Expr> = images.iter().filter(|(_, derived)| !derived).map(|&(e, _)| e).collect();
     let all = images.iter().map(|&(e, _)| e).chain(sides.iter().flat_map(|&(l, r)| [l, r]));
@@ -129,8 +164,67 @@ pub(super) fn lower(
         denominators,
         assumed: not_zero,
         frozen,
+        further,
     })
 }
+
+/// What else is not negative wherever all formulas have values: sums, by the ranges of their parts, and what logarithms and
+/// powers are of. Only what has no function in it: it brings no generator.
+fn implied(graph: &mut Graph, roots: &[Expr], [positive, not_negative]: [&[Expr]; 2]) -> Vec<Expr> {
+    let mut out = Vec::new();
+    let plain = |graph: &Graph, e: Expr| {
+        let below = graph.reachable([e]);
+        below.len() <= MOST_BELOW
+            && below.iter().all(|&e| match *graph.node(e) {
+                Node::Constant(_) | Node::Leaf(_) => true,
+                Node::Pi => false,
+                Node::Unary(op, _) => matches!(op, Op::Neg | Op::Powi(_)),
+                Node::Binary(op, ..) => matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div),
+            })
+    };
+    let is_leaf = |e: &Expr| matches!(graph.node(*e), Node::Leaf(_));
+    let nodes = graph.reachable(roots.iter().copied());
+    let radicand = |&e: &Expr| match *graph.node(e) {
+        Node::Unary(Op::Sqrt, a) if plain(graph, a) => Some(a),
+        Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
+    };
+    let radicands: Vec<Expr> = nodes.iter().filter_map(radicand).collect();
+    let restricted = !positive.iter().chain(not_negative).chain(&radicands).all(is_leaf);
+    let rooted =
+        nodes.iter().any(|&e| matches!(graph.node(e), Node::Unary(Op::Sqrt | Op::Abs, _) | Node::Binary(Op::Pow, ..)));
+    for &e in &nodes {
+        if let Node::Unary(Op::Ln, a) | Node::Binary(Op::Pow, a, _) = *graph.node(e)
+            && plain(graph, a)
+        {
+            let (q, parts) = primitive(graph, a);
+            match parts.as_slice() {
+                // An odd power has the sign of its base.
+                &[(base, k)] if k % 2 != 0 => out.push(if q > Rational::ZERO { base } else { graph.neg(base) }),
+                _ => out.push(a),
+            }
+        }
+    }
+    if restricted && rooted && nodes.len() <= MOST_NODES {
+        let not_negative = not_negative.iter().copied().chain(radicands).collect();
+        let given = Premises { positive: positive.to_vec(), not_negative, ..Premises::default() };
+        let ranges = Ranges::new(graph, &given);
+        for e in nodes {
+            if matches!(graph.node(e), Node::Leaf(_) | Node::Binary(Op::Add | Op::Sub, ..)) && plain(graph, e) {
+                let range = ranges.of(graph, e).range();
+                if range.lo() >= 0.0 {
+                    out.push(e);
+                } else if range.hi() <= 0.0 {
+                    out.push(graph.neg(e));
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Larger expressions and problems are not looked at for signs.
+const MOST_BELOW: usize = 32;
+const MOST_NODES: usize = 400;
 
 /// What is asked of the field for one case: everything with the case's definitions, in normal form, circles parametrised.
 pub(super) fn question(
@@ -163,7 +257,7 @@ pub(super) fn question(
     }
     let mut all = residuals.clone();
     all.extend(filters.iter().chain(&zeros).chain(&assumed).chain(&nonzeros).chain(pivots.iter().flatten()));
-    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts);
+    let mut roots = Roots::new(graph, &mut lowered.generators, probe, facts, lowered.further);
     roots.prepare(&all);
     let mut normal = |list: Vec<Expr>| -> Vec<Expr> { list.into_iter().map(|e| roots.normal(e)).collect() };
     let (residuals, filters) = (normal(residuals), normal(filters));

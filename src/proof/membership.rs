@@ -54,7 +54,7 @@ pub(super) fn certify(
     let inserted: Vec<(Expr, Expr)> = named.iter().map(|&f| (insert(graph, f), zero)).collect();
     let all: Vec<(Expr, Expr)> = claim.iter().chain(&inserted).copied().collect();
     let lowered =
-        lower(graph, &solved.rest, &all, [&nonzero, &positive, &[]], &[], false, &mut Combinations::default())
+        lower(graph, &solved.rest, &all, [&nonzero, &positive, &[]], &[], [false; 2], &mut Combinations::default())
             .map_err(wrong)?;
     let images = named.iter().copied().zip(lowered.claim[claim.len()..].iter().map(|&(image, _)| image)).collect();
     let origin = Given { equations, solved: &solved, images: &images };
@@ -135,6 +135,7 @@ impl Search<'_> {
         // Variables: roots and |·| first, then rates, then the rest, so that elimination goes that way.
         let mut variables = Vec::new();
         let mut only_circles = lowered.premises.iter().all(|&(e, _)| self.graph.is_zero(e));
+        only_circles &= lowered.generators.are_independent(self.graph);
         for e in self.graph.reachable(roots) {
             match *self.graph.node(e) {
                 Node::Leaf(leaf) => {

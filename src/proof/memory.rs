@@ -30,10 +30,11 @@ pub(super) struct Asked {
     facts: Facts,
     generators: Vec<Generator>,
     most_nodes: usize,
+    further: bool,
 }
 
 impl Asked {
-    pub(super) fn new(lowered: &Lowered, most_nodes: usize) -> Asked {
+    pub(super) fn new(lowered: &Lowered, most_nodes: usize, further: bool) -> Asked {
         Asked {
             premises: lowered.premises.clone(),
             claim: lowered.claim.clone(),
@@ -41,6 +42,7 @@ impl Asked {
             facts: lowered.facts.clone(),
             generators: lowered.generators.list.clone(),
             most_nodes,
+            further,
         }
     }
 }

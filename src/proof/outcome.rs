@@ -52,6 +52,9 @@ pub struct Options {
     pub most_nodes: usize,
     /// What the answer is wanted for.
     pub wanted: Wanted,
+    /// Whether roots are written by other roots, logarithms are taken apart, and signs are looked for in ranges. What is left
+    /// open without is asked again with it, where it is small: what is open for other reasons would only cost more.
+    pub further: bool,
 }
 
 impl Default for Options {
@@ -64,6 +67,7 @@ impl Default for Options {
             special_cases: 8,
             most_nodes: 20_000,
             wanted: Wanted::Answer,
+            further: false,
         }
     }
 }
@@ -212,6 +216,16 @@ impl Reason {
     }
 }
 
+impl Proof {
+    /// log₂ of the bound of a proof that uses no random number: far below every other.
+    pub const CERTAIN: f64 = -1e9;
+
+    /// Whether nothing random is in it: both sides are algebraic numbers, compared exactly.
+    pub fn is_certain(&self) -> bool {
+        self.trials == 0
+    }
+}
+
 impl Identity {
     /// The word of the report contract.
     pub fn word(&self) -> &'static str {
@@ -237,6 +251,9 @@ impl std::fmt::Display for Reason {
             }
             Reason::OnlyWhere(_) => f.write_str(
                 "the premises hold at most where something vanishes that was divided by; that was not decided",
+            ),
+            Reason::Branches { of: 1, .. } => f.write_str(
+                "no relation is known that makes the sides equal, and no real point was found at which they differ",
             ),
             Reason::Branches { failing, of } => write!(
                 f,

@@ -12,6 +12,7 @@ use super::memory::{Asked, Memory};
 use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
 use super::prepare::{explicit, with_rates};
 use super::probe::Probe;
+use super::relate::settle;
 use super::sign::Facts;
 use super::solve::{Failed, Resolved, Solver, Strategy, closed, insert_definitions};
 use super::witness::{Found, Scene, refutation, targets, vanishing};
@@ -42,10 +43,25 @@ pub fn identity_test_after(
     given: &Premises,
     options: &Options,
 ) -> Identity {
+    identity_at(memory, graph, equations, given, options, 0)
+}
+
+/// The same, for a question that another one led to: `depth` counts them.
+pub(super) fn identity_at(
+    memory: &mut Memory,
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    given: &Premises,
+    options: &Options,
+    depth: u32,
+) -> Identity {
     match decide(memory, graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
-        Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => Identity::Undecided(reason),
+        Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => {
+            let settled = settle(memory, graph, equations, given, (options, depth), &reason);
+            settled.unwrap_or(Identity::Undecided(reason))
+        }
     }
 }
 
@@ -139,9 +155,16 @@ fn decide(
     let not_negative: Vec<Expr> = given.not_negative.iter().map(|&e| insert(graph, e)).collect();
     let definitions: Vec<Expr> = solved.definitions.values().copied().collect();
     let facts = [nonzero.as_slice(), &positive, &not_negative];
-    let mut lowered =
-        lower(graph, &solved.rest, &claim, facts, &definitions, true, &mut memory.structure.borrow_mut().combinations)?;
-    let asked = Asked::new(&lowered, options.most_nodes);
+    let mut lowered = lower(
+        graph,
+        &solved.rest,
+        &claim,
+        facts,
+        &definitions,
+        [true, options.further],
+        &mut memory.structure.borrow_mut().combinations,
+    )?;
+    let asked = Asked::new(&lowered, options.most_nodes, options.further);
     if let Some(reason) = memory.why_open(&asked) {
         return Err(reason.into());
     }

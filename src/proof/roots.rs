@@ -10,15 +10,19 @@
 //! * √(q·∏ bᵏ) is taken apart; a factor known to be ≥ 0 (declared, or the radicand of another root of the problem, or by its
 //!   structure) has a root of its own, even powers of the others come out as |b|, the rest stays under one root;
 //! * positive rational constants are split into primes;
+//! * sums of fractions are one fraction, squares of polynomials are roots taken exactly; √e is √(eb)/√b where eb is a square
+//!   and √b occurs; √(a + b√c) is taken apart where a² − b²c is a square;
 //! * radicands that agree at random points up to a small rational factor are the same; a radicand that agrees at random
 //!   points with the square of an expression of the problem, or of a product or quotient of two, is that square: √(m²) = |m|.
 //!
 //! What was recognised by random points is put on a list to be tested with the identity itself, so that it is covered by the
 //! same error bound.
 
-use super::linear::{Combinations, Monomial, expression, times};
+mod nested;
+mod signs;
+
 use super::lower::{Generator, Generators};
-use super::polynomial::{factors, fraction};
+use super::polynomial::{factors, polynomial_root, without_content};
 use super::probe::{Probe, Sight};
 use super::sign::Facts;
 use super::solve::unmarked;
@@ -41,8 +45,16 @@ pub(super) struct Roots<'a> {
     bases: Vec<(Expr, [Finite; 2])>,
     base_sign: FastMap<Expr, Expr>,
     unit_roots: FastMap<Expr, Expr>,
+    /// Radicands that are no numbers and whose roots have a sign of their own, in their order.
+    ordered: Vec<Expr>,
+    /// Signs, and the roots that they belong to.
+    pairs: Vec<(Expr, Expr)>,
+    /// Sums that are known to be ≥ 0 (or ≤ 0), by their polynomials up to a factor.
+    sums: FastMap<Expr, bool>,
     /// Candidates for square roots: expression, squares of values.
     candidates: Vec<(Expr, [Finite; 2])>,
+    /// Whether roots are written by other roots, and signs of sums are looked up.
+    further: bool,
 }
 
 /// Rational factors by which two radicands may differ and still be recognised.
@@ -50,6 +62,12 @@ const SCALES: [(i64, i64); 13] =
     [(1, 1), (-1, 1), (4, 1), (1, 4), (2, 1), (1, 2), (-4, 1), (-1, 4), (3, 1), (1, 3), (9, 1), (1, 9), (-2, 1)];
 
 const MOST_CANDIDATES: usize = 256;
+/// Radicands that are looked at for products that are squares.
+const MOST_RELATED: usize = 6;
+/// Radicands larger than this are not taken apart into nested roots.
+const MOST_NESTED: usize = 64;
+/// How often squares of roots are looked for in what they leave.
+const MOST_PASSES: usize = 3;
 
 impl<'a> Roots<'a> {
     pub(super) fn new(
@@ -57,6 +75,7 @@ impl<'a> Roots<'a> {
         generators: &'a mut Generators,
         probe: &'a mut Probe,
         facts: Facts,
+        further: bool,
     ) -> Roots<'a> {
         Roots {
             graph,
@@ -69,7 +88,11 @@ impl<'a> Roots<'a> {
             bases: Vec::new(),
             base_sign: FastMap::default(),
             unit_roots: FastMap::default(),
+            ordered: Vec::new(),
+            pairs: Vec::new(),
+            sums: FastMap::default(),
             candidates: Vec::new(),
+            further,
         }
     }
 
@@ -99,6 +122,9 @@ impl<'a> Roots<'a> {
         }
         if !any {
             return;
+        }
+        if self.further {
+            self.note_sums();
         }
         // The last are the largest; both ends are wanted when there are too many.
         if free.len() > MOST_CANDIDATES {
@@ -222,12 +248,12 @@ impl<'a> Roots<'a> {
         self.probe.values(self.graph, self.generators, point, &[e])[0].ok()
     }
 
-    fn not_negative(&self, e: Expr) -> bool {
-        self.facts.sign(self.graph, self.generators, e).not_negative
+    fn not_negative(&mut self, e: Expr) -> bool {
+        self.facts.sign(self.graph, self.generators, e).not_negative || self.sign_of_sum(e) == Some(true)
     }
 
-    fn not_positive(&self, e: Expr) -> bool {
-        self.facts.sign(self.graph, self.generators, e).not_positive
+    fn not_positive(&mut self, e: Expr) -> bool {
+        self.facts.sign(self.graph, self.generators, e).not_positive || self.sign_of_sum(e) == Some(false)
     }
 
     /// |e|.
@@ -242,7 +268,7 @@ impl<'a> Roots<'a> {
             return self.graph.neg(e);
         }
         let (q, parts) = factors(self.graph, e);
-        let (q, parts) = self.without_content(q, parts);
+        let (q, parts) = without_content(self.graph, q, parts, false);
         let mut out = self.graph.constant(if q < Rational::ZERO { -q } else { q });
         for (base, k) in parts {
             let power = self.graph.powi(base, k);
@@ -255,55 +281,6 @@ impl<'a> Roots<'a> {
             }
         }
         out
-    }
-
-    /// Sums among the factors written as a monomial times a polynomial without monomial factor, the same for all multiples:
-    /// the sign of a·x² + b·x² is that of a + b.
-    fn without_content(&mut self, q: Rational, parts: Vec<(Expr, i32)>) -> (Rational, Vec<(Expr, i32)>) {
-        let (mut q, mut out): (Rational, Vec<(Expr, i32)>) = (q, Vec::new());
-        let mut put = |base: Expr, k: i32| match out.iter_mut().find(|(b, _)| *b == base) {
-            Some((_, n)) => *n += k,
-            None => out.push((base, k)),
-        };
-        for (base, k) in parts {
-            let sum = matches!(self.graph.node(base), Node::Binary(Op::Add | Op::Sub, ..));
-            if !sum || k % 2 == 0 || k.unsigned_abs() > 64 {
-                put(base, k);
-                continue;
-            }
-            let (top, under) = fraction(self.graph, base);
-            for (polynomial, k) in [(top, k), (under, -k)] {
-                let all = Combinations::default().of(self.graph, polynomial);
-                let Some((first, lead)) = all.iter().next().map(|(m, q)| (m.clone(), q.clone())) else {
-                    // It vanishes identically.
-                    put(polynomial, k);
-                    continue;
-                };
-                let mut content = first;
-                for m in all.keys() {
-                    for (base, power) in &mut content {
-                        *power = (*power).min(m.iter().find(|(b, _)| b == base).map_or(0, |&(_, n)| n));
-                    }
-                }
-                content.retain(|&(_, power)| power != 0);
-                q *= lead.pow(k as isize);
-                for &(base, power) in &content {
-                    put(base, power.saturating_mul(k));
-                }
-                if all.len() == 1 {
-                    continue;
-                }
-                let inverse: Monomial = content.iter().map(|&(base, power)| (base, -power)).collect();
-                let mut rest = self.graph.integer(0);
-                for (m, coefficient) in &all {
-                    let term = expression(self.graph, &times(m, &inverse), &(coefficient / &lead));
-                    rest = self.graph.add(rest, term);
-                }
-                put(rest, k);
-            }
-        }
-        out.retain(|&(_, k)| k != 0);
-        (q, out)
     }
 
     fn sign_of(&mut self, base: Expr) -> Expr {
@@ -324,11 +301,19 @@ impl<'a> Roots<'a> {
         if self.graph.is_zero(e) || self.graph.is_one(e) {
             return e;
         }
-        let (mut q, parts) = factors(self.graph, e);
+        let e = if self.further { self.without_roots_of(e) } else { e };
+        let (mut q, mut parts) = factors(self.graph, e);
+        // A sum of fractions is one fraction, and what all terms have in common comes out.
+        if self.further {
+            let (scale, apart) = without_content(self.graph, q.clone(), parts.clone(), false);
+            if apart.len() > parts.len() {
+                (q, parts) = (scale, apart);
+            }
+        }
         // Products are taken apart first; only what stays together is looked up.
         let together = parts.iter().filter(|&&(base, k)| k % 2 != 0 && !self.not_negative(base)).count();
         if (together > 1 || parts.len() == 1)
-            && let Some(square) = self.as_square(e)
+            && let Some(square) = self.as_square(e).or_else(|| self.nested(e))
         {
             return square;
         }
@@ -336,6 +321,17 @@ impl<'a> Roots<'a> {
         let mut rest = self.graph.integer(1);
         let mut rest_empty = true;
         for (mut base, k) in parts {
+            let sum = matches!(self.graph.node(base), Node::Binary(Op::Add | Op::Sub, ..));
+            if self.further
+                && sum
+                && let Some((m, p)) = polynomial_root(self.graph, base)
+            {
+                let size = self.absolute(m);
+                let power = self.graph.powi(size, k);
+                out = self.graph.mul(out, power);
+                q *= p.pow(k as isize);
+                continue;
+            }
             if k % 2 != 0 && self.not_positive(base) {
                 base = self.graph.neg(base);
                 q = -q;
@@ -397,10 +393,21 @@ impl<'a> Roots<'a> {
         if let Some(&r) = self.unit_roots.get(&e) {
             return self.graph.mul(constant, r);
         }
-        let sign = self.sign_leaf(e);
-        let root = self.graph.unary(Op::Sqrt, e);
-        let image = self.graph.mul(sign, root);
+        let image = match self.by_others(e) {
+            Some(root) => root,
+            None => {
+                let sign = self.sign_leaf(e);
+                let root = self.graph.unary(Op::Sqrt, e);
+                self.ordered.push(e);
+                self.pairs.push((sign, root));
+                self.graph.mul(sign, root)
+            }
+        };
         self.unit_roots.insert(e, image);
+        // It stands for the root that is not negative.
+        if self.further {
+            self.facts.note_not_negative(self.graph, image);
+        }
         self.graph.mul(constant, image)
     }
 
@@ -448,6 +455,7 @@ impl<'a> Roots<'a> {
         }
         let sign = self.sign_leaf(e);
         let root = self.graph.unary(Op::Sqrt, e);
+        self.pairs.push((sign, root));
         let image = self.graph.mul(sign, root);
         self.unit_roots.insert(e, image);
         image
@@ -455,6 +463,13 @@ impl<'a> Roots<'a> {
 
     /// √e = √q·|m₁·m₂| when e = q·(m₁m₂)² for expressions of the problem.
     fn as_square(&mut self, e: Expr) -> Option<Expr> {
+        if self.further
+            && let Some((m, q)) = polynomial_root(self.graph, e)
+        {
+            let size = self.absolute(m);
+            let constant = self.constant_root(&q);
+            return Some(self.graph.mul(constant, size));
+        }
         let compound = matches!(self.graph.node(e), Node::Binary(Op::Add | Op::Sub | Op::Mul | Op::Div, ..));
         if !compound || self.candidates.is_empty() {
             return None;

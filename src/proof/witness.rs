@@ -150,6 +150,8 @@ pub(super) struct Frame {
     declared: FastSet<Leaf>,
     /// The leaves that a definition needs.
     needs: FastMap<Expr, Vec<Leaf>>,
+    /// Roots by which something they are of is defined: they are chosen, and it follows.
+    chosen: Vec<Leaf>,
     /// For arguments of generators that are multiples of a leaf, the factor and the leaf.
     multiples: FastMap<Expr, Option<(Rational, Leaf)>>,
 }
@@ -220,6 +222,7 @@ impl Scene<'_> {
             wanted,
             declared: self.positive.iter().filter_map(leaf).collect(),
             needs: definitions.map(|&e| (e, self.graph.leaves([e]))).collect(),
+            chosen: self.chosen(),
             multiples: arguments.map(|e| (e, self.multiple_of_leaf(e))).collect(),
         }
     }
@@ -233,7 +236,8 @@ impl Scene<'_> {
         let mut circles: FastMap<Leaf, (Rational, Rational)> = FastMap::default();
         self.angles(frame, number, draws, &mut values, &mut circles);
         for &leaf in wanted {
-            if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free)
+            let chosen = frame.chosen.contains(&leaf);
+            if self.generators.get(leaf).is_some_and(|g| *g != Generator::Free && !chosen)
                 || values.contains_key(&leaf)
                 || self.explicit.contains_key(&leaf)
                 || self.defined.contains_key(&leaf)
@@ -241,12 +245,12 @@ impl Scene<'_> {
             {
                 continue;
             }
-            let mut r = if number % 3 == 2 && !declared.contains(&leaf) {
+            let mut r = if number % 3 == 2 && !declared.contains(&leaf) && !chosen {
                 ratio(SMALL[draws.below(10) as usize])
             } else {
                 ratio(MAGNITUDES[draws.below(if number < 24 { 6 } else { 10 }) as usize])
             };
-            if !declared.contains(&leaf) && draws.bits() & 3 == 0 {
+            if !declared.contains(&leaf) && !chosen && draws.bits() & 3 == 0 {
                 r = -r;
             }
             values.insert(leaf, rounded(&r)?);
@@ -293,6 +297,18 @@ impl Scene<'_> {
             Generator::Cosine(a) => matches!(self.graph.node(a), Node::Leaf(l) if *l == leaf),
             _ => false,
         })
+    }
+
+    /// The roots u^{1/n} for which a leaf of u is defined by the root.
+    fn chosen(&self) -> Vec<Leaf> {
+        let radicals = self.generators.radicals.iter();
+        let roots =
+            radicals.filter_map(|r| Some((self.generators.leaf(r.generator)?, self.generators.list.get(r.generator)?)));
+        let defining = roots.filter(|&(leaf, generator)| {
+            let own = generator.argument().map(|a| self.graph.leaves([a])).unwrap_or_default();
+            own.iter().any(|l| self.defined.get(l).is_some_and(|&e| self.graph.leaves([e]).contains(&leaf)))
+        });
+        defining.map(|(leaf, _)| leaf).collect()
     }
 
     fn everything(&self) -> Vec<Expr> {

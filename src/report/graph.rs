@@ -104,7 +104,8 @@ pub(super) fn sentence(identity: &IdentityAccount, proof: &ProofStanding) -> Str
 
 /// The same in a few words.
 pub(super) fn brief(identity: &IdentityAccount, proof: &ProofStanding) -> String {
-    let error = identity.log2_error.map(|e| format!(", error below 2^{}", e.ceil())).unwrap_or_default();
+    let random = identity.log2_error.filter(|_| identity.evidence.trials.is_some());
+    let error = random.map(|e| format!(", error below 2^{}", e.ceil())).unwrap_or_default();
     let from = if identity.from.is_empty() { String::new() } else { format!(", from {}", identity.from.join(", ")) };
     let (verdict, reason) = (identity.verdict(), identity.reason.as_deref().unwrap_or_default());
     match proof {

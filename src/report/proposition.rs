@@ -75,6 +75,11 @@ fn routes(account: &IdentityAccount) -> String {
     match (&account.evidence.no_certificate, is_certified(account)) {
         (_, true) => out.push_str(&paragraph("Exact: there is a certificate, which --certificate prints.", 2)),
         (Some(reason), false) => out.push_str(&paragraph(&format!("There is no exact certificate: {reason}."), 2)),
+        (None, false) if account.log2_error.is_some() && account.evidence.trials.is_none() => {
+            let words = "Exact: both sides are algebraic numbers, and are enclosed more closely than two of their degree and \
+                         height can differ.";
+            out.push_str(&paragraph(words, 2));
+        }
         (None, false) => {}
     }
     if let (Some(trials), Some(bound)) = (&account.evidence.trials, account.log2_error) {

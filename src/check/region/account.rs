@@ -1,6 +1,7 @@
 //! What was found for a claim over ranges.
 
 use super::super::account::ClaimAccount;
+use super::super::identity::Proof;
 use super::map::{RegionMap, draw};
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
@@ -168,6 +169,10 @@ impl RegionAccount {
     /// What the identity test said of equations.
     pub(super) fn identities(&mut self, question: &Question) {
         for (text, bound) in &question.identities {
+            if *bound <= Proof::CERTAIN {
+                self.remarks.push(format!("${text}$ is an identity between algebraic numbers, compared exactly"));
+                continue;
+            }
             self.remarks.push(format!(
                 "${text}$ is an identity, by random evaluation with an error probability of at most 2^{}",
                 bound.ceil()
