@@ -93,6 +93,18 @@ fn arguments_and_factors() {
     ]);
 }
 
+/// A space in a comment, or in a label, is on no paper: it ends no argument.
+#[test]
+fn what_is_not_printed_ends_no_argument() {
+    all(&[
+        ("proved", r"\sin x\,y=y\sin x", "x: state; y: state"),
+        ("latex::ambiguous", r"\sin xy=y\sin x", "x: state; y: state"),
+        ("latex::ambiguous", "\\sin x%\\,\ny=y\\sin x", "x: state; y: state"),
+        ("latex::ambiguous", r"\sin x\label{\,}y=y\sin x", "x: state; y: state"),
+        ("refuted", "\\ln x\\> %\nxy=1", "x: state; y: state"),
+    ]);
+}
+
 #[test]
 fn differentials_are_rates() {
     let gas = r"U, S, V: state; T, P";

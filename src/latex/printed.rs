@@ -24,7 +24,7 @@ pub fn printed(text: &str) -> Option<String> {
 }
 
 /// What stands between two tokens, without comments and arguments.
-fn gap(text: &str, out: &mut String) {
+pub(super) fn gap(text: &str, out: &mut String) {
     let mut rest = text;
     while let Some(c) = rest.chars().next() {
         let mut length = c.len_utf8();

@@ -395,20 +395,15 @@ impl Step<'_> {
         if parameters.len() < 2 {
             return None;
         }
-        let (claimed, assumed) = (all, Vec::new());
-        // A long list of orders tells less than the conditions themselves.
-        if parameters.len() > MOST_ORDERED {
-            return None;
-        }
-        let words = self.words_of(&Question { parameters, assumed, claimed, asserted: true })?;
-        Some(format!("for positive {}, so far as it is about them, that is so {}", words.0, words.1))
+        let question = Question { parameters, assumed: Vec::new(), claimed: all, asserted: true };
+        let found = self.order_of(&question)?;
+        found.tells().then(|| words_of(&self.graph, &question, &found, ", so far as it is about them, that is so"))
     }
 
-    /// Names of the parameters, and in which orders of their sizes the claim holds; `None` where no order is settled.
-    fn words_of(&mut self, question: &Question) -> Option<(String, String)> {
-        let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
-        let found = order::decide(&mut self.graph, question);
-        found.tells().then(|| (names.join(", "), found.words(&names)))
+    /// In which orders of the sizes of its parameters a claim holds; `None` of many: a long list of orders tells less than the
+    /// conditions themselves.
+    fn order_of(&mut self, question: &Question) -> Option<order::Orders> {
+        (question.parameters.len() <= MOST_ORDERED).then(|| order::decide(&mut self.graph, question))
     }
 
     /// The claim, about positive parameters only, as requirements of signs.
@@ -457,23 +452,14 @@ impl Step<'_> {
     /// For which orders of the parameters the claim holds, as conditions.
     pub(super) fn where_real(mut self) -> Vec<String> {
         let question = self.order_question();
-        if question.parameters.len() > MOST_ORDERED {
-            return Vec::new();
-        }
-        let words = self.words_of(&question);
-        words
-            .into_iter()
-            .map(|(names, words)| format!("for positive {names} that meet the assumptions it holds {words}"))
-            .collect()
+        let found = self.order_of(&question).filter(order::Orders::tells);
+        found.map(|found| words_of(&self.graph, &question, &found, MEETING)).into_iter().collect()
     }
 
     /// The account of a claim about parameters.
     pub(super) fn account_of_order(&mut self, question: &Question, found: order::Orders) -> IdentityAccount {
         let names: Vec<String> = question.parameters.iter().map(|&l| self.graph.leaf_latex(l)).collect();
-        let words = || {
-            let words = found.words(&names);
-            format!("for positive {} that meet the assumptions it holds {words}", names.join(", "))
-        };
+        let words = || words_of(&self.graph, question, &found, MEETING);
         let mut out = IdentityAccount {
             finding: Finding::of_signs(&found),
             conditions: (names.len() <= MOST_ORDERED).then(words).into_iter().collect(),
@@ -490,4 +476,13 @@ impl Step<'_> {
         }
         out
     }
+}
+
+/// Said of parameters of a claim.
+const MEETING: &str = " that meet the assumptions it holds";
+
+/// In which orders of the sizes of its parameters something is so.
+fn words_of(graph: &Graph, question: &Question, found: &order::Orders, that: &str) -> String {
+    let names: Vec<String> = question.parameters.iter().map(|&l| graph.leaf_latex(l)).collect();
+    format!("for positive {}{that} {}", names.join(", "), found.words(&names))
 }

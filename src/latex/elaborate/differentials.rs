@@ -6,25 +6,25 @@
 
 use super::super::syntax::{Chain, Node, NodeKind, RelationKind};
 use super::{Elaborated, refuse};
+use std::ops::Range;
 
 const HINT: &str = r"let every term have one differential, or write rates, `\dot x`";
 
+/// The number of differentials that parts have in common; `None` where all are 0. Where they differ they are refused.
+fn common<'n>(
+    parts: impl IntoIterator<Item = &'n Node>,
+    whole: &Range<usize>,
+    refused: &str,
+) -> Elaborated<Option<i32>> {
+    parts.into_iter().try_fold(None, |common, part| match (common, degree(part)?) {
+        (Some(a), Some(b)) if a != b => refuse("latex::derivative", refused, whole, HINT),
+        (known, found) => Ok(known.or(found)),
+    })
+}
+
 /// The number of differentials of every term; `None` of a 0, which agrees with all.
 fn degree(node: &Node) -> Elaborated<Option<i32>> {
-    let same = |parts: &mut dyn Iterator<Item = &Node>| {
-        let mut common = None;
-        for part in parts {
-            match (common, degree(part)?) {
-                (Some(a), Some(b)) if a != b => {
-                    let message = "a term with a differential beside one without";
-                    return refuse("latex::derivative", message, &node.span, HINT);
-                }
-                (None, found) => common = found,
-                _ => {}
-            }
-        }
-        Ok(common)
-    };
+    const MIXED: &str = "a term with a differential beside one without";
     match &node.kind {
         NodeKind::Number(_) if node.is_zero() => Ok(None),
         NodeKind::Differential { of, .. } => match degree(of)? {
@@ -32,9 +32,9 @@ fn degree(node: &Node) -> Elaborated<Option<i32>> {
             Some(_) => refuse("latex::derivative", "a differential of a differential", &node.span, HINT),
         },
         NodeKind::Group(inner, _) => degree(inner),
-        NodeKind::Sum(terms) => same(&mut terms.iter().map(|(_, term)| term)),
-        NodeKind::Tuple(parts) => same(&mut parts.iter()),
-        NodeKind::Matrix(rows) => same(&mut rows.iter().flatten()),
+        NodeKind::Sum(terms) => common(terms.iter().map(|(_, term)| term), &node.span, MIXED),
+        NodeKind::Tuple(parts) => common(parts, &node.span, MIXED),
+        NodeKind::Matrix(rows) => common(rows.iter().flatten(), &node.span, MIXED),
         NodeKind::Product(parts) | NodeKind::Dot(parts) => {
             parts.iter().try_fold(Some(0), |sum, part| Ok(sum.zip(degree(part)?).map(|(a, b)| a + b)))
         }
@@ -88,18 +88,7 @@ pub(super) fn agree(chain: &Chain) -> Elaborated<()> {
     if !chain.sides.iter().any(holds_differential) {
         return Ok(());
     }
-    let mut common = None;
-    for side in &chain.sides {
-        match (common, degree(side)?) {
-            (Some(a), Some(b)) if a != b => {
-                let message = "the sides differ in their number of differentials";
-                return refuse("latex::derivative", message, &chain.span, HINT);
-            }
-            (None, found) => common = found,
-            _ => {}
-        }
-    }
-    match common {
+    match common(&chain.sides, &chain.span, "the sides differ in their number of differentials")? {
         None | Some(0) => Ok(()),
         Some(1) if chain.relations.iter().all(|r| *r == RelationKind::Equal) => Ok(()),
         Some(1) => {

@@ -1,6 +1,7 @@
 //! Named functions and operators, and where their arguments end.
 
 use super::super::lexer::Kind;
+use super::super::printed;
 use super::super::syntax::{Node, NodeKind};
 use super::{Open, Parsed, Parser, refuse, side_by_side};
 
@@ -222,7 +223,9 @@ impl Parser<'_> {
 
     /// Whether LaTeX prints a space between what was read last and what stands here.
     pub(super) fn is_spaced(&self) -> bool {
-        let gap = self.text.get(self.last_end()..self.span().start).unwrap_or_default();
+        let mut gap = String::new();
+        // What stands in a comment, or in a label, is not printed.
+        printed::gap(self.text.get(self.last_end()..self.span().start).unwrap_or_default(), &mut gap);
         [r"\,", r"\;", r"\:", r"\>", r"\ ", "~", r"\quad", r"\qquad"].iter().any(|s| gap.contains(s))
     }
 
