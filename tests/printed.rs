@@ -105,6 +105,20 @@ fn what_is_not_printed_ends_no_argument() {
     ]);
 }
 
+/// A second accent is printed above the first.
+#[test]
+fn accents_on_accents() {
+    all(&[
+        ("proved", r"\overline{\overline z}=z", "z: complex"),
+        ("refuted", r"\overline{\overline z}=z^*", "z: complex"),
+        ("proved", r"\bar{\bar z}=z", "z: complex"),
+        ("refuted", r"\overline{\bar z}=\bar z", "z: complex"),
+        ("proved", r"\bar{\bar{\bar z}}=z^*", "z: complex"),
+        ("latex::unknown-symbol", r"\hat{\hat x}=\hat x", r"\hat x"),
+        ("proved", r"{\bf{\bf m}}={\bf m}", r"{\bf m}: 3"),
+    ]);
+}
+
 #[test]
 fn differentials_are_rates() {
     let gas = r"U, S, V: state; T, P";

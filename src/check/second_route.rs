@@ -9,7 +9,7 @@
 
 use super::identity::{
     Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason,
-    Refutation, Side, branches_test, certify, identity_test,
+    Refutation, Side, branches_test, by_domain, certify, identity_test,
 };
 use crate::expr::{Expr, Graph, Leaf};
 
@@ -206,7 +206,7 @@ pub(super) fn evidence(
     if out.contradiction {
         return Ok(out);
     }
-    let found = certify(graph, equations, premises, Effort::QUICK);
+    let found = certificates(graph, equations, premises);
     agree(identity, &found)?;
     match found {
         Ok(certificates) => out.certificates = certificates,
@@ -221,6 +221,27 @@ pub(super) fn evidence(
         }
     }
     Ok(out)
+}
+
+/// A certificate for each equation; those that have values at other points than others by themselves, as they are tested.
+fn certificates(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    premises: &Premises,
+) -> Result<Vec<Certificate>, NoCertificate> {
+    let mut out: Vec<(usize, Certificate)> = Vec::new();
+    for group in by_domain(graph, equations, premises) {
+        let own: Equations = group.iter().map(|&number| equations[number]).collect();
+        match certify(graph, &own, premises, Effort::QUICK) {
+            Ok(found) => out.extend(group.into_iter().zip(found)),
+            Err(NoCertificate::Refuted { equation }) => {
+                return Err(NoCertificate::Refuted { equation: group[equation] });
+            }
+            Err(other) => return Err(other),
+        }
+    }
+    out.sort_unstable_by_key(|(number, _)| *number);
+    Ok(out.into_iter().map(|(_, certificate)| certificate).collect())
 }
 
 fn is_contradiction(identity: &Identity) -> bool {

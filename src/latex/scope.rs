@@ -491,11 +491,11 @@ impl Scope {
             Some(style) if name::marks_tensor(style) => {
                 self.find_exact(&[bare], sub, arguments).filter(|f| self.is_tensor(f.symbol))
             }
-            // `\bar z` for the conjugate of a complex `z`.
+            // `\bar z` for the conjugate of a complex `z`; with two bars it is `z`.
             Some("bar") => {
                 let found = self.find(bare, sub, arguments)?;
-                let complex = !found.conjugate && self.by_symbol(found.symbol).is_some_and(|e| e.complex);
-                complex.then_some(Found { conjugate: true, ..found })
+                let complex = self.by_symbol(found.symbol).is_some_and(|e| e.complex);
+                complex.then(|| Found { conjugate: !found.conjugate, ..found })
             }
             Some(_) => None,
             // `m_3` for a component of a declared `{\bf m}`.

@@ -106,6 +106,7 @@
 mod absolute;
 mod algebraic;
 mod along;
+mod apart;
 #[cfg(feature = "certificates")]
 mod budget;
 mod certificate;
@@ -144,6 +145,7 @@ mod witness;
 mod written;
 
 pub use along::{Along, Apart, InTime, Refuted, along};
+pub use apart::by_domain;
 pub use certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program, certify};
 pub use conditions::domains;
 pub use memory::Memory;

@@ -2,6 +2,7 @@
 
 mod cases;
 
+use super::apart::by_domain;
 use super::closing::Dynamics;
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
@@ -43,7 +44,26 @@ pub fn identity_test_after(
     given: &Premises,
     options: &Options,
 ) -> Identity {
-    identity_at(memory, graph, equations, given, options, 0)
+    let together = identity_at(memory, graph, equations, given, options, 0);
+    if matches!(together, Identity::Refuted(_)) {
+        return together;
+    }
+    // One may fail where another has no value.
+    let groups = by_domain(graph, equations, given);
+    let mut out = together;
+    for group in groups.iter().filter(|_| groups.len() > 1) {
+        let own: Pairs = group.iter().map(|&number| equations[number]).collect();
+        match (identity_at(memory, graph, &own, given, options, 0), &mut out) {
+            (Identity::Refuted(mut refutation), _) => {
+                refutation.equation = group[refutation.equation];
+                return Identity::Refuted(refutation);
+            }
+            (Identity::Proved(proof), Identity::Proved(all)) => all.absorb(proof),
+            (open @ Identity::Undecided(_), Identity::Proved(_)) => out = open,
+            (Identity::Proved(_) | Identity::Undecided(_), _) => {}
+        }
+    }
+    out
 }
 
 /// The same, for a question that another one led to: `depth` counts them.

@@ -15,18 +15,14 @@
 //! proofs there, and on the rules above, which hold wherever the formulas have values.
 
 use super::algebraic;
-use super::conditions::domains;
+use super::apart::undeclared;
 use super::linear::{Combination, Combinations, Monomial, expression};
-use super::lower::Generators;
 use super::memory::Memory;
 use super::newton::refutes;
-use super::outcome::{
-    Condition, Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted,
-};
+use super::outcome::{Identity, Options, Point, PointValue, Premises, Proof, Reason, Refutation, Side, Wanted};
 use super::polynomial::{fraction, replaced};
 use super::prove::identity_at;
 use super::range::Ranges;
-use super::sign::Facts;
 use super::simpler::simpler;
 use super::witness::{decimals, values_at};
 use expr::{Expr, FastMap, FastSet, Graph, Node, Op, Rational};
@@ -135,30 +131,9 @@ pub(super) fn settle(
 /// A proof from others: it holds where the formulas have values, and its example is one only where they do.
 fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut proof: Proof) -> Proof {
     let sides: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-    let own: FastSet<Condition> = domains(graph, &sides).into_iter().collect();
-    let mut known: FastSet<Condition> = proof.conditions.iter().copied().collect();
-    let generators = Generators::new(graph);
-    let mut facts = Facts::default();
-    given.positive.iter().for_each(|&e| facts.note_positive(graph, e));
-    given.not_negative.iter().for_each(|&e| facts.note_not_negative(graph, e));
-    facts.nonzero.extend(given.nonzero.iter().copied());
-    for condition in own {
-        let constant = match condition {
-            Condition::Denominator(e) | Condition::Pivot(e) | Condition::Radicand(e) => e,
-            Condition::Discriminant(e) | Condition::Unit(e) | Condition::Positive(e) => e,
-        };
-        let sign = facts.sign(graph, &generators, constant);
-        let declared = match condition {
-            Condition::Denominator(_) | Condition::Pivot(_) => sign.nonzero,
-            Condition::Radicand(_) | Condition::Discriminant(_) => sign.not_negative,
-            Condition::Positive(_) => sign.not_negative && sign.nonzero,
-            Condition::Unit(_) => false,
-        };
-        if !declared && !graph.leaves([constant]).is_empty() && known.insert(condition) {
-            proof.conditions.push(condition);
-        }
-    }
+    proof.conditions.extend(undeclared(graph, &sides, given));
     proof.conditions.sort_unstable();
+    proof.conditions.dedup();
     proof.example = proof.example.take().and_then(|mut point| {
         // What the questions that it rests on do not name is free.
         let free = given.equations.is_empty() && given.only_now.is_empty();

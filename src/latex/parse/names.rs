@@ -476,8 +476,9 @@ fn restyle(style: &str, name: Name) -> Name {
     if style == "rm" && base.starts_with('\\') && !base.contains(':') || style == "it" && (latin || small) {
         return name;
     }
-    // `{\bf {\bf m}}` is `{\bf m}`; other styles on top of one another are kept apart.
-    if name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
+    // `{\bf {\bf m}}` is printed as `{\bf m}`. Accents and other styles are kept: `\bar{\bar z}` has two bars.
+    let accent = matches!(style, "bar" | "hat" | "tilde" | "vec");
+    if !accent && name.starts_with(&format!("{style}:")) { name } else { format!("{style}:{name}") }
 }
 
 /// A symbol without anything attached to it.
