@@ -15,7 +15,7 @@ use latex::{RelationKind, Role, Scope, Statement};
 /// The forms that a claim over ranges may have.
 const POSSIBLE: &[FormKind] = &[FormKind::Always, FormKind::Defined, FormKind::Exists];
 /// Keys that say something of motions.
-const OF_MOTIONS: &[&str] = &["trajectories", "at", "follows-from"];
+const OF_MOTIONS: &[&str] = &["trajectories", "families", "at", "follows-from"];
 
 /// What a range looks like.
 const HINT: &str = "a range is [from, to], for instance 'c' = [0, 2]; a single value is a number or a formula";
@@ -126,7 +126,7 @@ impl Loader<'_> {
     }
 
     /// An end of a range: an expression without leaves.
-    fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+    pub(super) fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         let e = self.number_or_formula(value, scope)?;
         match self.resolve(e, &Known::new(), scope, &|_, _| false) {
             Ok(e) => Some(e),
@@ -222,6 +222,8 @@ impl Loader<'_> {
         let Some(region) = claim.region.clone() else { return };
         claim.trajectories.clear();
         claim.expect.clear();
+        claim.families.clear();
+        claim.expect_of_families.clear();
         for key in OF_MOTIONS {
             if let Some(value) = tables.iter().find_map(|t| t.get(key)) {
                 let message = format!("a claim over ranges has no `{key}`: there is no motion");
