@@ -68,6 +68,7 @@ fn without_skipped_in_all(text: &str) -> String {
 fn case(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> TestCase {
     let judged = Judged {
         trajectory: Some(&pair.trajectory),
+        family: None,
         verdict: &pair.verdict,
         expected: pair.expected,
         unexpected: pair.is_unexpected(),
