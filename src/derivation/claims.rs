@@ -209,10 +209,6 @@ impl Loader<'_> {
         }
         if table.get("families").is_some() {
             claim.families = self.some_families(table);
-            if table.get("trajectories").is_none() {
-                claim.trajectories.clear();
-                claim.names_trajectories = true;
-            }
         }
         if let Some(value) = table.get("ranges") {
             self.ranges(claim, value);

@@ -128,7 +128,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
                 "enum": ["pointwise", "throughout"],
                 "description": "For ±: some sign at each time, or one sign for the whole motion",
             }),
-            "trajectories" => ids("Where it is tried; all unless these or families are given"),
+            "trajectories" => ids("Where it is tried; all unless given"),
             "families" => ids("Families of motions on which it is tried"),
             "always" => formulas("These relations hold at every time"),
             "never" => formulas("These relations hold at no time"),
