@@ -60,8 +60,7 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Stop> {
 /// Notes a filter that names nothing.
 pub fn known(derivations: &[Derivation], claims: &[String], trajectories: &[String]) -> Result<(), Stop> {
     let all_claims: Vec<String> = derivations.iter().flat_map(claim_names).collect();
-    let all_trajectories: Vec<String> =
-        derivations.iter().flat_map(motions).map(str::to_owned).collect();
+    let all_trajectories: Vec<String> = derivations.iter().flat_map(motions).map(str::to_owned).collect();
     for (what, wanted, all) in [("claim", claims, all_claims), ("trajectory", trajectories, all_trajectories)] {
         if let Some(name) = wanted.iter().find(|w| !all.contains(w)) {
             let near = nearest(name, all.iter().map(String::as_str));

@@ -479,9 +479,7 @@ impl Loader<'_> {
         };
         let Some(at) = at else {
             let message = format!("`{}` is not tried on `{name}`", claim.name());
-            self.problems
-                .note("derivation::unknown-trajectory", span, message)
-                .hint(format!("see its `{key}`"));
+            self.problems.note("derivation::unknown-trajectory", span, message).hint(format!("see its `{key}`"));
             return;
         };
         if let Some(first) = &places[at] {

@@ -68,14 +68,16 @@ impl Loader<'_> {
             return None;
         }
         let base = base_table(root, &name)?;
-        let vary = self.vary(table, (&name, &base), &scope);
+        let vary = self.vary(id, table, (&name, &base), &scope);
         let drawn = vary.iter().any(|v| v.spread.is_drawn());
         let draws = self.draws(table, drawn);
         let seed = self.seed(table, drawn);
         let size = vary.iter().try_fold(draws, |size, v| size.checked_mul(v.spread.points()));
         if size.is_none_or(|size| size > LARGEST_FAMILY) {
             let message = format!("a family has at most {LARGEST_FAMILY} members");
-            self.problems.note("derivation::too-large", place.clone(), message).hint("take fewer values, or fewer draws");
+            self.problems
+                .note("derivation::too-large", place.clone(), message)
+                .hint("take fewer values, or fewer draws");
         }
         if self.problems.found.len() > before || vary.is_empty() {
             return None;
@@ -88,9 +90,6 @@ impl Loader<'_> {
         self.out.given.truncate(given);
         let motion = motion?;
         let constraints = self.constraints(table, (&parameters, &motion), &scope, &leaves);
-        for varied in &vary {
-            self.keep_ends(id, varied);
-        }
         let text = self.text_of_members(&base, &vary, &scope);
         let where_span = table.get("where").map(|v| v.span());
         (self.problems.found.len() == before).then(|| Family {
@@ -110,18 +109,16 @@ impl Loader<'_> {
         })
     }
 
-    /// The ends of a range have the unit of what they are given to.
-    fn keep_ends(&mut self, id: &str, varied: &Varied) {
-        let text = self.problems.source.text.get(varied.span.clone()).unwrap_or_default().to_owned();
-        for e in varied.spread.numbers() {
-            let value = Written { text: text.clone(), span: varied.span.clone(), value: vec![e] };
-            let (symbol, rate) = (varied.leaf.symbol, varied.leaf.rate);
-            self.out.given.push(GivenValue { trajectory: id.to_owned(), symbol, rate, value });
-        }
+    /// A number that a spread is given by. As it is written, it has the unit of what it is given to.
+    fn end(&mut self, value: &Value<'_>, scope: &Scope, written: &mut Vec<Written<Vec<Expr>>>) -> Option<Expr> {
+        let e = self.number_or_formula(value, scope)?;
+        let text = self.problems.source.text.get(value.span()).unwrap_or_default();
+        written.push(Written { text: text.trim_matches('\'').to_owned(), span: value.span(), value: vec![e] });
+        self.without_leaves(e, value, scope)
     }
 
     /// What varies.
-    fn vary(&mut self, table: &Table<'_, '_>, base: (&str, &Table<'_, '_>), scope: &Scope) -> Vec<Varied> {
+    fn vary(&mut self, id: &str, table: &Table<'_, '_>, base: (&str, &Table<'_, '_>), scope: &Scope) -> Vec<Varied> {
         let Some(value) = table.get("vary") else {
             table.missing(&mut self.problems, "vary");
             return Vec::new();
@@ -143,10 +140,15 @@ impl Loader<'_> {
                 self.problems.note("derivation::duplicate-id", name.span(), message);
                 continue;
             }
-            let Some(spread) = self.spread(value, scope) else { continue };
+            let mut written = Vec::new();
+            let spread = self.spread(value, scope, &mut written);
+            for value in written {
+                let trajectory = id.to_owned();
+                self.out.given.push(GivenValue { trajectory, symbol: leaf.symbol, rate: leaf.rate, value });
+            }
+            let Some(spread) = spread else { continue };
             let name = name.get_ref().trim().to_owned();
-            let positive =
-                leaf.rate == 0 && self.out.symbols.iter().any(|s| s.symbol == leaf.symbol && s.positive);
+            let positive = leaf.rate == 0 && self.out.symbols.iter().any(|s| s.symbol == leaf.symbol && s.positive);
             let graph = &self.out.graph;
             let number = |e: Expr| graph.as_constant(e).map(|r| r.to_f64().value());
             if let Some((code, message, hint)) = spread.fault(&name, positive, &number) {
@@ -207,7 +209,7 @@ impl Loader<'_> {
     }
 
     /// How a symbol varies.
-    fn spread(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Spread> {
+    fn spread(&mut self, value: &Value<'_>, scope: &Scope, written: &mut Vec<Written<Vec<Expr>>>) -> Option<Spread> {
         let DeValue::Table(_) = value.get_ref() else {
             self.problems.wrong_type(value, "a symbol that varies", SPREADS);
             return None;
@@ -227,14 +229,14 @@ impl Loader<'_> {
             }
         }
         match way {
-            "from" => self.grid(&table, scope),
+            "from" => self.grid(&table, scope, written),
             "values" => {
                 let items = table.array(&mut self.problems, "values", "numbers");
                 if items.is_empty() && table.get("values").is_some_and(|v| v.get_ref().is_array()) {
                     let message = "this family has no members: `values` is empty";
                     self.problems.note("derivation::bad-family", value.span(), message);
                 }
-                let values: Vec<Expr> = items.iter().filter_map(|item| self.closed(item, scope)).collect();
+                let values: Vec<Expr> = items.iter().filter_map(|item| self.end(item, scope, written)).collect();
                 (values.len() == items.len() && !values.is_empty()).then_some(Spread::Values(values))
             }
             _ => {
@@ -246,7 +248,7 @@ impl Loader<'_> {
                     }
                     return None;
                 };
-                let (a, b) = (self.closed(a, scope), self.closed(b, scope));
+                let (a, b) = (self.end(a, scope, written), self.end(b, scope, written));
                 let (a, b) = a.zip(b)?;
                 Some(match way {
                     "uniform" => Spread::Uniform(a, b),
@@ -258,12 +260,12 @@ impl Loader<'_> {
     }
 
     /// Values in a row.
-    fn grid(&mut self, table: &Table<'_, '_>, scope: &Scope) -> Option<Spread> {
+    fn grid(&mut self, table: &Table<'_, '_>, scope: &Scope, written: &mut Vec<Written<Vec<Expr>>>) -> Option<Spread> {
         for key in ["to", "count"].into_iter().filter(|key| table.get(key).is_none()) {
             table.missing(&mut self.problems, key);
         }
         let (from, to, count) = (table.get("from")?, table.get("to")?, table.get("count")?);
-        let (from, to) = (self.closed(from, scope), self.closed(to, scope));
+        let (from, to) = (self.end(from, scope, written), self.end(to, scope, written));
         let number = self.whole(count, "count")?;
         if number < 2 {
             let message = if number == 0 { "this family has no members" } else { "a range has at least its two ends" };

@@ -1,8 +1,18 @@
 //! Every key that a derivation file may have.
 
 /// The tables of a file.
-pub const FILE: &[&str] =
-    &["derivation", "conventions", "symbols", "system", "trajectory", "family", "claim", "measure", "condition", "picture"];
+pub const FILE: &[&str] = &[
+    "derivation",
+    "conventions",
+    "symbols",
+    "system",
+    "trajectory",
+    "family",
+    "claim",
+    "measure",
+    "condition",
+    "picture",
+];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.

@@ -126,8 +126,13 @@ impl Loader<'_> {
     }
 
     /// An end of a range: an expression without leaves.
-    pub(super) fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+    fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         let e = self.number_or_formula(value, scope)?;
+        self.without_leaves(e, value, scope)
+    }
+
+    /// The same of what was read already.
+    pub(super) fn without_leaves(&mut self, e: Expr, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         match self.resolve(e, &Known::new(), scope, &|_, _| false) {
             Ok(e) => Some(e),
             Err(leaf) => {
@@ -324,7 +329,7 @@ impl Loader<'_> {
     }
 
     /// A number, or a formula for one.
-    fn number_or_formula(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+    pub(super) fn number_or_formula(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         if value.get_ref().is_array() {
             self.problems.note("derivation::bad-range", value.span(), "a number is needed here").hint(HINT);
             return None;

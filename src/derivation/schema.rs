@@ -87,7 +87,9 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[family]]", "seed") => json!({
             "type": "integer", "minimum": 0, "description": "Which draws: the same seed gives the same members everywhere",
         }),
-        ("[[family]]", "where") => formulas("Inequalities that every member satisfies; others are rejected and counted"),
+        ("[[family]]", "where") => {
+            formulas("Inequalities that every member satisfies; others are rejected and counted")
+        }
         ("vary", "from") => value("The first of several values in a row"),
         ("vary", "to") => value("The last of them"),
         ("vary", "count") => json!({ "type": "integer", "minimum": 2, "description": "How many there are" }),

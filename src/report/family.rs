@@ -137,11 +137,11 @@ fn point(of: &MemberAccount) -> Option<String> {
 /// The verdict, before the id of the family.
 pub(super) fn heading(family: &FamilyAccount) -> &'static str {
     match family.verdict.outcome().word() {
-        "holds" if family.not_applicable > 0 => "Holds wherever it applies on",
-        "holds" => "Holds on all members of",
+        "holds" if family.not_applicable > 0 => "Holds, where it applies, on the members tried of",
+        "holds" => "Holds on the members tried of",
         "fails" => "Fails on members of",
         "undecided" => "Undecided on",
-        _ => "Applies to no member of",
+        _ => "Applies to no member tried of",
     }
 }
 
@@ -166,7 +166,13 @@ fn bare(text: &str) -> String {
 }
 
 /// One claim on one family, in the terminal; `pasted` gives the members as trajectories.
-fn terminal_one(derivation: &Derivation, claim: &ClaimAccount, family: &FamilyAccount, paint: Paint, pasted: bool) -> String {
+fn terminal_one(
+    derivation: &Derivation,
+    claim: &ClaimAccount,
+    family: &FamilyAccount,
+    paint: Paint,
+    pasted: bool,
+) -> String {
     let outcome = family.verdict.outcome();
     let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
     let head = format!("{}  {}{strength} on {}{}", glyph(outcome), outcome.word(), family.family, expected(family));
@@ -196,14 +202,28 @@ fn terminal_one(derivation: &Derivation, claim: &ClaimAccount, family: &FamilyAc
     out
 }
 
-/// The families in the terminal: all of them, or those that differ or are open without being expected to. Of these the members are
-/// given to paste.
-pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint, all: bool) -> String {
+/// Which families the terminal shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Told {
+    /// All.
+    All,
+    /// Those with a member on which the claim fails, and those that differ or are open.
+    Failing,
+    /// Those that differ from what is expected, or are open without being expected to.
+    Unexpected,
+}
+
+/// The families in the terminal. Where one differs, or is open without being expected to, its members are given to paste.
+pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint, told: Told) -> String {
     let open = |f: &FamilyAccount| f.verdict.outcome().word() == "undecided" && f.expected.is_none();
+    let wanted = |f: &&FamilyAccount| {
+        let failing = f.fails > 0 && told == Told::Failing;
+        told == Told::All || failing || f.is_unexpected() || open(f)
+    };
     let mut body = String::new();
     let mut number = 0;
     for claim in &account.claims {
-        for family in claim.families.iter().filter(|f| all || f.is_unexpected() || open(f)) {
+        for family in claim.families.iter().filter(wanted) {
             number += 1;
             body.push_str(&terminal_one(derivation, claim, family, paint, family.is_unexpected() || open(family)));
         }

@@ -203,13 +203,7 @@ fn family(derivation: &Derivation, claim: &ClaimAccount, of: &FamilyAccount) -> 
         message,
         place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
         related: Vec::new(),
-        identity: format!(
-            "{}\n{}\n{}\n{}",
-            derivation.id,
-            name(claim),
-            of.family,
-            of.expected.unwrap_or("nothing")
-        ),
+        identity: format!("{}\n{}\n{}\n{}", derivation.id, name(claim), of.family, of.expected.unwrap_or("nothing")),
     })
 }
 

@@ -290,7 +290,10 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
         ("trajectory", text("The member as a [[trajectory]] of a derivation file")),
     ]);
     let share = object(&[
-        ("at_most", number("At most this share of all members that could be drawn, and to which the claim applies, fails")),
+        (
+            "at_most",
+            number("At most this share of all members that could be drawn, and to which the claim applies, fails"),
+        ),
         ("confidence", number("With this confidence")),
         ("failures", whole("Of those that were drawn, how many fail or are undecided")),
         ("draws", whole("To how many of those that were drawn the claim applies, or may apply")),
@@ -315,7 +318,10 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
         ("clearest_failing", or_null(member.clone())),
         ("first_undecided", or_null(member.clone())),
         ("closest_call", or_null(member)),
-        ("closest_gap", json!({ "type": ["number", "null"], "description": "How near the sides of an inequality come in it, against the size of their terms" })),
+        (
+            "closest_gap",
+            json!({ "type": ["number", "null"], "description": "How near the sides of an inequality come in it, against the size of their terms" }),
+        ),
     ])
 }
 

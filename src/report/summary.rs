@@ -34,8 +34,9 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     if whole {
         out.push_str(&matrix(account, paint));
     }
+    let families = if whole { family::Told::All } else { family::Told::Failing };
     out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
-    out.push_str(&family::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
+    out.push_str(&family::terminal(derivation, account, paint, families));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
     out.push_str(&blocks("Fails, as expected", &known("fails"), most));
     out.push_str(&blocks("Undecided", &known("undecided"), most));
@@ -60,7 +61,7 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
     out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
     out.push_str(&region::terminal(derivation, account, paint, false));
-    out.push_str(&family::terminal(derivation, account, paint, false));
+    out.push_str(&family::terminal(derivation, account, paint, family::Told::Unexpected));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out

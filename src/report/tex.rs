@@ -261,7 +261,8 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                 super::family::expected(family),
                 super::family::sentence(&super::family::counts(family))
             );
-            let confidence = super::family::confidence(family).map(|text| format!(" {}", super::family::sentence(&text)));
+            let confidence =
+                super::family::confidence(family).map(|text| format!(" {}", super::family::sentence(&text)));
             out.push_str(&format!("{}\n\n", prose(&(said + &confidence.unwrap_or_default()), scope)));
         }
         if let Some(region) = &claim.region {

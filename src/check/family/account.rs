@@ -203,20 +203,13 @@ impl Tally {
                 Finding::sampled(Possible::ANY, open(reason))
             }
             (0, 0, None, 1..) => Finding::sampled(Possible::TRUE, Evidence { samples, ..Evidence::default() }),
-            (0, 0, None, 0) => {
-                Finding::sampled(Possible::VOID, open(format!("it applies to none of {of} members")))
-            }
+            (0, 0, None, 0) => Finding::sampled(Possible::VOID, open(format!("it applies to none of {of} members"))),
         };
         Verdict::of(finding)
     }
 
     /// The account of it.
-    pub fn account(
-        self,
-        derivation: &Derivation,
-        family: &Family,
-        expected: Option<&'static str>,
-    ) -> FamilyAccount {
+    pub fn account(self, derivation: &Derivation, family: &Family, expected: Option<&'static str>) -> FamilyAccount {
         let is_taken = |id: &str| {
             derivation.trajectories.iter().any(|t| t.id == id) || derivation.families.iter().any(|f| f.id == id)
         };
@@ -229,12 +222,8 @@ impl Tally {
         };
         let (failures, draws) = (self.fails + self.undecided, self.members - self.not_applicable);
         let is_sample = family.is_drawn() && self.stopped.is_none() && self.defect.is_none() && draws > 0;
-        let share = || FailingShare {
-            at_most: failing_share(failures, draws),
-            confidence: CONFIDENCE,
-            failures,
-            draws,
-        };
+        let share =
+            || FailingShare { at_most: failing_share(failures, draws), confidence: CONFIDENCE, failures, draws };
         FamilyAccount {
             family: family.id.clone(),
             title: family.title.clone(),

@@ -117,7 +117,9 @@ impl Members {
             let mut draw = Draw::new(self.family.seed, number, attempt, n as u64);
             match &varied.spread {
                 Spread::Values(_) => numbers.get(position as usize).copied().unwrap_or(f64::NAN),
-                Spread::Grid { count, logarithmic, .. } => on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic),
+                Spread::Grid { count, logarithmic, .. } => {
+                    on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
+                }
                 Spread::Uniform(..) => {
                     let share = draw.share();
                     short((1.0 - share) * numbers[0] + share * numbers[1], (numbers[0], numbers[1]))

@@ -213,7 +213,8 @@ impl<'a> Troupe<'a> {
             .iter()
             .zip(self.programs.iter().zip(&self.gradients))
             .map(|(claim, (programs, gradients))| {
-                let one = |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
+                let one =
+                    |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
                 programs.iter().map(one).collect()
             })
             .collect();
@@ -267,9 +268,7 @@ impl<'a> Troupe<'a> {
     fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
         match self.members.member(number) {
             Member::Rejected => Ok(One { values: None, rejected: 1, steps: 0, verdicts: Vec::new() }),
-            Member::TooRare => {
-                Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)]))
-            }
+            Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
             Member::Found(values, rejected) => {
                 let (verdicts, steps) = self.verdicts(number, &values, prepared)?;
                 Ok(One { values: Some(values), rejected, steps, verdicts })
@@ -342,7 +341,8 @@ impl<'a> Troupe<'a> {
         let family = &self.members.family;
         let given: Vec<String> = family.vary.iter().zip(values).map(|(v, x)| format!("{} = {x:?}", v.name)).collect();
         let told = |d: Diagnostic| {
-            let message = format!("a member of the family `{}` is no motion, {}: {}", family.id, given.join(", "), d.message);
+            let message =
+                format!("a member of the family `{}` is no motion, {}: {}", family.id, given.join(", "), d.message);
             Diagnostic::at(&self.derivation.file, d.code, family.span.clone(), message)
                 .hint("exclude such members by `where`")
         };
