@@ -99,9 +99,9 @@ mod tests {
     #[test]
     fn without_failures_it_is_the_rule_of_three_made_exact() {
         // 1 − 0.05^(1/n).
-        near(failing_share(0, 200), 0.014_867_060_725_526_9);
+        near(failing_share(0, 200), 0.014_867_039_231_272_0);
         near(failing_share(0, 1), 0.95);
-        near(failing_share(0, 1_000_000), 2.995_727_786_5e-6);
+        near(failing_share(0, 1_000_000), 2.995_727_786_352e-6);
         assert_eq!(failing_share(0, 0), 1.0);
         assert_eq!(failing_share(5, 5), 1.0);
     }
@@ -109,8 +109,8 @@ mod tests {
     #[test]
     fn with_failures_it_inverts_the_binomial_distribution() {
         // Quantiles of the beta distribution with parameters k + 1 and n − k at 0.95.
-        near(failing_share(1, 10), 0.394_163_318_6);
-        near(failing_share(3, 100), 0.075_709_9);
+        near(failing_share(1, 10), 0.394_163_302_436);
+        near(failing_share(3, 100), 0.075_710_793_749);
         // By its definition: summed with exact binomials.
         for (k, n) in [(1_u64, 10_u64), (2, 20), (7, 30), (19, 20)] {
             let p = failing_share(k, n);
@@ -120,7 +120,7 @@ mod tests {
                 let power = |x: f64, times: u64| (0..times).fold(1.0, |y, _| y * x);
                 sum += choose * power(p, j) * power(1.0 - p, n - j);
             }
-            assert!((sum - 0.05).abs() < 1e-8 && sum <= 0.05, "{k} of {n}: {sum}");
+            assert!((sum - 0.05).abs() < 1e-7 && sum <= 0.05, "{k} of {n}: {sum}");
         }
         // Of many draws the share itself, and a little more.
         let p = failing_share(500_000, 1_000_000_000);
