@@ -33,7 +33,7 @@ pub struct Session {
 pub struct Ask {
     /// Only claims with these names, `id` or `id/reading`; all when empty.
     pub claims: Vec<String>,
-    /// Only trajectories with these ids; all when empty.
+    /// Only trajectories and families with these ids; all when empty.
     pub trajectories: Vec<String>,
     /// How much is asked of a verdict.
     pub rigor: Rigor,
@@ -112,8 +112,10 @@ pub struct ClaimName {
 pub struct Finding {
     /// The claim.
     pub claim: ClaimName,
-    /// Id of the trajectory; `None` for a claim over ranges.
+    /// Id of the trajectory; `None` for a family and for a claim over ranges.
     pub trajectory: Option<String>,
+    /// Id of the family.
+    pub family: Option<String>,
     /// The verdict, with its strength.
     pub outcome: Outcome,
     /// The word that the file expects, if it expects one.
@@ -193,7 +195,10 @@ impl Session {
             Some((of, own)) => id == of && reading.is_some_and(|r| r == own),
         };
         let is_known = |name: &&String| names.iter().any(|c| is_called(&c.id, c.reading.as_ref(), name));
-        let is_tried = |id: &&String| self.derivation.trajectories.iter().any(|t| t.id == **id);
+        let is_tried = |id: &&String| {
+            let families = self.derivation.families.iter().map(|f| &f.id);
+            self.derivation.trajectories.iter().map(|t| &t.id).chain(families).any(|known| known == *id)
+        };
         let unknown = ask.claims.iter().find(|n| !is_known(n)).or(ask.trajectories.iter().find(|id| !is_tried(id)));
         if let Some(name) = unknown {
             return Err(Failure::Unknown(name.clone()));
@@ -307,13 +312,14 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// One entry for each claim on each motion, and for each claim over ranges, in the order of the file.
+    /// One entry for each claim on each motion and on each family, and for each claim over ranges, in the order of the file.
     pub fn all(&self) -> Vec<Finding> {
         let of = |c: &ClaimAccount| -> Vec<Finding> {
             let claim = ClaimName { id: c.id.clone(), reading: c.reading.clone(), says: c.says.clone() };
             let one = |judged: check::Judged<'_>| Finding {
                 claim: claim.clone(),
                 trajectory: judged.trajectory.map(str::to_owned),
+                family: judged.family.map(|f| f.family.clone()),
                 outcome: judged.verdict.outcome(),
                 expected: judged.expected.map(str::to_owned),
                 is_expected: !judged.unexpected,

@@ -31,6 +31,7 @@ mod domain_table;
 mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;
+mod families;
 mod files;
 mod flow_events;
 mod flow_integration;

@@ -1,5 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
+use super::family::FamilyAccount;
 use super::picture::PictureAccount;
 use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
@@ -81,11 +82,13 @@ impl RegionAccount {
     }
 }
 
-/// One verdict on a claim: on a trajectory, or over its ranges.
+/// One verdict on a claim: on a trajectory, on the members of a family, or over its ranges.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged<'a> {
-    /// Id of the trajectory; `None` for ranges.
+    /// Id of the trajectory; `None` for a family and for ranges.
     pub trajectory: Option<&'a str>,
+    /// The family.
+    pub family: Option<&'a FamilyAccount>,
     /// The verdict.
     pub verdict: &'a Verdict,
     /// The word that the derivation file expects, if it expects one.
@@ -97,21 +100,30 @@ pub struct Judged<'a> {
 impl Judged<'_> {
     /// What it was tried on, in a word.
     pub fn on(&self) -> &str {
-        self.trajectory.unwrap_or("its ranges")
+        self.trajectory.or(self.family.map(|f| f.family.as_str())).unwrap_or("its ranges")
     }
 }
 
 impl ClaimAccount {
-    /// Every verdict on the claim: those on trajectories, or the one over its ranges.
+    /// Every verdict on the claim: those on trajectories and families, or the one over its ranges.
     pub fn verdicts(&self) -> impl Iterator<Item = Judged<'_>> {
         let pairs = self.results.iter().map(|p| Judged {
             trajectory: Some(&p.trajectory),
+            family: None,
             verdict: &p.verdict,
             expected: p.expected,
             unexpected: p.is_unexpected(),
         });
-        pairs.chain(self.region.iter().map(|r| Judged {
+        let families = self.families.iter().map(|f| Judged {
             trajectory: None,
+            family: Some(f),
+            verdict: &f.verdict,
+            expected: f.expected,
+            unexpected: f.is_unexpected(),
+        });
+        pairs.chain(families).chain(self.region.iter().map(|r| Judged {
+            trajectory: None,
+            family: None,
             verdict: &r.verdict,
             expected: r.expected,
             unexpected: r.is_unexpected(),
@@ -274,6 +286,8 @@ pub struct ClaimAccount {
     pub conditions: ConditionsAccount,
     /// One entry per trajectory, in the order of the file.
     pub results: Vec<PairAccount>,
+    /// One entry for each family on which it is tried, in the order of the file.
+    pub families: Vec<FamilyAccount>,
     /// For a claim over ranges, which has no trajectories: its verdict.
     pub region: Option<RegionAccount>,
     /// What single edits of its formulas say of the evidence, where they were tried.
@@ -354,6 +368,7 @@ impl ClaimAccount {
             identity: None,
             conditions: Default::default(),
             results,
+            families: Vec::new(),
             region: None,
             variants: None,
         }

@@ -205,6 +205,11 @@ fn describe(derivation: &Derivation, account: &mut Account) {
             let expected = tried.filter(|(t, _)| derivation.trajectories[**t].id == pair.trajectory);
             pair.expected = expected.map(|(_, e)| *e).next().flatten();
         }
+        for of in &mut found.families {
+            let tried = claim.families.iter().zip(&claim.expect_of_families);
+            let expected = tried.filter(|(f, _)| derivation.families[**f].id == of.family);
+            of.expected = expected.map(|(_, e)| *e).next().flatten();
+        }
         if let (Some(found), Some(declared)) = (&mut found.region, &claim.region) {
             found.expected = declared.expect;
         }

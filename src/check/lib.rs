@@ -24,6 +24,7 @@ mod denote;
 mod describe;
 mod doubt;
 mod enclose;
+pub mod family;
 mod follow;
 mod independence;
 mod kept;
@@ -64,6 +65,7 @@ pub use account::{
 };
 pub use cache::Cache;
 pub use enclose::Rigor;
+pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Certificate, Cofactor, Origin};
 pub use limits::{Cancel, Limits};
 pub use picture::{Line, LineKind, PictureAccount};
@@ -81,6 +83,7 @@ pub use verdict::{
 use crate::diag::Diagnostic;
 use derivation::{Claim, Derivation, Premise};
 use expr::Rational;
+use family::Families;
 use flow::Motion;
 use independence::Gradients;
 use memory::Recall;
@@ -150,7 +153,11 @@ fn check_recalling(
     recall: Recall,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
+    let families = Families::of(derivation, options)?;
     let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
+    if let Some(families) = families {
+        families.try_all(options, &mut account.claims, progress)?;
+    }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
     Ok(account)
@@ -164,7 +171,12 @@ fn check_beside(
     known: &[ClaimAccount],
     recall: Recall,
 ) -> Result<Vec<ClaimAccount>, CheckError> {
-    Ok(check_and(derivation, options, known, true, recall, &|_, _| {})?.claims)
+    let families = Families::of(derivation, options)?;
+    let mut claims = check_and(derivation, options, known, true, recall, &|_, _| {})?.claims;
+    if let Some(families) = families {
+        families.try_all(options, &mut claims, &|_, _| {})?;
+    }
+    Ok(claims)
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.

@@ -120,6 +120,8 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
         names_trajectories: true,
         trajectories: Vec::new(),
         expect: Vec::new(),
+        families: Vec::new(),
+        expect_of_families: Vec::new(),
         region: None,
         scope,
         span: 0..0,

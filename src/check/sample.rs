@@ -154,6 +154,7 @@ fn claim(id: &str, reading: Option<&str>, says: &str, formula: &str, results: Ve
         identity: None,
         conditions: if id == "motion" { conditions() } else { ConditionsAccount::default() },
         results,
+        families: Vec::new(),
         region: None,
         variants: None,
     }

@@ -60,8 +60,7 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Stop> {
 /// Notes a filter that names nothing.
 pub fn known(derivations: &[Derivation], claims: &[String], trajectories: &[String]) -> Result<(), Stop> {
     let all_claims: Vec<String> = derivations.iter().flat_map(claim_names).collect();
-    let all_trajectories: Vec<String> =
-        derivations.iter().flat_map(|d| d.trajectories.iter().map(|t| t.id.clone())).collect();
+    let all_trajectories: Vec<String> = derivations.iter().flat_map(motions).map(str::to_owned).collect();
     for (what, wanted, all) in [("claim", claims, all_claims), ("trajectory", trajectories, all_trajectories)] {
         if let Some(name) = wanted.iter().find(|w| !all.contains(w)) {
             let near = nearest(name, all.iter().map(String::as_str));
@@ -79,11 +78,16 @@ fn claim_names(derivation: &Derivation) -> Vec<String> {
     names
 }
 
+/// The ids of trajectories and families.
+fn motions(derivation: &Derivation) -> impl Iterator<Item = &str> {
+    let families = derivation.families.iter().map(|f| f.id.as_str());
+    derivation.trajectories.iter().map(|t| t.id.as_str()).chain(families)
+}
+
 /// Whether a derivation has something for these filters.
 pub fn concerns(derivation: &Derivation, claims: &[String], trajectories: &[String]) -> bool {
     let names = claim_names(derivation);
     let claim = claims.is_empty() || claims.iter().any(|c| names.contains(c));
-    let trajectory =
-        trajectories.is_empty() || trajectories.iter().any(|t| derivation.trajectories.iter().any(|d| d.id == *t));
+    let trajectory = trajectories.is_empty() || trajectories.iter().any(|t| motions(derivation).any(|id| id == t));
     claim && trajectory
 }

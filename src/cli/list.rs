@@ -16,6 +16,7 @@ fn contents(derivation: &Derivation) -> String {
     out.push_str(&section("systems", systems));
     let trajectories = derivation.trajectories.iter().map(|t| (t.id.clone(), t.title.clone()));
     out.push_str(&section("trajectories", trajectories));
+    out.push_str(&section("families", derivation.families.iter().map(|f| (f.id.clone(), f.title.clone()))));
     let claims = derivation.claims.iter().map(|c| {
         let place = c.place.as_ref().map(|p| format!(" ({p})")).unwrap_or_default();
         (c.name(), format!("{}{place}", c.says))

@@ -89,6 +89,8 @@ impl Loader<'_> {
             trajectories: (0..self.out.trajectories.len()).collect(),
             names_trajectories: false,
             expect: Vec::new(),
+            families: Vec::new(),
+            expect_of_families: Vec::new(),
             expect_inconsistent_units: false,
             region: None,
             scope: self.out.scope.clone(),
@@ -205,10 +207,14 @@ impl Loader<'_> {
             claim.trajectories = self.some_trajectories(table);
             claim.names_trajectories = true;
         }
+        if table.get("families").is_some() {
+            claim.families = self.some_families(table);
+        }
         if let Some(value) = table.get("ranges") {
             self.ranges(claim, value);
         }
         claim.expect = vec![None; claim.trajectories.len()];
+        claim.expect_of_families = vec![None; claim.families.len()];
         if let Some(inconsistent) = self.expect_units(table) {
             claim.expect_inconsistent_units = inconsistent;
         }
@@ -406,6 +412,7 @@ impl Loader<'_> {
             match keys::EXPECT.iter().find(|k| *k == word) {
                 Some(&word) => {
                     claim.expect = vec![Some(word); claim.trajectories.len()];
+                    claim.expect_of_families = vec![Some(word); claim.families.len()];
                     claim.region.iter_mut().for_each(|r| r.expect = Some(word));
                 }
                 None => {
@@ -416,7 +423,9 @@ impl Loader<'_> {
             return;
         }
         let Some(table) = Table::open(&mut self.problems, value, "expect", keys::EXPECT) else { return };
-        let mut places: Vec<Option<Range<usize>>> = vec![None; claim.trajectories.len()];
+        // Of trajectories, then of families.
+        let count = claim.trajectories.len() + claim.families.len();
+        let mut places: Vec<Option<Range<usize>>> = vec![None; count];
         let mut rest: Option<(&'static str, Range<usize>, bool)> = None;
         for (&word, value) in keys::EXPECT.iter().filter_map(|k| Some((k, table.get(k)?))) {
             match value.get_ref() {
@@ -446,7 +455,8 @@ impl Loader<'_> {
                 .see(first.clone(), "this one")
                 .hint("write \"others\" for the trajectories that are not listed");
         }
-        claim.expect.iter_mut().filter(|e| e.is_none()).for_each(|e| *e = Some(word));
+        let open = claim.expect.iter_mut().chain(&mut claim.expect_of_families).filter(|e| e.is_none());
+        open.for_each(|e| *e = Some(word));
     }
 
     fn expect_one(
@@ -457,10 +467,19 @@ impl Loader<'_> {
         word: &'static str,
         places: &mut [Option<Range<usize>>],
     ) {
-        let Some(index) = self.trajectory(name, span.clone()) else { return };
-        let Some(at) = claim.trajectories.iter().position(|t| *t == index) else {
+        let (at, key) = match self.out.families.iter().position(|f| f.id == name) {
+            Some(index) => {
+                let at = claim.families.iter().position(|f| *f == index);
+                (at.map(|at| claim.trajectories.len() + at), "families")
+            }
+            None => {
+                let Some(index) = self.trajectory(name, span.clone()) else { return };
+                (claim.trajectories.iter().position(|t| *t == index), "trajectories")
+            }
+        };
+        let Some(at) = at else {
             let message = format!("`{}` is not tried on `{name}`", claim.name());
-            self.problems.note("derivation::unknown-trajectory", span, message).hint("see its `trajectories`");
+            self.problems.note("derivation::unknown-trajectory", span, message).hint(format!("see its `{key}`"));
             return;
         };
         if let Some(first) = &places[at] {
@@ -469,7 +488,11 @@ impl Loader<'_> {
             return;
         }
         places[at] = Some(span);
-        claim.expect[at] = Some(word);
+        let trajectories = claim.trajectories.len();
+        match at.checked_sub(trajectories) {
+            Some(family) => claim.expect_of_families[family] = Some(word),
+            None => claim.expect[at] = Some(word),
+        }
     }
 
     /// Reads every `[[measure]]`.

@@ -1,8 +1,18 @@
 //! Every key that a derivation file may have.
 
 /// The tables of a file.
-pub const FILE: &[&str] =
-    &["derivation", "conventions", "symbols", "system", "trajectory", "claim", "measure", "condition", "picture"];
+pub const FILE: &[&str] = &[
+    "derivation",
+    "conventions",
+    "symbols",
+    "system",
+    "trajectory",
+    "family",
+    "claim",
+    "measure",
+    "condition",
+    "picture",
+];
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.
@@ -12,6 +22,10 @@ pub const SYSTEM: &[&str] = &["says", "label", "states", "equations"];
 /// Keys of `[[trajectory]]`.
 pub const TRAJECTORY: &[&str] =
     &["id", "title", "says", "system", "initial", "formula", "from", "map", "parameters", "span", "initial-time"];
+/// Keys of `[[family]]`.
+pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where"];
+/// Keys of a symbol that varies.
+pub const VARIED: &[&str] = &["from", "to", "count", "spacing", "values", "uniform", "log-uniform", "normal"];
 /// Keys that `[[claim]]` and `[[claim.reading]]` share.
 pub const READING: &[&str] = &[
     "id",
@@ -26,6 +40,7 @@ pub const READING: &[&str] = &[
     "precision",
     "branches",
     "trajectories",
+    "families",
     "always",
     "never",
     "eventually",
@@ -64,6 +79,8 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("[symbols]", SYMBOL),
     ("[system.…]", SYSTEM),
     ("[[trajectory]]", TRAJECTORY),
+    ("[[family]]", FAMILY),
+    ("vary", VARIED),
     ("[[claim]] and [[claim.reading]]", READING),
     ("[[claim]]", CLAIM),
     ("same-motion", SAME_MOTION),

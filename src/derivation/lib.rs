@@ -17,6 +17,8 @@ mod ambiguity;
 mod claims;
 mod conditions;
 mod constants;
+mod families;
+mod family;
 pub mod keys;
 mod load;
 mod model;
@@ -34,6 +36,7 @@ mod unit;
 mod values;
 
 pub use claims::DEFAULT_PRECISION;
+pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
     Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Ranged,

@@ -72,6 +72,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.symbols(&root);
     loader.systems(&root);
     loader.trajectories(&root);
+    loader.families(&root);
     loader.claims(&root);
     loader.circles();
     loader.measures(&root);

@@ -7,6 +7,7 @@ use diag::Source;
 use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
+use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
 use super::unit::Unit;
@@ -53,6 +54,8 @@ pub struct Derivation {
     pub systems: Vec<System>,
     /// Motions, in the order of the file.
     pub trajectories: Vec<Trajectory>,
+    /// Families of motions, in the order of the file.
+    pub families: Vec<Family>,
     /// Claims, in the order of the file; one entry for each reading.
     pub claims: Vec<Claim>,
     /// Quantities to be measured.
@@ -394,6 +397,10 @@ pub struct Claim {
     pub names_trajectories: bool,
     /// The expected verdict on each of `trajectories`, as a word of the report.
     pub expect: Vec<Option<&'static str>>,
+    /// The families on which it is tried: positions in [`Derivation::families`], increasing.
+    pub families: Vec<usize>,
+    /// The expected verdict on each of `families`, as a word of the report.
+    pub expect_of_families: Vec<Option<&'static str>>,
     /// Whether the file expects that a formula of it is not consistent in its units.
     pub expect_inconsistent_units: bool,
     /// For a claim over ranges of values, which is tried on no motion: the ranges.

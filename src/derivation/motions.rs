@@ -175,15 +175,15 @@ impl Loader<'_> {
         let title = table.text(&mut self.problems, "title").unwrap_or_else(|| draft.id.clone());
         let says = table.text(&mut self.problems, "says");
         let times = self.times(table, source);
-        let parameters = self.parameters(table, source, &scope);
+        let parameters = self.parameters(table, source, &scope, &[]);
         let motion = match (ways, source, draft.from) {
             ([_, _, true], Some(source), Some(from)) => {
                 let map = self.map(table, source, &parameters, &scope);
                 Some(Motion::Derived { from, map })
             }
-            ([true, ..], ..) => self.integrated(table, &parameters, &scope),
+            ([true, ..], ..) => self.integrated(table, &parameters, &scope, &[]),
             _ => {
-                let states = self.formula_states(table, &parameters, &scope);
+                let states = self.formula_states(table, &parameters, &scope, &[]);
                 Some(Motion::Formula { states })
             }
         };
@@ -293,7 +293,15 @@ impl Loader<'_> {
     }
 
     /// The values of parameters, those of the source first.
-    fn parameters(&mut self, table: &Table<'_, '_>, source: Option<&Trajectory>, scope: &Scope) -> Values {
+    ///
+    /// What is varied is left open.
+    pub(super) fn parameters(
+        &mut self,
+        table: &Table<'_, '_>,
+        source: Option<&Trajectory>,
+        scope: &Scope,
+        varied: &[Leaf],
+    ) -> Values {
         let mut out: Values = source.map(|s| s.parameters.clone()).unwrap_or_default();
         let constants = self.out.symbols.iter().filter(|s| s.role == Role::Parameter);
         for entry in constants {
@@ -306,13 +314,18 @@ impl Loader<'_> {
         }
         let mut known: Known = out.iter().map(|(s, w)| (*s, w.value.clone())).collect();
         for Assigned { symbol, value, .. } in self.given(table, "parameters", Role::Parameter, scope) {
+            if let Some(open) = self.left_open(symbol, 0, value, varied) {
+                known.insert(symbol, open.value.clone());
+                out.push((symbol, open));
+                continue;
+            }
             let Some(mut written) = self.components(value, symbol, scope) else {
                 known.insert(symbol, vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
                 continue;
             };
             self.keep(symbol, 0, &written);
             let hint = "a parameter may use the parameters that are given before it";
-            if !self.resolve_all(&mut written, &known, scope, &|_, _| false, hint) {
+            if !self.resolve_all(&mut written, &known, scope, &|_, leaf| varied.contains(&leaf), hint) {
                 continue;
             }
             self.check_positive(symbol, &written);
@@ -326,6 +339,19 @@ impl Loader<'_> {
     /// Keeps a value as it is written; its trajectory is named later.
     fn keep(&mut self, symbol: Symbol, rate: u8, value: &Written<Vec<Expr>>) {
         self.out.given.push(GivenValue { trajectory: String::new(), symbol, rate, value: value.clone() });
+    }
+
+    /// The value of what is varied: the symbol itself.
+    fn left_open(
+        &mut self,
+        symbol: Symbol,
+        rate: u8,
+        value: &Value<'_>,
+        varied: &[Leaf],
+    ) -> Option<Written<Vec<Expr>>> {
+        let leaf = *varied.iter().find(|leaf| leaf.symbol == symbol && leaf.rate == rate)?;
+        let text = self.out.graph.name(symbol).to_owned();
+        Some(Written { text, span: value.span(), value: vec![self.out.graph.leaf(leaf)] })
     }
 
     /// Notes a value that is not positive although its symbol is declared so.
@@ -364,7 +390,7 @@ impl Loader<'_> {
     fn state_values(
         &mut self,
         given: Vec<Assigned<'_, '_>>,
-        parameters: &Values,
+        (parameters, varied): (&[(Symbol, Written<Vec<Expr>>)], &[Leaf]),
         scope: &Scope,
         time: bool,
         hint: &str,
@@ -375,8 +401,16 @@ impl Loader<'_> {
         let free = move |scope: &Scope, leaf: Leaf| {
             leaf.rate == 0
                 && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
+                || varied.contains(&leaf)
         };
         for Assigned { symbol, rate, value, .. } in given {
+            if let Some(open) = self.left_open(symbol, rate, value, varied) {
+                if rate == 0 {
+                    known.insert(symbol, open.value.clone());
+                }
+                out.push((symbol, rate, open));
+                continue;
+            }
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
             self.keep(symbol, rate, &written);
             if self.resolve_all(&mut written, &known, scope, &free, hint) {
@@ -389,7 +423,14 @@ impl Loader<'_> {
         out
     }
 
-    fn integrated(&mut self, table: &Table<'_, '_>, parameters: &Values, scope: &Scope) -> Option<Motion> {
+    /// A motion by a system. What is varied is left open.
+    pub(super) fn integrated(
+        &mut self,
+        table: &Table<'_, '_>,
+        parameters: &[(Symbol, Written<Vec<Expr>>)],
+        scope: &Scope,
+        varied: &[Leaf],
+    ) -> Option<Motion> {
         let value = table.get("system")?;
         let name = text_of(&mut self.problems, value, "system")?;
         let system = self.system(name, value.span())?;
@@ -416,12 +457,19 @@ impl Loader<'_> {
         }
         given.retain(|g| states.contains(&g.symbol));
         let hint = "initial values may use the trajectory's parameters and the states that are given before";
-        let mut initial = self.state_values(given, parameters, scope, false, hint);
+        let mut initial = self.state_values(given, (parameters, varied), scope, false, hint);
         initial.sort_by_key(|(s, rate, _)| (states.iter().position(|x| x == s), *rate));
         Some(Motion::Integrated { system, initial })
     }
 
-    fn formula_states(&mut self, table: &Table<'_, '_>, parameters: &Values, scope: &Scope) -> Values {
+    /// The states of a motion by formulas. What is varied is left open.
+    pub(super) fn formula_states(
+        &mut self,
+        table: &Table<'_, '_>,
+        parameters: &[(Symbol, Written<Vec<Expr>>)],
+        scope: &Scope,
+        varied: &[Leaf],
+    ) -> Values {
         let given = self.given(table, "formula", Role::State, scope);
         if given.is_empty()
             && let Some(value) = table.get("formula")
@@ -430,7 +478,7 @@ impl Loader<'_> {
             self.problems.note("derivation::missing-key", value.span(), "`formula` gives no state");
         }
         let hint = "a motion's formula may use the time, the trajectory's parameters and the states before it";
-        self.state_values(given, parameters, scope, true, hint).into_iter().map(|(s, _, w)| (s, w)).collect()
+        self.state_values(given, (parameters, varied), scope, true, hint).into_iter().map(|(s, _, w)| (s, w)).collect()
     }
 
     /// The map of a derived motion: its formulas keep their leaves, states of the source among them.
@@ -473,7 +521,7 @@ struct Assigned<'a, 's> {
 }
 
 /// Takes the dots off a name: `\dot q` is rate 1 of `q`.
-fn undotted(name: &str) -> (u8, &str) {
+pub(super) fn undotted(name: &str) -> (u8, &str) {
     for (dots, rate) in [(r"\ddot", 2), (r"\dot", 1)] {
         if let Some(rest) = name.trim().strip_prefix(dots)
             && rest.starts_with([' ', '{', '\\'])

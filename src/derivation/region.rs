@@ -15,7 +15,7 @@ use latex::{RelationKind, Role, Scope, Statement};
 /// The forms that a claim over ranges may have.
 const POSSIBLE: &[FormKind] = &[FormKind::Always, FormKind::Defined, FormKind::Exists];
 /// Keys that say something of motions.
-const OF_MOTIONS: &[&str] = &["trajectories", "at", "follows-from"];
+const OF_MOTIONS: &[&str] = &["trajectories", "families", "at", "follows-from"];
 
 /// What a range looks like.
 const HINT: &str = "a range is [from, to], for instance 'c' = [0, 2]; a single value is a number or a formula";
@@ -128,6 +128,11 @@ impl Loader<'_> {
     /// An end of a range: an expression without leaves.
     fn closed(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         let e = self.number_or_formula(value, scope)?;
+        self.without_leaves(e, value, scope)
+    }
+
+    /// The same of what was read already.
+    pub(super) fn without_leaves(&mut self, e: Expr, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         match self.resolve(e, &Known::new(), scope, &|_, _| false) {
             Ok(e) => Some(e),
             Err(leaf) => {
@@ -222,6 +227,8 @@ impl Loader<'_> {
         let Some(region) = claim.region.clone() else { return };
         claim.trajectories.clear();
         claim.expect.clear();
+        claim.families.clear();
+        claim.expect_of_families.clear();
         for key in OF_MOTIONS {
             if let Some(value) = tables.iter().find_map(|t| t.get(key)) {
                 let message = format!("a claim over ranges has no `{key}`: there is no motion");
@@ -322,7 +329,7 @@ impl Loader<'_> {
     }
 
     /// A number, or a formula for one.
-    fn number_or_formula(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
+    pub(super) fn number_or_formula(&mut self, value: &Value<'_>, scope: &Scope) -> Option<Expr> {
         if value.get_ref().is_array() {
             self.problems.note("derivation::bad-range", value.span(), "a number is needed here").hint(HINT);
             return None;

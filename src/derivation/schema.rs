@@ -33,6 +33,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("file", "symbols") => named("symbol", "Every symbol of the formulas, under its LaTeX name in single quotes"),
         ("file", "system") => named("system", "Systems of differential equations, each under its id"),
         ("file", "trajectory") => many("trajectory", "Motions on which claims are tried"),
+        ("file", "family") => many("family", "Many motions from one, by values that vary"),
         ("file", "claim") => many("claim", "What the paper claims"),
         ("file", "condition") => many("condition", "Conditions that may explain where a claim holds"),
         ("file", "picture") => many("picture", "Pictures of the motions for the report"),
@@ -75,6 +76,38 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "description": "First and last time",
         }),
         ("[[trajectory]]", "initial-time") => value("The time of the initial values"),
+        ("[[family]]", "id") => id("Its id; no trajectory has it"),
+        ("[[family]]", "title") => text("Its title"),
+        ("[[family]]", "says") => text("For the reader"),
+        ("[[family]]", "of") => text("The trajectory whose values are varied: its id"),
+        ("[[family]]", "vary") => named("varied", "Parameters and initial values, each with how it varies"),
+        ("[[family]]", "draws") => json!({
+            "type": "integer", "minimum": 1, "description": "How many members are drawn, for each point of the grid",
+        }),
+        ("[[family]]", "seed") => json!({
+            "type": "integer", "minimum": 0, "description": "Which draws: the same seed gives the same members everywhere",
+        }),
+        ("[[family]]", "where") => {
+            formulas("Inequalities that every member satisfies; others are rejected and counted")
+        }
+        ("vary", "from") => value("The first of several values in a row"),
+        ("vary", "to") => value("The last of them"),
+        ("vary", "count") => json!({ "type": "integer", "minimum": 2, "description": "How many there are" }),
+        ("vary", "spacing") => json!({
+            "enum": ["linear", "logarithmic"],
+            "description": "Whether neighbours have the same difference, which is so unless given, or the same ratio",
+        }),
+        ("vary", "values") => json!({
+            "type": "array", "items": { "$ref": "#/definitions/value" }, "minItems": 1, "description": "These values",
+        }),
+        ("vary", "uniform" | "log-uniform" | "normal") => json!({
+            "type": "array", "items": { "$ref": "#/definitions/value" }, "minItems": 2, "maxItems": 2,
+            "description": match key {
+                "uniform" => "Drawn: the ends of a range in which all values are equally likely",
+                "log-uniform" => "Drawn: the ends of a range in which all logarithms are equally likely",
+                _ => "Drawn from a normal distribution: mean and standard deviation",
+            },
+        }),
         ("[[claim]] and [[claim.reading]]", key) => match key {
             "id" => id("Its id"),
             "says" => text("The claim in your own words; $…$ around a formula"),
@@ -98,6 +131,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
                 "description": "For ±: some sign at each time, or one sign for the whole motion",
             }),
             "trajectories" => ids("Where it is tried; all unless given"),
+            "families" => ids("Families of motions on which it is tried"),
             "always" => formulas("These relations hold at every time"),
             "never" => formulas("These relations hold at no time"),
             "eventually" => formulas("These relations hold at some time"),
@@ -137,7 +171,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("exists", "unique") => flag("There is one solution only"),
         ("expect", "holds" | "fails" | "not-applicable" | "undecided") => json!({
             "anyOf": [{ "enum": ["all", "others"] }, { "type": "array", "items": { "type": "string" } }],
-            "description": "Trajectories on which this verdict is expected",
+            "description": "Trajectories and families on which this verdict is expected",
         }),
         ("[[measure]]", "id") => id("Its id"),
         ("[[measure]]", "says") => text("What it is"),
@@ -180,6 +214,8 @@ const TABLES: &[&str] = &[
     "[symbols]",
     "[system.…]",
     "[[trajectory]]",
+    "[[family]]",
+    "vary",
     "[[claim]] and [[claim.reading]]",
     "[[claim]]",
     "same-motion",
@@ -225,6 +261,8 @@ pub fn schema() -> Value {
         "symbol": object(&["[symbols]"], &["role"]),
         "system": object(&["[system.…]"], &["states", "equations"]),
         "trajectory": object(&["[[trajectory]]"], &["id"]),
+        "family": object(&["[[family]]"], &["id", "of", "vary"]),
+        "varied": object(&["vary"], &[]),
         "claim": object(&[reading, "[[claim]]"], &["id", "says"]),
         "reading": object(&[reading], &["id", "says"]),
         "same-motion": object(&["same-motion"], &["as", "of"]),

@@ -37,6 +37,7 @@ impl Derivation {
             scope,
             systems: Vec::new(),
             trajectories: Vec::new(),
+            families: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),
             conditions: Vec::new(),

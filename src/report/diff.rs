@@ -45,7 +45,7 @@ pub struct Change {
     pub derivation: String,
     /// `id`, or `id/reading`.
     pub claim: String,
-    /// Id of the trajectory; `None` for the claim as an identity.
+    /// Id of the trajectory or family; `None` for the claim as an identity.
     pub trajectory: Option<String>,
     /// The verdict as it was, in words; `None` if there was none.
     pub old: Option<String>,
@@ -152,13 +152,15 @@ fn standings(reports: &[Value]) -> Result<(BTreeMap<Key, Standing>, Vec<Key>), S
                 let strength = (verdict == "proved").then(|| "identity".to_owned());
                 add(None, Standing { verdict, strength, unexpected: false });
             }
-            for result in claim["results"].as_array().into_iter().flatten() {
-                let standing = Standing {
-                    verdict: text(result, "verdict")?,
-                    strength: result["strength"].as_str().map(str::to_owned),
-                    unexpected: result["unexpected"].as_bool().unwrap_or(false),
-                };
-                add(Some(text(result, "trajectory")?), standing);
+            for (results, on) in [("results", "trajectory"), ("families", "family")] {
+                for result in claim[results].as_array().into_iter().flatten() {
+                    let standing = Standing {
+                        verdict: text(result, "verdict")?,
+                        strength: result["strength"].as_str().map(str::to_owned),
+                        unexpected: result["unexpected"].as_bool().unwrap_or(false),
+                    };
+                    add(Some(text(result, on)?), standing);
+                }
             }
             let region = &claim["region"];
             if region.is_object() {

@@ -273,7 +273,9 @@ impl Reading<'_> {
         let holds = |p: &&crate::check::PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
         let sampled = |p: &crate::check::PairAccount| p.verdict.outcome() == Outcome::Holds(Strength::Sampled);
         let n = self.claim.results.iter().filter(holds).count();
-        if self.claim.results.iter().any(sampled) { Basis::Sampled(n) } else { Basis::Enclosed(n) }
+        let members: usize = self.claim.families.iter().map(|f| super::family::with(f, "holds")).sum();
+        let n = n + members;
+        if members > 0 || self.claim.results.iter().any(sampled) { Basis::Sampled(n) } else { Basis::Enclosed(n) }
     }
 }
 
@@ -433,9 +435,8 @@ pub(super) fn explanation(e: &Explanation) -> String {
 /// How a refutation is known, over all pairs of a reading that fail: the strongest.
 fn refuted(claim: &ClaimAccount) -> &'static str {
     let strongest = claim
-        .results
-        .iter()
-        .filter_map(|p| match p.verdict.outcome() {
+        .verdicts()
+        .filter_map(|j| match j.verdict.outcome() {
             Outcome::Fails(strength) => Some(strength),
             _ => None,
         })
@@ -458,7 +459,10 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
         };
         return format!("{word}{rest}");
     }
-    let n = |word: &str| reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count();
+    let members = |word: &str| reading.claim.families.iter().map(|f| super::family::with(f, word)).sum::<usize>();
+    let n = |word: &str| {
+        reading.claim.results.iter().filter(|r| r.verdict.outcome().word() == word).count() + members(word)
+    };
     let how = refuted(reading.claim);
     match reading.standing {
         Standing::Holds => format!("Holds, {}", reading.basis().words()),

@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
-use crate::check::{Account, ClaimAccount, PairAccount};
+use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
 use diag::shown::{in_one_line, shown};
@@ -120,6 +120,7 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
     for claim in &account.claims {
         let of_claim = groups(claim);
         out.extend(of_claim.iter().filter_map(|group| verdict(derivation, claim, group)));
+        out.extend(claim.families.iter().filter_map(|of| family(derivation, claim, of)));
         out.extend(region(derivation, claim));
     }
     let summary = account.summary();
@@ -180,9 +181,52 @@ fn verdict(derivation: &Derivation, claim: &ClaimAccount, group: &Group<'_>) -> 
     })
 }
 
+/// The finding of a claim on a family, if there is one.
+fn family(derivation: &Derivation, claim: &ClaimAccount, of: &FamilyAccount) -> Option<Finding> {
+    let word = of.verdict.outcome().word();
+    let open = word == "undecided" && of.expected.is_none();
+    if !of.is_unexpected() && !open {
+        return None;
+    }
+    let expected = of.expected.map(|word| format!(", expected is `{word}`")).unwrap_or_default();
+    let message = format!(
+        "`{}` {} on the family {}{expected}. It says: {} {}",
+        name(claim),
+        phrase(word),
+        of.family,
+        sentence(&says(derivation, claim)),
+        on_family(of),
+    );
+    Some(Finding {
+        rule: rule(word),
+        level: if of.is_unexpected() { Level::Error } else { Level::Warning },
+        message,
+        place: Place::new(&derivation.file, place_of_claim(derivation, claim)),
+        related: Vec::new(),
+        identity: format!("{}\n{}\n{}\n{}", derivation.id, name(claim), of.family, of.expected.unwrap_or("nothing")),
+    })
+}
+
+/// How the verdict on a family came about, in sentences.
+pub(super) fn on_family(of: &FamilyAccount) -> String {
+    let mut out = super::family::sentence(&super::family::counts(of));
+    if let Some(shown) = super::family::shown(of).first() {
+        out.push_str(&format!(" {}", super::family::sentence(&shown.named().replace('$', ""))));
+    }
+    out
+}
+
+/// The only formula of a claim, or its id.
+fn place_of_claim(derivation: &Derivation, claim: &ClaimAccount) -> Range<usize> {
+    declared(derivation, claim).map_or(0..0, |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
+        [(_, ref span)] => span.clone(),
+        _ => d.span.clone(),
+    })
+}
+
 /// The finding of a claim over ranges, if there is one.
 fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
-    let judged = claim.verdicts().find(|j| j.trajectory.is_none())?;
+    let judged = claim.verdicts().find(|j| j.trajectory.is_none() && j.family.is_none())?;
     let word = judged.verdict.outcome().word();
     let open = word == "undecided" && judged.expected.is_none();
     if !judged.unexpected && !open {
@@ -198,14 +242,7 @@ fn region(derivation: &Derivation, claim: &ClaimAccount) -> Option<Finding> {
     if let Some(told) = over_ranges(claim) {
         message.push_str(&format!(" {told}"));
     }
-    let place =
-        declared(derivation, claim).map_or(
-            0..0,
-            |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
-                [(_, ref span)] => span.clone(),
-                _ => d.span.clone(),
-            },
-        );
+    let place = place_of_claim(derivation, claim);
     Some(Finding {
         rule: rule(word),
         level: if judged.unexpected { Level::Error } else { Level::Warning },

@@ -181,10 +181,14 @@ fn reason(whole: &Whole<'_>) -> String {
     } else {
         out.push_str(&digest::verdict(failing));
     }
-    let mut fails = failing.claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
-    if let Some(pair) = fails.next() {
-        let one_of_several = if fails.next().is_some() { "e.g. " } else { "" };
-        out.push_str(&format!(", {one_of_several}{}", pair.trajectory));
+    let pairs = failing.claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
+    let members = failing.claim.families.iter().filter_map(|f| Some((f, f.first_failing.as_ref()?)));
+    let several = pairs.clone().count() > 1 || failing.claim.families.iter().any(|f| f.fails > 1);
+    let members = members.map(|(f, member)| format!("member {} of {}", member.number, f.family));
+    let mut fails = pairs.map(|pair| pair.trajectory.clone()).chain(members);
+    if let Some(named) = fails.next() {
+        let one_of_several = if several || fails.next().is_some() { "e.g. " } else { "" };
+        out.push_str(&format!(", {one_of_several}{named}"));
     }
     if let Some(e) = failing.claim.conditions.separation.as_ref().and_then(|s| s.explanation.as_ref()) {
         out.push_str(&format!("; on the motions tried, it holds just where {}", digest::explanation(e)));

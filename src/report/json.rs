@@ -7,7 +7,7 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::{Account, ClaimAccount, PairAccount, Trials};
+use crate::check::{Account, ClaimAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
 use diag::shown::in_json;
@@ -92,7 +92,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
 
 fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
     let declared = declared(derivation, claim);
-    json!({
+    let mut out = json!({
         "id": claim.id,
         "reading": claim.reading,
         "says": claim.says,
@@ -131,7 +131,11 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "conditions": super::conditions::json(&claim.conditions),
         "region": claim.region.as_ref().map(super::region::json),
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
-    })
+    });
+    if !claim.families.is_empty() {
+        out["families"] = claim.families.iter().map(super::family::json).collect();
+    }
+    out
 }
 
 pub(super) fn trials(trials: &Trials) -> Value {
@@ -160,15 +164,20 @@ fn pair(pair: &PairAccount) -> Value {
             "from": number(e.from), "to": number(e.to), "reason": e.reason,
         })).collect::<Vec<_>>(),
         "discrimination": discrimination::pair_json(pair),
-        "witness": evidence.witness.as_ref().map(|w| json!({
-            "t": number(w.t),
-            "formula": w.formula,
-            "left": number(w.left),
-            "right": number(w.right),
-            "difference": number(w.difference()),
-            "bound": number(w.bound),
-            "values": w.values.iter().map(|(n, v)| (n.clone(), number(*v))).collect::<Map<String, Value>>(),
-        })),
+        "witness": evidence.witness.as_ref().map(witness),
+    })
+}
+
+/// A point that can be checked by hand.
+pub(super) fn witness(w: &Witness) -> Value {
+    json!({
+        "t": number(w.t),
+        "formula": w.formula,
+        "left": number(w.left),
+        "right": number(w.right),
+        "difference": number(w.difference()),
+        "bound": number(w.bound),
+        "values": w.values.iter().map(|(n, v)| (n.clone(), number(*v))).collect::<Map<String, Value>>(),
     })
 }
 

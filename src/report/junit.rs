@@ -11,7 +11,7 @@
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use super::finding::{Finding, Level, over_ranges, phrase, told};
+use super::finding::{Finding, Level, on_family, over_ranges, phrase, told};
 use super::tally::{name, says};
 use crate::check::{Account, ClaimAccount, Judged, PairAccount};
 use crate::derivation::Derivation;
@@ -38,7 +38,8 @@ pub fn junit(checked: &[Checked<'_>], others: &[Finding]) -> String {
                 suite.add_test_case(case(one.derivation, claim, pair));
             }
             for judged in claim.verdicts().filter(|j| j.trajectory.is_none()) {
-                suite.add_test_case(case_of(one.derivation, claim, &judged, over_ranges(claim)));
+                let told = judged.family.map(on_family).or_else(|| over_ranges(claim));
+                suite.add_test_case(case_of(one.derivation, claim, &judged, told));
             }
         }
         report.add_test_suite(suite);
@@ -68,6 +69,7 @@ fn without_skipped_in_all(text: &str) -> String {
 fn case(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> TestCase {
     let judged = Judged {
         trajectory: Some(&pair.trajectory),
+        family: None,
         verdict: &pair.verdict,
         expected: pair.expected,
         unexpected: pair.is_unexpected(),

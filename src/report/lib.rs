@@ -20,6 +20,7 @@ mod diff;
 mod digest;
 mod discrimination;
 mod explain;
+mod family;
 mod finding;
 mod front;
 mod github;

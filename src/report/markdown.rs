@@ -192,6 +192,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         for group in groups {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
+        out.push_str(&super::family::section(claim));
         if let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) {
             out.push_str(&discrimination::corrections_markdown(erratum));
         }

@@ -162,7 +162,7 @@ pub fn schema() -> Value {
         ("branch", text_or_null("For ±: which sign")),
         ("excluded", list(excluded)),
         ("discrimination", or_null(discrimination)),
-        ("witness", or_null(witness)),
+        ("witness", or_null(witness.clone())),
     ]);
     let kinds = json!({ "type": ["array", "null"], "items": { "type": "string" } });
     let claim = object(&[
@@ -186,7 +186,8 @@ pub fn schema() -> Value {
         ("conditions", conditions()),
         ("results", list(result)),
     ]);
-    let claim = with_optional(claim, &[("region", or_null(region(&verdicts, &expected)))]);
+    let of_families = list(family(&verdicts, &expected, &witness));
+    let claim = with_optional(claim, &[("region", or_null(region(&verdicts, &expected))), ("families", of_families)]);
     let measured = object(&[("t", number("Time")), ("value", number("Value")), ("bound", number("Error bound"))]);
     let measurement = object(&[
         ("measure", text("Id of the measure")),
@@ -273,6 +274,54 @@ fn region(verdicts: &[&str], expected: &[Value]) -> Value {
         ("solutions", list(json!({ "type": "object", "additionalProperties": ends }))),
         ("remarks", texts("What else is to be known")),
         ("map", or_null(map)),
+    ])
+}
+
+/// A claim on a family of motions.
+fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
+    let strengths = json!({ "enum": ["sampled", "certified", "enclosed", "proved", null] });
+    let member = object(&[
+        ("number", whole("Its number, the first of which is 1")),
+        ("values", json!({ "type": "object", "additionalProperties": number("Value of what varies") })),
+        ("verdict", json!({ "enum": verdicts })),
+        ("strength", strengths),
+        ("reason", text_or_null("Why it is undecided")),
+        ("witness", or_null(witness.clone())),
+        ("trajectory", text("The member as a [[trajectory]] of a derivation file")),
+    ]);
+    let share = object(&[
+        (
+            "at_most",
+            number("At most this share of all members that could be drawn, and to which the claim applies, fails"),
+        ),
+        ("confidence", number("With this confidence")),
+        ("failures", whole("Of those that were drawn, how many fail or are undecided")),
+        ("draws", whole("To how many of those that were drawn the claim applies, or may apply")),
+    ]);
+    object(&[
+        ("family", text("Its id")),
+        ("verdict", json!({ "enum": verdicts })),
+        ("strength", json!({ "enum": ["sampled", null] })),
+        ("expected", json!({ "enum": expected })),
+        ("unexpected", flag("Whether the verdict is not as expected")),
+        ("reason", text_or_null("How it came about")),
+        ("size", whole("Members before constraints")),
+        ("members", whole("Members that were tried")),
+        ("rejected", whole("Points of a grid, or draws, that did not satisfy the constraints")),
+        ("holds", whole("Members on which it holds")),
+        ("fails", whole("Members on which it fails")),
+        ("not_applicable", whole("Members to which it does not apply")),
+        ("undecided", whole("Members on which it is undecided")),
+        ("stopped", text_or_null("Why not all members were tried")),
+        ("failing_share", or_null(share)),
+        ("first_failing", or_null(member.clone())),
+        ("clearest_failing", or_null(member.clone())),
+        ("first_undecided", or_null(member.clone())),
+        ("closest_call", or_null(member)),
+        (
+            "closest_gap",
+            json!({ "type": ["number", "null"], "description": "How near the sides of an inequality come in it, against the size of their terms" }),
+        ),
     ])
 }
 

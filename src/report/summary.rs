@@ -3,7 +3,7 @@
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
-use super::{discrimination, region};
+use super::{discrimination, family, region};
 use crate::check::{Account, ClaimAccount, PairAccount, Witness};
 use crate::derivation::Derivation;
 
@@ -34,7 +34,9 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     if whole {
         out.push_str(&matrix(account, paint));
     }
+    let families = if whole { family::Told::All } else { family::Told::Failing };
     out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
+    out.push_str(&family::terminal(derivation, account, paint, families));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
     out.push_str(&blocks("Fails, as expected", &known("fails"), most));
     out.push_str(&blocks("Undecided", &known("undecided"), most));
@@ -59,6 +61,7 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
     out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
     out.push_str(&region::terminal(derivation, account, paint, false));
+    out.push_str(&family::terminal(derivation, account, paint, family::Told::Unexpected));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out
@@ -261,7 +264,13 @@ fn problems(account: &Account, paint: Paint) -> String {
 fn counts(account: &Account, paint: Paint) -> String {
     let s = account.summary();
     let claims = count(account.claims.len(), "claim");
-    let trajectories = count(account.trajectories.len(), "trajectory");
+    let mut trajectories = count(account.trajectories.len(), "trajectory");
+    let mut families: Vec<&str> = account.claims.iter().flat_map(|c| &c.families).map(|f| f.family.as_str()).collect();
+    families.sort_unstable();
+    families.dedup();
+    if !families.is_empty() {
+        trajectories.push_str(&format!(" and {}", count(families.len(), "family")));
+    }
     let verdicts =
         format!("{} hold, {} fail, {} do not apply, {} undecided", s.holds, s.fails, s.not_applicable, s.undecided);
     let unexpected = match s.unexpected {

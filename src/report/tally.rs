@@ -21,7 +21,9 @@ pub(super) enum Standing {
 impl Standing {
     /// The standing of a claim.
     pub fn of(claim: &ClaimAccount) -> Standing {
-        let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word);
+        // A family that fails may hold on some of its members.
+        let member = |word: &str| claim.families.iter().any(|f| super::family::with(f, word) > 0);
+        let any = |word: &str| claim.verdicts().any(|j| j.verdict.outcome().word() == word) || member(word);
         match (any("holds"), any("fails"), any("undecided")) {
             (true, true, _) => Standing::Mixed,
             (false, true, _) => Standing::Fails,

@@ -253,6 +253,18 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
         for group in groups(claim) {
             verdicts(&group, scope, out);
         }
+        for family in &claim.families {
+            let said = format!(
+                "{} {}{}. {}",
+                super::family::heading(family),
+                family.family,
+                super::family::expected(family),
+                super::family::sentence(&super::family::counts(family))
+            );
+            let confidence =
+                super::family::confidence(family).map(|text| format!(" {}", super::family::sentence(&text)));
+            out.push_str(&format!("{}\n\n", prose(&(said + &confidence.unwrap_or_default()), scope)));
+        }
         if let Some(region) = &claim.region {
             let mut said: Vec<String> = super::region::ranges(region).into_iter().collect();
             said.push(format!("{}{}.", super::region::verdict(region), super::region::expected(region)));

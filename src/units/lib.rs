@@ -62,7 +62,7 @@ impl UnitVerdict {
 /// One formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitAccount {
-    /// Where it stands: `claim`, `symbol`, `system`, `measure`, `condition` or `trajectory`.
+    /// Where it stands: `claim`, `symbol`, `system`, `measure`, `condition`, `trajectory` or `family`.
     pub kind: &'static str,
     /// The id or name of that.
     pub of: String,
@@ -122,6 +122,7 @@ pub fn units(derivation: &Derivation) -> UnitsAccount {
     checker.symbols();
     checker.systems();
     checker.trajectories();
+    checker.families();
     checker.claims();
     checker.measures();
     checker.conditions();
@@ -263,6 +264,15 @@ impl<'d> Checker<'d> {
         for system in &self.derivation.systems {
             for equation in &system.equations {
                 self.statement("system", &system.id, equation, false);
+            }
+        }
+    }
+
+    /// What members of families satisfy.
+    fn families(&mut self) {
+        for family in &self.derivation.families {
+            for constraint in &family.constraints {
+                self.statement("family", &family.id, &constraint.written, false);
             }
         }
     }

@@ -154,6 +154,8 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
         trajectories: (0..derivation.trajectories.len()).collect(),
         names_trajectories: false,
         expect: vec![None; derivation.trajectories.len()],
+        families: Vec::new(),
+        expect_of_families: Vec::new(),
         expect_inconsistent_units: false,
         region: None,
         printed: false,

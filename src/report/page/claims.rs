@@ -11,7 +11,7 @@ use super::super::tally::{Group, declared, groups, name};
 use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
-use super::{region, support};
+use super::{family, region, support};
 use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
@@ -132,6 +132,7 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
             (support::erratum(claim, scope))
             (support::behind(graph, claim, scope))
             @for group in groups(claim) { (verdicts(account, claim, &group, scope)) }
+            (family::blocks(claim, scope))
             (region::block(claim, scope))
         }
     }
@@ -176,6 +177,7 @@ pub(super) fn printed(derivation: &Derivation, account: &Account) -> Markup {
                     (support::separation(claim, scope))
                     (support::erratum(claim, scope))
                     (support::behind_in_print(&graph, claim, scope))
+                    (family::blocks(claim, scope))
                     (region::block(claim, scope))
                 }
             }

@@ -13,6 +13,7 @@
 
 mod claims;
 mod data;
+mod family;
 mod findings;
 mod folded;
 mod graph;

@@ -1,0 +1,257 @@
+//! Members of a family, from their numbers.
+//!
+//! **In:** a family, and the number of a member. **Out:** its values, or that no such motion is wanted; and how many were rejected on
+//! the way.
+//!
+//! **Guaranteed:** the number, the family and its seed determine the member, on every machine: draws are a hash of these, numbers
+//! come from the operations of IEEE 754 and from the elementary functions that are compiled into the program. What is computed
+//! has at most 15 digits, so that its text in a file is short, and is the same number.
+
+use super::super::diag::Diagnostic;
+use super::super::expr::tape::Tape;
+use crate::derivation::{Derivation, Family, Spread};
+use crate::expr::{Expr, Leaf};
+use crate::latex::RelationKind;
+use crate::number::{Bounded, Draws, Number};
+
+/// The most draws for one member: with a constraint that leaves one in a thousand, one member in 20,000 would need more.
+pub(super) const MOST_DRAWS: u64 = 10_000;
+
+/// The natural logarithm, the same on every machine; not a number where there is none.
+pub(super) fn ln(x: f64) -> f64 {
+    let mut out = 0.0_f64;
+    Number::ln(&mut out, &(), &x).map_or(f64::NAN, |()| out)
+}
+
+/// The exponential, the same on every machine; infinite where it is too large.
+pub(super) fn exp(x: f64) -> f64 {
+    let mut out = 0.0_f64;
+    Number::exp(&mut out, &(), &x).map_or(f64::INFINITY, |()| out)
+}
+
+fn cos(x: f64) -> f64 {
+    let mut out = 0.0_f64;
+    Number::cos(&mut out, &(), &x).map_or(f64::NAN, |()| out)
+}
+
+/// A family, ready to give its members.
+pub(super) struct Members {
+    pub family: Family,
+    /// The numbers that each spread is given by.
+    numbers: Vec<Vec<f64>>,
+    /// The links of the constraints: kinds of relations; their sides are the first outputs of the tape, in pairs.
+    kinds: Vec<RelationKind>,
+    /// The sides, then what must be positive; nothing where members need satisfy nothing.
+    tape: Option<Tape>,
+}
+
+/// What a number gives.
+pub(super) enum Member {
+    /// A member with these values, after so many draws were rejected.
+    Found(Vec<f64>, u64),
+    /// A point of a grid that does not satisfy the constraints.
+    Rejected,
+    /// So many draws did not satisfy them that the search was ended.
+    TooRare,
+}
+
+impl Members {
+    /// Prepares a family.
+    ///
+    /// # Errors
+    /// What is wrong with its numbers, where only their values show it.
+    pub fn new(derivation: &Derivation, family: &Family) -> Result<Members, Vec<Diagnostic>> {
+        let graph = &derivation.graph;
+        let mut problems = Vec::new();
+        let mut numbers = Vec::new();
+        for varied in &family.vary {
+            let exprs = varied.spread.numbers();
+            let values = evaluated(derivation, &exprs);
+            let place = varied.span.clone();
+            if values.iter().any(Option::is_none) {
+                let message = format!("the values of `{}` are no real numbers", varied.name);
+                problems.push(Diagnostic::at(&derivation.file, "derivation::bad-range", place, message));
+                continue;
+            }
+            let number = |e: Expr| exprs.iter().zip(&values).find(|(x, _)| **x == e).and_then(|(_, v)| *v);
+            if let Some((code, message, hint)) = varied.spread.fault(&varied.name, varied.positive, &number) {
+                problems.push(Diagnostic::at(&derivation.file, code, place, message).hint(hint));
+            }
+            numbers.push(values.into_iter().flatten().collect());
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        let links = || family.constraints.iter().flat_map(|c| &c.links);
+        let positive = |symbol| derivation.symbols.iter().any(|s| s.symbol == symbol && s.positive);
+        let mut roots: Vec<Expr> = links().flat_map(|(_, left, right)| [*left, *right]).collect();
+        roots.extend(family.positive(graph, positive));
+        let leaves: Vec<Leaf> = family.vary.iter().map(|v| v.leaf).collect();
+        let tape = if roots.is_empty() { None } else { Tape::compile(graph, &leaves, &roots).ok() };
+        Ok(Members { family: family.clone(), numbers, kinds: links().map(|(kind, ..)| *kind).collect(), tape })
+    }
+
+    /// The member with a number, the first of which is 1.
+    pub fn member(&self, number: u64) -> Member {
+        let drawn = self.family.vary.iter().any(|v| v.spread.is_drawn());
+        for attempt in 0..if drawn { MOST_DRAWS } else { 1 } {
+            let values = self.values(number, attempt);
+            if values.iter().all(|x| x.is_finite()) && self.is_wanted(&values) {
+                return Member::Found(values, attempt);
+            }
+        }
+        if drawn { Member::TooRare } else { Member::Rejected }
+    }
+
+    /// The values of a number at an attempt to draw them.
+    fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
+        // The last of the symbols changes fastest; draws of one point of the grid follow one another.
+        let mut point = (number - 1) / self.family.draws;
+        let mut positions = vec![0; self.family.vary.len()];
+        for (position, varied) in positions.iter_mut().zip(&self.family.vary).rev() {
+            let count = varied.spread.points();
+            (*position, point) = (point % count, point / count);
+        }
+        let one = |(n, (varied, position)): (usize, (&crate::derivation::Varied, u64))| {
+            let numbers = &self.numbers[n];
+            let mut draw = Draw::new(self.family.seed, number, attempt, n as u64);
+            match &varied.spread {
+                Spread::Values(_) => numbers.get(position as usize).copied().unwrap_or(f64::NAN),
+                Spread::Grid { count, logarithmic, .. } => {
+                    on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
+                }
+                Spread::Uniform(..) => {
+                    let share = draw.share();
+                    short((1.0 - share) * numbers[0] + share * numbers[1], (numbers[0], numbers[1]))
+                }
+                Spread::LogUniform(..) => {
+                    let share = draw.share();
+                    let x = exp((1.0 - share) * ln(numbers[0]) + share * ln(numbers[1]));
+                    short(x, (numbers[0], numbers[1]))
+                }
+                Spread::Normal(..) => {
+                    // Box and Muller; 1 − share is above 0.
+                    let (radius, turn) = ((-2.0 * ln(1.0 - draw.share())).sqrt(), draw.share());
+                    let x = numbers[0] + numbers[1] * radius * cos(2.0 * std::f64::consts::PI * turn);
+                    short(x, (f64::MIN, f64::MAX))
+                }
+            }
+        };
+        self.family.vary.iter().zip(positions).enumerate().map(one).collect()
+    }
+
+    /// Whether values satisfy the constraints, and are positive where they must be. What has no value satisfies nothing.
+    fn is_wanted(&self, values: &[f64]) -> bool {
+        let positive = |(varied, x): (&crate::derivation::Varied, &f64)| !varied.positive || *x > 0.0;
+        if !self.family.vary.iter().zip(values).all(positive) {
+            return false;
+        }
+        let Some(tape) = &self.tape else { return true };
+        let inputs: Vec<_> = values.iter().map(|x| Ok(Bounded::exact(*x))).collect();
+        let found = tape.evaluate(&(), &inputs, &mut tape.slots::<Bounded>(&()));
+        let (sides, rest) = found.split_at((2 * self.kinds.len()).min(found.len()));
+        let satisfied = |(kind, pair): (&RelationKind, &[Result<Bounded, _>])| match pair {
+            [Ok(left), Ok(right)] => match kind {
+                RelationKind::Equal => left.value == right.value,
+                RelationKind::NotEqual => left.value != right.value,
+                RelationKind::Less => left.value < right.value,
+                RelationKind::LessEqual => left.value <= right.value,
+                RelationKind::Greater => left.value > right.value,
+                RelationKind::GreaterEqual => left.value >= right.value,
+            },
+            _ => false,
+        };
+        self.kinds.iter().zip(sides.chunks(2)).all(satisfied)
+            && rest.iter().all(|x| x.as_ref().is_ok_and(|x| x.value > 0.0))
+    }
+}
+
+/// The values of expressions without leaves.
+fn evaluated(derivation: &Derivation, exprs: &[Expr]) -> Vec<Option<f64>> {
+    let Ok(tape) = Tape::compile(&derivation.graph, &[], exprs) else { return vec![None; exprs.len()] };
+    let mut slots = tape.slots::<Bounded>(&());
+    tape.evaluate(&(), &[], &mut slots).into_iter().map(|x| x.ok().map(|x| x.value)).collect()
+}
+
+/// A value of a grid; its ends are those that are given.
+fn on_grid((from, to): (f64, f64), (position, count): (u64, u64), logarithmic: bool) -> f64 {
+    if position == 0 || position + 1 == count {
+        return if position == 0 { from } else { to };
+    }
+    let share = position as f64 / (count - 1) as f64;
+    let x = match logarithmic {
+        true => exp((1.0 - share) * ln(from) + share * ln(to)),
+        false => (1.0 - share) * from + share * to,
+    };
+    short(x, (from, to))
+}
+
+/// A number with 15 digits, between two others.
+fn short(x: f64, (from, to): (f64, f64)) -> f64 {
+    let rounded: f64 = format!("{x:.14e}").parse().unwrap_or(x);
+    if rounded < from {
+        from
+    } else if rounded > to {
+        to
+    } else {
+        rounded
+    }
+}
+
+/// The draws of one value: a hash of the seed, the number of the member, the attempt, and which value it is.
+struct Draw(Draws);
+
+impl Draw {
+    fn new(seed: u64, number: u64, attempt: u64, position: u64) -> Draw {
+        let mixed = |state: u64, word: u64| Draws::new(state ^ word).bits();
+        Draw(Draws::new([number, attempt, position].into_iter().fold(mixed(0, seed), mixed)))
+    }
+
+    /// A number from 0 to below 1, a multiple of 2⁻⁵³.
+    fn share(&mut self) -> f64 {
+        (self.0.bits() >> 11) as f64 * (f64::EPSILON / 2.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn draws_are_those_of_every_machine() {
+        let mut draw = Draw::new(7, 1, 0, 0);
+        let found: Vec<f64> = (0..2).map(|_| draw.share()).collect();
+        let mut again = Draw::new(7, 1, 0, 0);
+        assert_eq!(found, [again.share(), again.share()]);
+        assert_ne!(Draw::new(7, 2, 0, 0).share(), found[0]);
+        assert_ne!(Draw::new(7, 1, 1, 0).share(), found[0]);
+        assert_ne!(Draw::new(7, 1, 0, 1).share(), found[0]);
+        assert_ne!(Draw::new(8, 1, 0, 0).share(), found[0]);
+    }
+
+    #[test]
+    fn shares_fill_the_range_evenly() {
+        let n = 20_000;
+        let all: Vec<f64> = (1..=n).map(|number| Draw::new(3, number, 0, 0).share()).collect();
+        assert!(all.iter().all(|x| (0.0..1.0).contains(x)));
+        let mean = all.iter().sum::<f64>() / n as f64;
+        let square = all.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n as f64;
+        // Four standard errors.
+        assert!((mean - 0.5).abs() < 4.0 * (1.0 / 12.0 / n as f64).sqrt(), "{mean}");
+        assert!((square - 1.0 / 12.0).abs() < 0.002, "{square}");
+        for tenth in 0..10 {
+            let here = all.iter().filter(|x| (**x * 10.0) as usize == tenth).count();
+            assert!((here as f64 - 2000.0).abs() < 200.0, "{tenth}: {here}");
+        }
+    }
+
+    #[test]
+    fn a_grid_has_the_ends_that_are_given_and_short_numbers_between() {
+        let grid: Vec<f64> = (0..20).map(|i| on_grid((0.1, 2.0), (i, 20), false)).collect();
+        assert_eq!((grid[0], grid[1], grid[2], grid[19]), (0.1, 0.2, 0.3, 2.0));
+        let log: Vec<f64> = (0..4).map(|i| on_grid((0.001, 1.0), (i, 4), true)).collect();
+        assert_eq!(log, [0.001, 0.01, 0.1, 1.0]);
+        let pi = std::f64::consts::PI;
+        assert!(short(pi, (0.0, pi)) <= pi);
+    }
+}

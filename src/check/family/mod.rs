@@ -1,0 +1,363 @@
+//! Claims on families: every member is a motion like others, tried like others, and dropped.
+//!
+//! **In:** a derivation as it was read, and the claims that name families. **Out:** a [`FamilyAccount`] for each claim on each
+//! family: how many members hold, fail, are undecided, and the members that a reader wants to see, as trajectories to paste.
+//!
+//! **Guaranteed:** a member's verdict is what `trial` finds for the same trajectory, at samples; where a motion is given by formulas,
+//! what these decide exactly counts, as for trajectories. A family is never said to hold more strongly than *sampled*. Members
+//! are made from their numbers, a few at a time, so memory does not grow with how many there are; they are counted in the order of
+//! their numbers, so threads change nothing.
+
+mod account;
+mod confidence;
+mod member;
+
+use rayon::prelude::*;
+
+pub use account::{FailingShare, FamilyAccount, MemberAccount};
+pub use confidence::{CONFIDENCE, failing_share};
+
+use super::account::{ClaimAccount, PairAccount};
+use super::independence::Gradients;
+use super::memory::Recall;
+use super::program::Program;
+use super::stage::{Fields, Requests, Stage};
+use super::trial::{self, Trial};
+use super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, witness};
+use crate::derivation::{Claim, Derivation};
+use crate::diag::Diagnostic;
+use crate::expr::{Leaf, Rational};
+use crate::flow::Motion;
+use crate::verdict::Verdict;
+use account::Tally;
+use member::{MOST_DRAWS, Member, Members};
+
+/// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
+const WAVE: u64 = 256;
+/// The most members of the families of a file that are tried.
+const MOST_MEMBERS: u64 = 1_000_000;
+/// The most numbers of members that are looked at, rejected ones counted.
+const MOST_NUMBERS: u64 = 100_000_000;
+/// The most steps of integration of all members of the families of a file.
+const MOST_STEPS: u64 = 300_000_000;
+
+/// What is left of the work that the families of a file may take.
+struct Budget {
+    members: u64,
+    numbers: u64,
+    steps: u64,
+}
+
+impl Budget {
+    /// Why no more is begun.
+    fn reached(&self) -> Option<&'static str> {
+        match (self.members, self.numbers, self.steps) {
+            (0, ..) => Some("work limit: the families of a file try a million members"),
+            (_, 0, _) => Some("work limit: the families of a file reject 100 million members"),
+            (.., 0) => Some("work limit: the members of a file's families take 300 million steps"),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a claim is tried on a family in this run.
+fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
+    let in_list = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
+    in_list(&options.claims, &claim.id) && in_list(&options.trajectories, id)
+}
+
+/// A derivation whose claims name families, as it was read: what is found of the motions of the file is not in its graph yet.
+pub(super) struct Families {
+    derivation: Derivation,
+    members: Vec<Option<Members>>,
+}
+
+impl Families {
+    /// The families of a derivation; `None` where no claim is tried on one.
+    ///
+    /// # Errors
+    /// What is wrong with their numbers; a family without members.
+    pub fn of(derivation: &Derivation, options: &Options) -> Result<Option<Families>, CheckError> {
+        let mut problems = Vec::new();
+        let mut members = Vec::new();
+        for (at, family) in derivation.families.iter().enumerate() {
+            let asked = |c: &Claim| c.families.contains(&at) && is_chosen(options, c, &family.id);
+            if !derivation.claims.iter().any(asked) {
+                members.push(None);
+                continue;
+            }
+            match Members::new(derivation, family) {
+                Ok(of) => {
+                    // What is drawn shows at once whether there is anything to draw.
+                    if let Member::TooRare = of.member(1) {
+                        problems.push(too_rare(derivation, &of, 1));
+                    }
+                    members.push(Some(of));
+                }
+                Err(found) => problems.extend(found),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(CheckError::Problems(problems));
+        }
+        let any = members.iter().any(Option::is_some);
+        Ok(any.then(|| Families { derivation: derivation.clone(), members }))
+    }
+
+    /// Tries the claims, and puts what is found into their accounts.
+    ///
+    /// # Errors
+    /// Members that cannot be built, families without members, and defects of the program.
+    pub fn try_all(
+        &self,
+        options: &Options,
+        claims: &mut [ClaimAccount],
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<(), CheckError> {
+        let mut budget = Budget { members: MOST_MEMBERS, numbers: MOST_NUMBERS, steps: MOST_STEPS };
+        for (at, members) in self.members.iter().enumerate() {
+            let Some(members) = members else { continue };
+            let derivation = &self.derivation;
+            let position = |a: &ClaimAccount| {
+                let is_it = |c: &&Claim| c.id == a.id && c.reading == a.reading;
+                derivation.claims.iter().find(is_it).filter(|c| c.families.contains(&at))
+            };
+            let of = |a: &ClaimAccount| position(a).filter(|c| is_chosen(options, c, &members.family.id));
+            let (mut asked, mut places) = (Vec::new(), Vec::new());
+            for (place, account) in claims.iter().enumerate() {
+                if let Some(claim) = of(account) {
+                    asked.push(claim);
+                    places.push(place);
+                }
+            }
+            if asked.is_empty() {
+                continue;
+            }
+            let found = Troupe::new(derivation, members, &asked)?.try_all(options, &mut budget, progress)?;
+            for (place, (tally, claim)) in places.into_iter().zip(found.into_iter().zip(&asked)) {
+                let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
+                claims[place].families.push(tally.account(derivation, &members.family, expected));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A family with the claims that are tried on it, compiled once for all members.
+struct Troupe<'a> {
+    members: &'a Members,
+    /// The derivation with these claims alone, and one more trajectory: the member.
+    derivation: Derivation,
+    fields: Fields,
+    programs: Vec<Vec<Program>>,
+    gradients: Vec<Option<Result<Gradients, String>>>,
+    wanted: Vec<Leaf>,
+    start_of: Vec<usize>,
+}
+
+/// What one number gave.
+struct One {
+    values: Option<Vec<f64>>,
+    rejected: u64,
+    steps: u64,
+    verdicts: Vec<Verdict>,
+}
+
+impl<'a> Troupe<'a> {
+    fn new(derivation: &Derivation, members: &'a Members, asked: &[&Claim]) -> Result<Troupe<'a>, CheckError> {
+        let base = derivation.trajectories[members.family.of].clone();
+        let slot = derivation.trajectories.len();
+        // What no member needs would be copied for each of them.
+        let mut derivation = derivation.clone();
+        derivation.families.clear();
+        derivation.measures.clear();
+        derivation.conditions.clear();
+        derivation.given.clear();
+        derivation.pictures.clear();
+        let start = Rational::try_from(base.initial_time).unwrap_or(Rational::ZERO);
+        derivation.trajectories.push(base);
+        let here = |claim: &&Claim| Claim { trajectories: vec![slot], expect: vec![None], ..(*claim).clone() };
+        derivation.claims = asked.iter().map(here).collect();
+        // As in the file with the member pasted into it: the motions share the memory.
+        let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
+        let count = derivation.claims.len();
+        let mut programs: Vec<Vec<Program>> =
+            (0..count).map(|c| vec![Program::new(&mut derivation, c, &start)]).collect();
+        let gradients: Vec<_> = (0..count).map(|c| Gradients::of_claim(&mut derivation, c, &fields)).collect();
+        let graph = &derivation.graph;
+        let mut wanted: Vec<Leaf> = programs.iter().flatten().flat_map(|p| p.leaves(graph)).collect();
+        wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(graph)));
+        wanted.extend(same_motion::leaves(&derivation));
+        wanted.sort_unstable();
+        wanted.dedup();
+        for program in programs.iter_mut().flatten() {
+            if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
+                let name = derivation.graph.leaf_latex(leaf);
+                return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
+            }
+        }
+        let start_of = vec![0; slot + 1];
+        Ok(Troupe { members, derivation, fields, programs, gradients, wanted, start_of })
+    }
+
+    /// Tries all members, as far as the limits allow: what was found of each claim.
+    fn try_all(
+        &self,
+        options: &Options,
+        budget: &mut Budget,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Vec<Tally>, CheckError> {
+        let prepared: Vec<Vec<Prepared>> = self
+            .derivation
+            .claims
+            .iter()
+            .zip(self.programs.iter().zip(&self.gradients))
+            .map(|(claim, (programs, gradients))| {
+                let one =
+                    |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
+                programs.iter().map(one).collect()
+            })
+            .collect();
+        let size = self.members.family.size();
+        let precisions = self.derivation.claims.iter().map(|c| c.precision);
+        let mut tallies: Vec<Tally> = precisions.map(|precision| Tally::new(size, precision)).collect();
+        let mut next = 1;
+        while next <= size {
+            let stopped = options.limits.reached().or_else(|| budget.reached());
+            if options.limits.is_cancelled() {
+                return Err(CheckError::Defect(CANCELLED.to_owned()));
+            }
+            if let Some(reason) = stopped {
+                tallies.iter_mut().for_each(|t| t.stopped = Some(reason.to_owned()));
+                break;
+            }
+            let end = (next + WAVE.min(budget.members)).min(size + 1);
+            let numbers: Vec<u64> = (next..end).collect();
+            let found: Vec<Result<One, CheckError>> =
+                numbers.par_iter().with_max_len(1).map(|number| self.one(*number, &prepared)).collect();
+            for (number, one) in numbers.into_iter().zip(found) {
+                let One { values, rejected, steps, verdicts } = one?;
+                budget.numbers = budget.numbers.saturating_sub(rejected);
+                budget.steps = budget.steps.saturating_sub(steps);
+                tallies.iter_mut().for_each(|t| t.rejected += rejected);
+                if let Some(values) = values {
+                    budget.members = budget.members.saturating_sub(1);
+                    tallies.iter_mut().zip(verdicts).for_each(|(t, verdict)| t.count(number, &values, verdict));
+                }
+            }
+            next = end;
+            let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+            progress(told(next - 1), told(size));
+        }
+        if tallies.iter().any(|t| t.members == 0 && t.stopped.is_none()) {
+            return Err(CheckError::Problems(vec![self.empty()]));
+        }
+        Ok(tallies)
+    }
+
+    /// That no number gives a member.
+    fn empty(&self) -> Diagnostic {
+        let family = &self.members.family;
+        let place = family.where_span.clone().unwrap_or(family.span.clone());
+        let message = format!("the family `{}` has no members: all {} are rejected", family.id, family.size());
+        Diagnostic::at(&self.derivation.file, "derivation::bad-family", place, message)
+            .hint("a member satisfies every constraint under `where`, and what is declared positive is positive")
+    }
+
+    /// One number: its member, if it gives one, and the verdicts on it.
+    fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
+        match self.members.member(number) {
+            Member::Rejected => Ok(One { values: None, rejected: 1, steps: 0, verdicts: Vec::new() }),
+            Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
+            Member::Found(values, rejected) => {
+                let (verdicts, steps) = self.verdicts(number, &values, prepared)?;
+                Ok(One { values: Some(values), rejected, steps, verdicts })
+            }
+        }
+    }
+
+    /// The verdicts of all claims on a member, and the steps that its motion took. Every member begins with the same graph: what
+    /// others left behind cannot change it.
+    fn verdicts(
+        &self,
+        number: u64,
+        values: &[f64],
+        prepared: &[Vec<Prepared>],
+    ) -> Result<(Vec<Verdict>, u64), CheckError> {
+        let family = &self.members.family;
+        let slot = self.derivation.trajectories.len() - 1;
+        let mut derivation = self.derivation.clone();
+        let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
+        let Some(member) = member else {
+            return Err(CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id)));
+        };
+        let id = member.id.clone();
+        derivation.trajectories[slot] = member;
+        let derivation = &derivation;
+        let claims: Vec<&Claim> = derivation.claims.iter().collect();
+        let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
+        let requests = Requests {
+            part: false,
+            wanted: &self.wanted,
+            tried: &[slot],
+            claims: &claims,
+            programs: &programs,
+            start_of: &self.start_of,
+            measures: &[],
+        };
+        let stage = Stage::build(derivation, &self.fields, &requests, Recall::default())
+            .map_err(|error| self.not_built(error, values))?;
+        let (course, contradiction) =
+            stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
+        let mut accounts: Vec<ClaimAccount> = Vec::new();
+        for of in prepared {
+            let Prepared { claim, program, gradients } = &of[0];
+            let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+            let mut verdict = trial::try_claim(derivation, &trial, gradients.as_ref());
+            if let Some(contradiction) = &contradiction {
+                verdict.contradict(contradiction.clone());
+            }
+            let pair = PairAccount { trajectory: id.clone(), verdict, expected: None, discrimination: None };
+            accounts.push(ClaimAccount::of(claim, vec![pair]));
+        }
+        let claimed: Vec<usize> = (0..accounts.len()).collect();
+        by_formula::settle(derivation, &mut accounts, &claimed, &[slot]);
+        let points = witness::Points {
+            derivation,
+            stage: &stage,
+            prepared,
+            start_of: &self.start_of,
+            tried: &[slot],
+            wanted: &self.wanted,
+        };
+        witness::complete(&points, &mut accounts);
+        let steps = stage.motion(slot).map_or(0, Motion::steps) as u64;
+        Ok((accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect(), steps))
+    }
+
+    /// Problems of a member have the place of its family: nobody wrote it.
+    fn not_built(&self, error: CheckError, values: &[f64]) -> CheckError {
+        let CheckError::Problems(found) = error else { return error };
+        let family = &self.members.family;
+        let given: Vec<String> = family.vary.iter().zip(values).map(|(v, x)| format!("{} = {x:?}", v.name)).collect();
+        let told = |d: Diagnostic| {
+            let message =
+                format!("a member of the family `{}` is no motion, {}: {}", family.id, given.join(", "), d.message);
+            Diagnostic::at(&self.derivation.file, d.code, family.span.clone(), message)
+                .hint("exclude such members by `where`")
+        };
+        CheckError::Problems(found.into_iter().take(1).map(told).collect())
+    }
+}
+
+/// That hardly any draw satisfies the constraints.
+fn too_rare(derivation: &Derivation, members: &Members, number: u64) -> Diagnostic {
+    let family = &members.family;
+    let place = family.where_span.clone().unwrap_or(family.span.clone());
+    let message = format!(
+        "work limit: of {MOST_DRAWS} draws for member {number} of the family `{}` none satisfies its constraints",
+        family.id
+    );
+    Diagnostic::at(&derivation.file, "derivation::bad-family", place, message)
+        .hint("draw from narrower ranges: the constraints leave hardly anything of these")
+}

@@ -1,0 +1,323 @@
+//! Claims on families of motions, in the words of every kind of report.
+
+use serde_json::{Map, Value, json};
+
+use super::json::{number, witness};
+use super::markdown::{fenced, prose};
+use super::numbers::{count, size, time, value};
+use super::summary::sides;
+use super::tally::{glyph, name, says};
+use super::text::{Paint, paragraph};
+use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount};
+use crate::derivation::Derivation;
+
+/// A number of members.
+fn members(n: u64, what: &str) -> String {
+    count(usize::try_from(n).unwrap_or(usize::MAX), what)
+}
+
+/// How many members have a verdict, by its word.
+pub(super) fn with(family: &FamilyAccount, word: &str) -> usize {
+    let n = match word {
+        "holds" => family.holds,
+        "fails" => family.fails,
+        "not-applicable" => family.not_applicable,
+        "undecided" => family.undecided,
+        _ => 0,
+    };
+    usize::try_from(n).unwrap_or(usize::MAX)
+}
+
+/// A share in percent, with two digits, rounded up.
+fn percent(share: f64) -> String {
+    let mut scale = 1.0;
+    let mut digits = 0;
+    let hundred = 100.0 * share;
+    while hundred * scale < 10.0 && digits < 12 {
+        scale *= 10.0;
+        digits += 1;
+    }
+    format!("{:.digits$}", (hundred * scale).ceil() / scale)
+}
+
+/// The counts, in a sentence without its end.
+pub(super) fn counts(family: &FamilyAccount) -> String {
+    let of = members(family.members, "member");
+    let told = [
+        (family.fails, "fails on"),
+        (family.holds, "holds on"),
+        (family.undecided, "is undecided on"),
+        (family.not_applicable, "does not apply to"),
+    ];
+    let parts: Vec<String> = told.iter().filter(|(n, _)| *n > 0).map(|(n, words)| format!("{words} {n}")).collect();
+    let all = match &parts[..] {
+        [_] if family.not_applicable == family.members => format!("applies to none of {of} tried"),
+        [one] if family.members > 1 => {
+            one.rsplit_once(' ').map_or(one.clone(), |(words, _)| format!("{words} all {of} tried"))
+        }
+        _ => format!("of {of} it {}", parts.join(", ")),
+    };
+    let rejected = match family.rejected {
+        0 => String::new(),
+        n => format!("; {n} more did not satisfy the constraints and were not tried"),
+    };
+    let stopped = family.stopped.as_ref().map(|why| format!("; not all {} were tried: {why}", family.size));
+    format!("{all}{rejected}{}", stopped.unwrap_or_default())
+}
+
+/// What the counts say of members that were not drawn, in a sentence without its end.
+pub(super) fn confidence(family: &FamilyAccount) -> Option<String> {
+    let share = family.failing_share?;
+    let fail = if family.undecided > 0 { "fail or stay undecided" } else { "fail" };
+    let applies = if family.not_applicable > 0 { " to which it applies" } else { "" };
+    Some(format!(
+        "at most {} % of such members{applies} {fail}, with confidence {} %: that is said of random draws from these distributions, \
+         and of nothing else",
+        percent(share.at_most),
+        100.0 * share.confidence,
+    ))
+}
+
+/// A member that is shown.
+pub(super) struct Shown<'a> {
+    /// What it is called: the beginning of a sentence that says which member it is.
+    pub what: &'static str,
+    pub member: &'a MemberAccount,
+    /// What is seen on it, in a sentence without its end.
+    pub seen: Option<String>,
+}
+
+impl Shown<'_> {
+    /// Which member it is; names are formulas between dollars.
+    pub fn named(&self) -> String {
+        let values: Vec<String> =
+            self.member.values.iter().map(|(name, x)| format!("${name}={}$", value(*x))).collect();
+        format!("{} is member {}, {}", self.what, self.member.number, values.join(", "))
+    }
+}
+
+/// The members that are shown, each once.
+pub(super) fn shown(family: &FamilyAccount) -> Vec<Shown<'_>> {
+    let same = |a: &Option<MemberAccount>, b: &Option<MemberAccount>| {
+        a.as_ref().zip(b.as_ref()).is_some_and(|(a, b)| a.number == b.number)
+    };
+    let one = same(&family.first_failing, &family.clearest_failing);
+    let first = if one { "The first and the clearest that fails" } else { "The first that fails" };
+    let near = family.closest_gap.map(|gap| {
+        format!("its sides come nearer than those of the others: at samples, up to {} of their size", size(gap))
+    });
+    let all = [
+        (first, family.first_failing.as_ref(), None),
+        ("The clearest that fails", family.clearest_failing.as_ref().filter(|_| !one), None),
+        ("The first that is undecided", family.first_undecided.as_ref(), None),
+        ("The closest call among those that hold", family.closest_call.as_ref(), near),
+    ];
+    let told = |(what, member, near): (&'static str, Option<_>, Option<String>)| {
+        let member = member?;
+        Some(Shown { what, member, seen: near.or_else(|| point(member)) })
+    };
+    all.into_iter().filter_map(told).collect()
+}
+
+/// Where a member fails, or why it is undecided, in a sentence without its end.
+fn point(of: &MemberAccount) -> Option<String> {
+    let evidence = of.verdict.evidence();
+    match (&evidence.witness, &evidence.reason) {
+        (Some(w), _) => Some(format!(
+            "at t = {} the left side is {}, the right side {}, the error bound of the difference {}",
+            time(w.t),
+            value(w.left),
+            value(w.right),
+            size(w.bound)
+        )),
+        (None, reason) => reason.clone(),
+    }
+}
+
+/// The verdict, before the id of the family.
+pub(super) fn heading(family: &FamilyAccount) -> &'static str {
+    match family.verdict.outcome().word() {
+        "holds" if family.not_applicable > 0 => "Holds, where it applies, on the members tried of",
+        "holds" => "Holds on the members tried of",
+        "fails" => "Fails on members of",
+        "undecided" => "Undecided on",
+        _ => "Applies to no member tried of",
+    }
+}
+
+/// `, expected: …`, where the verdict is not as expected.
+pub(super) fn expected(family: &FamilyAccount) -> String {
+    match (family.is_unexpected(), family.expected) {
+        (true, Some(word)) => format!(", expected: {word}"),
+        (true, None) => ", not expected".to_owned(),
+        (false, _) => String::new(),
+    }
+}
+
+/// A sentence from a part of one.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", letters.as_str().trim_end_matches('.'))
+}
+
+fn bare(text: &str) -> String {
+    text.replace('$', "")
+}
+
+/// One claim on one family, in the terminal; `pasted` gives the members as trajectories.
+fn terminal_one(
+    derivation: &Derivation,
+    claim: &ClaimAccount,
+    family: &FamilyAccount,
+    paint: Paint,
+    pasted: bool,
+) -> String {
+    let outcome = family.verdict.outcome();
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let head = format!("{}  {}{strength} on {}{}", glyph(outcome), outcome.word(), family.family, expected(family));
+    let head = if family.is_unexpected() { paint.alarm(&head) } else { paint.verdict(outcome, &head) };
+    let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
+    out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
+    out.push_str(&paragraph(&sentence(&counts(family)), 4));
+    if let Some(text) = confidence(family) {
+        out.push_str(&paragraph(&sentence(&text), 4));
+    }
+    for of in shown(family) {
+        out.push_str(&paragraph(&bare(&of.named()), 4));
+        match &of.member.verdict.evidence().witness {
+            Some(witness) => {
+                out.push_str(&format!("      at t = {}:  {}\n", time(witness.t), witness.formula));
+                out.push_str(&sides(witness, 6));
+            }
+            None => out.extend(of.seen.iter().map(|text| paragraph(&bare(text), 6))),
+        }
+        if pasted {
+            out.push('\n');
+            out.extend(of.member.toml.lines().map(|line| format!("    {line}\n")));
+            out.push('\n');
+        }
+    }
+    out.push('\n');
+    out
+}
+
+/// Which families the terminal shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Told {
+    /// All.
+    All,
+    /// Those with a member on which the claim fails, and those that differ or are open.
+    Failing,
+    /// Those that differ from what is expected, or are open without being expected to.
+    Unexpected,
+}
+
+/// The families in the terminal. Where one differs, or is open without being expected to, its members are given to paste.
+pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint, told: Told) -> String {
+    let open = |f: &FamilyAccount| f.verdict.outcome().word() == "undecided" && f.expected.is_none();
+    let wanted = |f: &&FamilyAccount| {
+        let failing = f.fails > 0 && told == Told::Failing;
+        told == Told::All || failing || f.is_unexpected() || open(f)
+    };
+    let mut body = String::new();
+    let mut number = 0;
+    for claim in &account.claims {
+        for family in claim.families.iter().filter(wanted) {
+            number += 1;
+            body.push_str(&terminal_one(derivation, claim, family, paint, family.is_unexpected() || open(family)));
+        }
+    }
+    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold("On families of motions")) }
+}
+
+/// How the verdicts on families came about, for `rederive explain`.
+pub(super) fn explain(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
+    claim.families.iter().map(|family| terminal_one(derivation, claim, family, paint, true)).collect()
+}
+
+/// The section of `report.md`.
+pub(super) fn section(claim: &ClaimAccount) -> String {
+    let mut out = String::new();
+    for family in &claim.families {
+        let expected = match expected(family) {
+            text if text.is_empty() => text,
+            text => format!(" — **{}**", text.trim_start_matches(", ")),
+        };
+        out.push_str(&format!("**{}** `{}`{expected}. ", heading(family), family.family));
+        out.push_str(&prose(&sentence(&counts(family))));
+        out.push_str(&confidence(family).map(|text| format!(" {}", prose(&sentence(&text)))).unwrap_or_default());
+        out.push_str("\n\n");
+        let mut folded = String::new();
+        for of in shown(family) {
+            let seen = of.seen.as_ref().map(|text| format!(": {}", prose(text))).unwrap_or_default();
+            folded.push_str(&format!("{}{seen}.\n\n", prose(&of.named())));
+            folded.push_str(&fenced("toml", of.member.toml.trim_end()));
+        }
+        if !folded.is_empty() {
+            out.push_str(&format!("<details><summary>Members to look at</summary>\n\n{folded}</details>\n\n"));
+        }
+    }
+    out
+}
+
+fn member_json(of: &MemberAccount) -> Value {
+    let outcome = of.verdict.outcome();
+    let evidence = of.verdict.evidence();
+    json!({
+        "number": of.number,
+        "values": of.values.iter().map(|(name, x)| (name.clone(), number(*x))).collect::<Map<String, Value>>(),
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "reason": evidence.reason,
+        "witness": evidence.witness.as_ref().map(witness),
+        "trajectory": of.toml,
+    })
+}
+
+/// An entry of `families` in `report.json`.
+pub(super) fn json(family: &FamilyAccount) -> Value {
+    let outcome = family.verdict.outcome();
+    json!({
+        "family": family.family,
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "expected": family.expected,
+        "unexpected": family.is_unexpected(),
+        "reason": family.verdict.evidence().reason,
+        "size": family.size,
+        "members": family.members,
+        "rejected": family.rejected,
+        "holds": family.holds,
+        "fails": family.fails,
+        "not_applicable": family.not_applicable,
+        "undecided": family.undecided,
+        "stopped": family.stopped,
+        "failing_share": family.failing_share.map(|s| json!({
+            "at_most": number(s.at_most),
+            "confidence": number(s.confidence),
+            "failures": s.failures,
+            "draws": s.draws,
+        })),
+        "first_failing": family.first_failing.as_ref().map(member_json),
+        "clearest_failing": family.clearest_failing.as_ref().map(member_json),
+        "first_undecided": family.first_undecided.as_ref().map(member_json),
+        "closest_call": family.closest_call.as_ref().map(member_json),
+        "closest_gap": family.closest_gap.map(number),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        assert_eq!(percent(0.014_867_1), "1.5");
+        assert_eq!(percent(0.95), "95");
+        assert_eq!(percent(0.394_2), "40");
+        assert_eq!(percent(2.995_73e-6), "0.00030");
+        assert_eq!(percent(1.0), "100");
+        assert_eq!(percent(0.0), "0.000000000000");
+    }
+}

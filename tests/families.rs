@@ -1,0 +1,328 @@
+//! Families of motions: members are the motions that their texts say, few failures are found, and bad input has its place.
+
+use std::path::Path;
+use std::process::Command;
+
+use rederive::check::{Account, CheckError, ClaimAccount, FamilyAccount, MemberAccount, Options, check};
+use rederive::derivation::{Derivation, load, parse};
+use rederive::diag::{Source, render};
+use serde_json::Value;
+
+fn corpus() -> Derivation {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/families.toml");
+    load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)))
+}
+
+fn plain() -> Options {
+    Options { plain: true, ..Options::default() }
+}
+
+fn run(derivation: &mut Derivation) -> Account {
+    check(derivation, &plain(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+fn claim<'a>(account: &'a Account, id: &str) -> &'a ClaimAccount {
+    account.claims.iter().find(|c| c.id == id).expect("the claim")
+}
+
+fn on<'a>(account: &'a Account, id: &str, family: &str) -> &'a FamilyAccount {
+    claim(account, id).families.iter().find(|f| f.family == family).expect("the family")
+}
+
+fn shown(family: &FamilyAccount) -> impl Iterator<Item = &MemberAccount> {
+    let all = [&family.first_failing, &family.clearest_failing, &family.first_undecided, &family.closest_call];
+    all.into_iter().flatten()
+}
+
+const HEAD: &str = r"
+[derivation]
+title = 'T'
+concerns = 'C'
+
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'state' }
+'k' = { role = 'parameter', positive = true }
+'I' = { role = 'parameter', shape = 'diagonal 3', positive = true }
+'c' = { role = 'parameter' }
+'e' = { role = 'constant', formula = '2' }
+'y' = { role = 'observable', formula = 'x^2' }
+
+[system.s]
+states = ['x']
+equations = ['\ddot x=-kx']
+
+[[trajectory]]
+id = 'a'
+system = 's'
+parameters = { 'k' = 1, 'I' = [1, 2, 3] }
+initial = { 'x' = 1, '\dot x' = 0 }
+span = [0, 1]
+
+[[trajectory]]
+id = 'mirrored'
+from = 'a'
+map = { 'x' = '-x' }
+
+[[trajectory]]
+id = 'formula'
+formula = { 'x' = 'k t' }
+parameters = { 'k' = 1 }
+span = [0, 1]
+";
+
+const CLAIM: &str = "\n[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x<2']\nfamilies = ['f']\n";
+
+/// The problems of a file with these lines of one family, when it is read or when it is checked.
+fn problems(family: &str) -> String {
+    let text = format!("{HEAD}\n[[family]]\nid = 'f'\n{family}\n{CLAIM}");
+    let source = Source { path: "derivations/test.toml".into(), text };
+    match parse(source, "test") {
+        Err(found) => render(&found, false),
+        Ok(mut derivation) => match check(&mut derivation, &plain(), &|_, _| {}) {
+            Err(CheckError::Problems(found)) => render(&found, false),
+            other => format!("no problem: {other:?}"),
+        },
+    }
+}
+
+#[test]
+fn a_member_that_is_pasted_reaches_the_same_verdict() {
+    let mut derivation = corpus();
+    let account = run(&mut derivation);
+    let mut pasted = 0;
+    for found in &account.claims {
+        for member in found.families.iter().flat_map(shown) {
+            let text = format!("{}\n{}", derivation.file.text, member.toml);
+            let source = Source { path: "derivations/pasted.toml".into(), text };
+            let mut again =
+                parse(source, "pasted").unwrap_or_else(|e| panic!("{}\n{}", render(&e, false), member.toml));
+            let last = again.trajectories.len() - 1;
+            let id = again.trajectories[last].id.clone();
+            for c in again.claims.iter_mut().filter(|c| c.id == found.id) {
+                c.trajectories = vec![last];
+                c.expect = vec![None];
+                c.families.clear();
+                c.expect_of_families.clear();
+            }
+            let options = Options { claims: vec![found.id.clone()], trajectories: vec![id], ..plain() };
+            let account = check(&mut again, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+            let verdict = &claim(&account, &found.id).results[0].verdict;
+            assert_eq!(verdict.outcome(), member.verdict.outcome(), "{} {}", found.id, member.toml);
+            let sides = |v: &rederive::check::Verdict| v.evidence().witness.as_ref().map(|w| (w.t, w.left, w.right));
+            assert_eq!(sides(verdict), sides(&member.verdict), "{} {}", found.id, member.toml);
+            pasted += 1;
+        }
+    }
+    assert!(pasted >= 7, "{pasted}");
+}
+
+#[test]
+fn a_claim_that_is_false_for_few_members_is_caught() {
+    let account = run(&mut corpus());
+    let found = on(&account, "bounded", "amplitudes");
+    assert_eq!((found.members, found.fails, found.holds, found.rejected), (9, 2, 7, 0));
+    let first = found.first_failing.as_ref().expect("a member");
+    assert_eq!((first.number, first.values.as_slice()), (8, &[("x".to_owned(), 3.01)][..]));
+    assert_eq!(found.clearest_failing.as_ref().map(|m| m.number), Some(9));
+    assert_eq!(found.closest_call.as_ref().map(|m| m.number), Some(7));
+    // A grid is no sample.
+    assert_eq!(found.failing_share, None);
+    assert_eq!(account.summary().fails, 4);
+}
+
+#[test]
+fn draws_are_counted_and_bound_the_share_that_fails() {
+    let account = run(&mut corpus());
+    let found = on(&account, "energy", "drawn");
+    assert_eq!((found.members, found.holds), (40, 40));
+    assert!(found.rejected > 0, "{found:?}");
+    let share = found.failing_share.expect("a sample");
+    // 1 − 0.05^(1/40)
+    assert!((share.at_most - 0.072_157_5).abs() < 1e-6, "{share:?}");
+    assert_eq!(on(&account, "energy", "both").failing_share, None);
+    assert_eq!(on(&account, "energy", "both").members, 12);
+    // The strongest word for a family, whatever is proved of its members.
+    assert!(
+        account
+            .claims
+            .iter()
+            .flat_map(|c| &c.families)
+            .all(|f| { matches!(f.verdict.outcome().strength(), Some("sampled") | None) })
+    );
+}
+
+#[test]
+fn the_number_of_a_member_determines_it() {
+    // The same draws, of which more are made: the first are the same.
+    let of = |draws: usize| {
+        let family = format!(
+            "of = 'a'\nvary = {{ 'k' = {{ log-uniform = [0.1, 10] }}, 'x' = {{ normal = [0, 1] }} }}\ndraws = {draws}\nseed = 5\nwhere = ['x>0']"
+        );
+        let text = format!("{HEAD}\n[[family]]\nid = 'f'\n{family}\n{}", CLAIM.replace("x<2", "x<0"));
+        let mut derivation = parse(Source { path: "t.toml".into(), text }, "t").expect("no problems");
+        let account = run(&mut derivation);
+        on(&account, "c", "f").first_failing.clone().expect("it fails on all")
+    };
+    let (few, many) = (of(3), of(50));
+    assert_eq!((few.number, &few.values), (1, &many.values));
+    let texts: Vec<String> = few.values.iter().map(|(name, x)| format!("{name} = {x:?}")).collect();
+    assert_eq!(texts, FIRST_DRAWN);
+    assert!(few.toml.contains("system = 's'") && few.toml.contains("span = [0, 1]"), "{}", few.toml);
+}
+
+/// The first member above, on every machine; computed a second time by a program of ten lines in Python.
+const FIRST_DRAWN: [&str; 2] = ["k = 2.14951873669175", "x = 0.312135213535817"];
+
+#[test]
+fn bad_input_is_refused_with_its_place() {
+    let grid = "'x' = { from = 0, to = 1, count = 3 }";
+    let drawn = "draws = 5\nseed = 1";
+    let cases: &[(&str, &[&str])] = &[
+        ("of = 'a'", &["[[family]] needs `vary`"]),
+        ("of = 'a'\nvary = {}", &["varies nothing", "^"]),
+        ("of = 'b'\nvary = {}", &["there is no trajectory `b`", "^"]),
+        ("of = 'mirrored'\nvary = {}", &["`mirrored` comes from another trajectory", "vary the trajectory"]),
+        ("of = 'a'\nvary = { 'z' = { values = [1] } }", &["there is no symbol `z`"]),
+        ("of = 'a'\nvary = { 'c' = { values = [1] } }", &["`a` gives no value to `c`", "add 'c' to `parameters`"]),
+        ("of = 'a'\nvary = { 'e' = { values = [1] } }", &["`e` is a constant"]),
+        ("of = 'a'\nvary = { 'y' = { values = [1] } }", &["`y` is neither a parameter nor a state"]),
+        (
+            "of = 'a'\nvary = { 'I' = { values = [1] } }",
+            &["`I` is not one real number", "give its components by parameters"],
+        ),
+        ("of = 'formula'\nvary = { 'x' = { values = [1] } }", &["`formula` gives no value to `x`", "formulas in time"]),
+        ("of = 'a'\nvary = { 'x' = { values = [] } }", &["has no members: `values` is empty"]),
+        (
+            "of = 'a'\nvary = { 'x' = { from = 0, to = 1, count = 0 } }",
+            &["this family has no members", "`count` is 2 or more"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { from = 0, to = 1, count = 1 } }", &["at least its two ends"]),
+        ("of = 'a'\nvary = { 'x' = { from = 0, to = 1 } }", &["needs `count`"]),
+        ("of = 'a'\nvary = { 'x' = { from = 1, to = 0, count = 3 } }", &["in the wrong order"]),
+        ("of = 'a'\nvary = { 'x' = { from = '\\pi', to = 3, count = 3 } }", &["in the wrong order", "^"]),
+        ("of = 'a'\nvary = { 'x' = { from = 1, to = 1, count = 3 } }", &["the same number"]),
+        (
+            "of = 'a'\nvary = { 'x' = { from = 0, to = 1, count = 3, spacing = 'logarithmic' } }",
+            &["a logarithmic range lies above 0"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { from = 0, to = 1, count = 3, spacing = 'log' } }", &["there is no spacing `log`"]),
+        ("of = 'a'\nvary = { 'k' = { from = 0, to = 1, count = 3 } }", &["`k` is declared positive"]),
+        ("of = 'a'\nvary = { 'k' = { values = ['\\sqrt{-1}'] } }", &["are no real numbers"]),
+        ("of = 'a'\nvary = { 'k' = { normal = [-1, 1] } }\ndraws = 5\nseed = 1", &["`k` is declared positive"]),
+        ("of = 'a'\nvary = { 'x' = { normal = [1, 0] } }\ndraws = 5\nseed = 1", &["a standard deviation lies above 0"]),
+        (
+            "of = 'a'\nvary = { 'x' = { log-uniform = [0, 1] } }\ndraws = 5\nseed = 1",
+            &["a logarithmic range lies above 0"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { uniform = [1] } }\ndraws = 5\nseed = 1", &["`uniform` has two numbers"]),
+        (
+            "of = 'a'\nvary = { 'x' = { uniform = [0, 1], values = [1] } }\ndraws = 5\nseed = 1",
+            &["it varies in two ways"],
+        ),
+        ("of = 'a'\nvary = { 'x' = {} }", &["how it varies is not said"]),
+        ("of = 'a'\nvary = { 'x' = [0, 1] }", &["must be one of { from = a"]),
+        (
+            "of = 'a'\nvary = { 'x' = { uniform = [0, 1] } }",
+            &["`draws` says how many times", "`seed` says which draws"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { uniform = [0, 1] } }\ndraws = 0\nseed = 1", &["this family has no members"]),
+        ("of = 'a'\nvary = { 'x' = { uniform = [0, 1] } }\ndraws = -3\nseed = 1", &["`draws` is a whole number"]),
+        (
+            "of = 'a'\nvary = { 'x' = { uniform = [0, 1] } }\ndraws = 5000000000\nseed = 1",
+            &["at most 1000000000 members"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { values = [1] } }\ndraws = 5", &["nothing is drawn"]),
+        ("of = 'a'\nvary = { 'x' = { values = [1] } }\nmembers = 5", &["has no key `members`"]),
+    ];
+    for (family, expected) in cases {
+        let found = problems(family);
+        for words in *expected {
+            assert!(found.contains(words), "{family}\n{found}");
+        }
+        assert!(found.contains("derivations/test.toml:"), "{family}\n{found}");
+    }
+    for (constraint, expected) in [
+        ("'x=1'", "a constraint is an inequality"),
+        ("'t<1'", "`t` has no value here"),
+        ("'z<1'", "z"),
+        ("'\\lim_{t\\rightarrow\\infty}x<1'", "a member satisfies relations between numbers"),
+        ("'x<0'", "the family `f` has no members: all 3 are rejected"),
+        ("'x+k>\\frac1x'", "no problem"),
+        ("'y\\le k'", "no problem"),
+    ] {
+        let found = problems(&format!("of = 'a'\nvary = {{ {grid} }}\nwhere = [{constraint}]"));
+        assert!(found.contains(expected), "{constraint}\n{found}");
+    }
+    let rare = problems(&format!("of = 'a'\nvary = {{ 'x' = {{ uniform = [0, 1] }} }}\n{drawn}\nwhere = ['x>1']"));
+    assert!(rare.contains("work limit: of 10000 draws for member 1") && rare.contains("where = ['x>1']"), "{rare}");
+}
+
+#[test]
+fn names_are_looked_up_where_claims_use_them() {
+    let family = "\n[[family]]\nid = 'f'\nof = 'a'\nvary = { 'x' = { values = [1, 3] } }\n";
+    let read = |tail: &str| {
+        let text = format!("{HEAD}{family}{tail}");
+        parse(Source { path: "t.toml".into(), text }, "t").map_err(|found| render(&found, false))
+    };
+    let refused = |tail: &str| read(tail).expect_err("it is refused");
+    assert!(refused(family).contains("there are two of family `f`"));
+    assert!(refused(&family.replace("'f'", "'a'")).contains("a trajectory is called `a`, too"));
+    let claim = |rest: &str| format!("\n[[claim]]\nid = 'c'\nsays = 's'\nalways = ['x<2']\n{rest}\n");
+    assert!(refused(&claim("families = ['g']")).contains("there is no family `g`"));
+    assert!(refused(&claim("families = ['f', 'f']")).contains("`f` is listed twice"));
+    assert!(refused(&claim("expect = { holds = ['f'] }")).contains("`c` is not tried on `f`"));
+    let ranges = claim("ranges = { 'x' = [0, 1] }\nfamilies = ['f']");
+    assert!(refused(&ranges).contains("a claim over ranges has no `families`"));
+    let both = read(&claim("families = ['f']\nexpect = { holds = ['a'], fails = 'others' }")).expect("it is read");
+    assert_eq!(both.claims[0].expect, [Some("holds"), Some("fails"), Some("fails")]);
+    assert_eq!(both.claims[0].expect_of_families, [Some("fails")]);
+    let alone = read(&claim("trajectories = []\nfamilies = ['f']")).expect("it is read");
+    assert_eq!((alone.claims[0].trajectories.len(), alone.claims[0].families.len()), (0, 1));
+}
+
+/// Exit code, and what is printed, of a check of a text; with so many threads.
+fn program(text: &str, threads: &str, arguments: &[&str]) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("t.toml");
+    std::fs::write(&file, text).expect("it is written");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_rederive"));
+    command.current_dir(folder.path()).env("RAYON_NUM_THREADS", threads);
+    let output = command.args(["check", "t.toml"]).args(arguments).output().expect("it runs");
+    (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+#[test]
+fn exit_codes_are_those_of_trajectories() {
+    let family = "\n[[family]]\nid = 'f'\nof = 'a'\nvary = { 'x' = { values = [1, 3] } }\n";
+    let with = |says: &str| {
+        let claim = format!("\n[[claim]]\nid = 'c'\nsays = 's'\ntrajectories = []\nfamilies = ['f']\n{says}\n");
+        program(&format!("{HEAD}{family}{claim}"), "1", &[])
+    };
+    assert_eq!(with("always = ['x<4']").0, Some(0));
+    let (code, printed) = with("always = ['x<2']");
+    assert_eq!(code, Some(1), "{printed}");
+    // What differs is told with the member to paste.
+    assert!(printed.contains("Of 2 members it fails on 1, holds on 1.") && printed.contains("'x' = 3.0"), "{printed}");
+    assert_eq!(with("always = ['x<2']\nexpect = 'fails'").0, Some(0));
+    assert_eq!(with("always = ['x<4']\nexpect = 'fails'").0, Some(1));
+    assert_eq!(with("always = ['\\lim_{t\\rightarrow\\infty}x=0']").0, Some(3));
+    // It is as expected, but a run that decides nothing is no success.
+    assert_eq!(with("always = ['\\lim_{t\\rightarrow\\infty}x=0']\nexpect = 'undecided'").0, Some(3));
+    // One family alone may be asked for.
+    let (code, printed) = program(&format!("{HEAD}{family}{CLAIM}"), "1", &["--trajectory", "f"]);
+    assert_eq!(code, Some(1), "{printed}");
+    let (code, printed) = program(&format!("{HEAD}{family}{CLAIM}"), "1", &["--trajectory", "a"]);
+    assert!(code == Some(0) && !printed.contains("members"), "{printed}");
+}
+
+#[test]
+fn the_same_bytes_with_one_and_two_threads() {
+    let text = corpus().file.text.clone();
+    let first = program(&text, "1", &["--format", "json", "--only-verdicts"]);
+    let second = program(&text, "2", &["--format", "json", "--only-verdicts"]);
+    assert!(first.1.len() > 1000 && first == second);
+    let value: Value = serde_json::from_str(&first.1).expect("JSON");
+    let text = value.to_string();
+    assert!(text.contains("\"first_failing\"") && text.contains("\"failing_share\""), "{}", text.len());
+}
