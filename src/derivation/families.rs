@@ -11,10 +11,10 @@ use super::family::{Constraint, Family, LARGEST_FAMILY, Piece, Spread, Varied};
 use super::keys;
 use super::load::Loader;
 use super::model::{GivenValue, Motion, Written};
-use super::motions::undotted;
+use super::motions::{ValueOf, undotted};
 use super::table::{Table, Value};
 use super::values::Known;
-use expr::{Expr, Leaf, Symbol, Tensor};
+use expr::{Expr, Leaf, Tensor};
 use latex::{RelationKind, Role, Scope};
 
 const SPREADS: &str = "one of { from = a, to = b, count = n }, { values = […] }, { uniform = [a, b] }, \
@@ -351,7 +351,7 @@ impl Loader<'_> {
     fn varied_motion(
         &mut self,
         base: &Table<'_, '_>,
-        parameters: &[(Symbol, Written<Vec<Expr>>)],
+        parameters: &[ValueOf],
         scope: &Scope,
         varied: &[Leaf],
     ) -> Option<Motion> {
@@ -365,7 +365,7 @@ impl Loader<'_> {
     fn constraints(
         &mut self,
         table: &Table<'_, '_>,
-        (parameters, motion): (&[(Symbol, Written<Vec<Expr>>)], &Motion),
+        (parameters, motion): (&[ValueOf], &Motion),
         scope: &Scope,
         varied: &[Leaf],
     ) -> Vec<Constraint> {

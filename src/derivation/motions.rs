@@ -13,7 +13,9 @@ use super::values::Known;
 use expr::{Expr, Leaf, Rational, Symbol};
 use latex::{Role, Scope};
 
-type Values = Vec<(Symbol, Written<Vec<Expr>>)>;
+/// A symbol with its value: one expression for each stored component.
+pub(super) type ValueOf = (Symbol, Written<Vec<Expr>>);
+type Values = Vec<ValueOf>;
 
 /// A `[[trajectory]]` before what it comes from is known.
 struct Draft<'a, 's> {
@@ -390,7 +392,7 @@ impl Loader<'_> {
     fn state_values(
         &mut self,
         given: Vec<Assigned<'_, '_>>,
-        (parameters, varied): (&[(Symbol, Written<Vec<Expr>>)], &[Leaf]),
+        (parameters, varied): (&[ValueOf], &[Leaf]),
         scope: &Scope,
         time: bool,
         hint: &str,
@@ -427,7 +429,7 @@ impl Loader<'_> {
     pub(super) fn integrated(
         &mut self,
         table: &Table<'_, '_>,
-        parameters: &[(Symbol, Written<Vec<Expr>>)],
+        parameters: &[ValueOf],
         scope: &Scope,
         varied: &[Leaf],
     ) -> Option<Motion> {
@@ -466,7 +468,7 @@ impl Loader<'_> {
     pub(super) fn formula_states(
         &mut self,
         table: &Table<'_, '_>,
-        parameters: &[(Symbol, Written<Vec<Expr>>)],
+        parameters: &[ValueOf],
         scope: &Scope,
         varied: &[Leaf],
     ) -> Values {
