@@ -31,7 +31,7 @@ theorem equation_1 (sin_psi cos_psi cos_theta m3 I3 I2 I1 : ℝ)
 -- I3 stands for I_3
 -- I2 stands for I_2
 -- I1 stands for I_1
-theorem equation_2 (cos_psi sin_theta cos_theta E m3 I3 I2 I1 : ℝ)
+theorem equation_1 (cos_psi sin_theta cos_theta E m3 I3 I2 I1 : ℝ)
     (h1 : sin_theta^2 + cos_theta^2 - 1 = 0)
     (h2 : cos_psi^2*sin_theta^2*m3^2*I3^2*I2*I1 - cos_psi^2*sin_theta^2*m3^2*I3^2*I1^2 - sin_theta^2*m3^2*I3^2*I2*I1 + sin_theta^2*m3^2*I3*I2*I1^2 - m3^2*I3*I2*I1^2 + 2*E*I3^2*I2*I1^2 = 0)
     (hd : (1 : ℝ) ≠ 0) : (-cos_psi^2*cos_theta^2*m3^2*I3^3*I2^2*I1^3 + cos_psi^2*cos_theta^2*m3^2*I3^3*I2*I1^4 + cos_psi^2*m3^2*I3^3*I2^2*I1^3 + cos_theta^2*m3^2*I3^3*I2^2*I1^3 - cos_psi^2*m3^2*I3^3*I2*I1^4 - cos_theta^2*m3^2*I3^2*I2^2*I1^4 - m3^2*I3^3*I2^2*I1^3 + 2*E*I3^3*I2^2*I1^4 : ℝ) / (m3^2*I3^3*I2^2*I1^4) = 0 := by

@@ -149,45 +149,43 @@ def numbers_agree(names, functions, definitions, variables):
 # Equation 1: \cos(\theta) = \frac{1-\gamma\cdot \exp(2\cdot (\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot t)}{1+\gamma\cdot \exp(2\cdot (\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot t)}
 # where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
 # root stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
-# root_3 stands for \sqrt{\gamma}
+# root_2 stands for \sqrt{\gamma}
 # exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
 # exp_3 stands for \exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
 # gamma stands for \gamma
 check(
-    names=["root", "root_2", "root_3", "root_4", "exp_2", "exp_3", "gamma", "mu", "I3", "I2", "I1", "t", "phi", "theta"],
+    names=["root", "root_2", "exp_2", "exp_3", "gamma", "I1", "I2", "I3", "t", "phi", "mu", "theta"],
     left="cos(theta)",
     right="(1 - gamma*exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t))/(1 + gamma*exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t))",
     relations=[
         # because of what the variables stand for: a root is squared
-        ("root**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "root**2*exp_2**2*exp_3**2*gamma - root**2*exp_2**4"),
+        ("root**2", "1 + (root_2*(exp_3*exp_2**(-1)))**2", "root**2*exp_2**2*exp_3**2*gamma - root**2*exp_2**4"),
         # because of what the variables stand for: a root is squared
-        ("root_3**2", "gamma", "-2*root**2*exp_2**4*exp_3**2"),
+        ("root_2**2", "gamma", "-2*root**2*exp_2**4*exp_3**2"),
     ],
     d="1",
     definitions={
         "theta": "2*atan(sqrt(gamma)*exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t))",
     },
     functions={
-        "cos(theta)": "1/root*(1/root) - root_3*(exp_3*exp_2**(-1))/root*(root_3*(exp_3*exp_2**(-1))/root)",
+        "cos(theta)": "1/root*(1/root) - root_2*(exp_3*exp_2**(-1))/root*(root_2*(exp_3*exp_2**(-1))/root)",
         "exp(2*(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))*t)": "exp_3**2*exp_2**(-2)",
     },
     variables={
-        "root": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
-        "root_2": "sqrt(1 - root_4**2)",
-        "root_3": "sqrt(gamma)",
-        "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
+        "root": "sqrt(1 + (root_2*(exp_3*exp_2**(-1)))**2)",
+        "root_2": "sqrt(gamma)",
         "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
         "exp_3": "exp(1/2*I1**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
     },
 )
 
 
-# Equation 2: \dot{\theta} = \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(\theta)\cdot \sin(\psi)\cdot \cos(\psi)
+# Equation 1: \dot{\theta} = \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(\theta)\cdot \sin(\psi)\cdot \cos(\psi)
 # where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
 # where \dot{\theta} = (an expression of 103 operations)
 # where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
-# root stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
-# root_2 stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root_2 stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
 # root_3 stands for \sqrt{\gamma}
 # root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
 # exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
@@ -201,7 +199,7 @@ check(
     right="mu*(1/I1 - 1/I2)*sin(theta)*sin(psi)*cos(psi)",
     relations=[
         # because of what the variables stand for: a root is squared
-        ("root**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "4*root_2*root_3*root_4*exp_2*exp_3*mu*I2**2*I1 - 4*root_2*root_3*root_4*exp_2*exp_3*mu*I2*I1**2"),
+        ("root_2**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "4*root*root_3*root_4*exp_2*exp_3*mu*I2**2*I1 - 4*root*root_3*root_4*exp_2*exp_3*mu*I2*I1**2"),
     ],
     d="1",
     definitions={
@@ -212,14 +210,14 @@ check(
     functions={
         "exp(1/2*mu*(1/I1 - 1/I2)*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))*t)": "exp_3*exp_2**(-1)",
         "sqrt(gamma)": "root_3",
-        "sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))": "root_2*root_4 + root_2*root_4",
+        "sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))))": "root*root_4 + root*root_4",
         "cos(psi)": "root_4",
-        "sin(psi)": "root_2",
-        "sin(theta)": "root_3*(exp_3*exp_2**(-1))/root*(1/root) + root_3*(exp_3*exp_2**(-1))/root*(1/root)",
+        "sin(psi)": "root",
+        "sin(theta)": "root_3*(exp_3*exp_2**(-1))/root_2*(1/root_2) + root_3*(exp_3*exp_2**(-1))/root_2*(1/root_2)",
     },
     variables={
-        "root": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
-        "root_2": "sqrt(1 - root_4**2)",
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
         "root_3": "sqrt(gamma)",
         "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
         "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
@@ -228,10 +226,10 @@ check(
 )
 
 
-# Equation 3: \dot{\varphi} = \frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2}
+# Equation 2: \dot{\varphi} = \frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2}
 # where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
 # where \dot{\varphi} = \frac{\mu}{I_3}
-# root_2 stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
 # root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
 # mu stands for \mu
 # I3 stands for I_3
@@ -243,7 +241,7 @@ check(
     right="mu/I1*sin(psi)**2 + mu/I2*cos(psi)**2",
     relations=[
         # because of what the variables stand for: a root is squared
-        ("root_2**2", "1 - root_4**2", "-mu*I3*I2"),
+        ("root**2", "1 - root_4**2", "-mu*I3*I2"),
         # because of what the variables stand for: a root is squared
         ("root_4**2", "I2*(I3 - I1)/(I3*(I2 - I1))", "mu"),
     ],
@@ -254,11 +252,11 @@ check(
     },
     functions={
         "cos(psi)": "root_4",
-        "sin(psi)": "root_2",
+        "sin(psi)": "root",
     },
     variables={
-        "root": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
-        "root_2": "sqrt(1 - root_4**2)",
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
         "root_3": "sqrt(gamma)",
         "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
         "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",
@@ -267,12 +265,12 @@ check(
 )
 
 
-# Equation 4: \dot{\psi} = -(\frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2})\cdot \cos(\theta)+\frac{\mu}{I_3}\cdot \cos(\theta)
+# Equation 3: \dot{\psi} = -(\frac{\mu}{I_1}\cdot (\sin(\psi))^{2}+\frac{\mu}{I_2}\cdot (\cos(\psi))^{2})\cdot \cos(\theta)+\frac{\mu}{I_3}\cdot \cos(\theta)
 # where \theta = 2\cdot \arctan(\sqrt{\gamma}\cdot \exp(\frac{1}{2}\cdot \mu\cdot (\frac{1}{I_1}-\frac{1}{I_2})\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))\cdot t))
 # where \psi = \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})
 # where \dot{\psi} = 0
-# root stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
-# root_2 stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root stands for \sqrt{1-(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})^{2}}
+# root_2 stands for \sqrt{1+(\sqrt{\gamma}\cdot (\exp(\frac{1}{2}\cdot (I_1)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))\cdot (\exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}))))^{-1}))^{2}}
 # root_3 stands for \sqrt{\gamma}
 # root_4 stands for \sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}}
 # exp_2 stands for \exp(\frac{1}{2}\cdot (I_2)^{-1}\cdot t\cdot \mu\cdot \sin(2\cdot \arccos(\sqrt{\frac{I_2\cdot (I_3-I_1)}{I_3\cdot (I_2-I_1)}})))
@@ -288,13 +286,13 @@ check(
     right="-((mu/I1*sin(psi)**2 + mu/I2*cos(psi)**2)*cos(theta)) + mu/I3*cos(theta)",
     relations=[
         # because of what the variables stand for: a root is squared
-        ("root**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "-root**4*root_2**2*exp_3**2*gamma*mu*I3*I2 - root**4*root_4**2*exp_3**2*gamma*mu*I3*I1 + root**4*root_2**2*exp_2**2*mu*I3*I2 + root**4*root_4**2*exp_2**2*mu*I3*I1 + root**4*exp_3**2*gamma*mu*I2*I1 + root**2*root_2**2*exp_2**2*mu*I3*I2 + root**2*root_4**2*exp_2**2*mu*I3*I1 - root**4*exp_2**2*mu*I2*I1 + root_2**2*exp_3**2*gamma*mu*I3*I2 + root_4**2*exp_3**2*gamma*mu*I3*I1 + root_2**2*exp_2**2*mu*I3*I2 + root_4**2*exp_2**2*mu*I3*I1 - root**2*exp_2**2*mu*I2*I1 - exp_3**2*gamma*mu*I2*I1 - exp_2**2*mu*I2*I1"),
+        ("root**2", "1 - root_4**2", "-root_2**6*exp_2**2*exp_3**2*gamma*mu*I3*I2 + root_2**6*exp_2**4*mu*I3*I2"),
         # because of what the variables stand for: a root is squared
-        ("root_2**2", "1 - root_4**2", "-root**4*exp_3**4*gamma**2*mu*I3*I2 + exp_3**4*gamma**2*mu*I3*I2 + 2*exp_2**2*exp_3**2*gamma*mu*I3*I2 + exp_2**4*mu*I3*I2"),
+        ("root_2**2", "1 + (root_3*(exp_3*exp_2**(-1)))**2", "root_2**4*root_4**2*exp_3**2*gamma*mu*I3*I2 - root_2**4*root_4**2*exp_3**2*gamma*mu*I3*I1 - root_2**4*root_4**2*exp_2**2*mu*I3*I2 + root_2**4*root_4**2*exp_2**2*mu*I3*I1 - root_2**4*exp_3**2*gamma*mu*I3*I2 + root_2**4*exp_3**2*gamma*mu*I2*I1 + root_2**4*exp_2**2*mu*I3*I2 - root_2**2*root_4**2*exp_2**2*mu*I3*I2 + root_2**2*root_4**2*exp_2**2*mu*I3*I1 - root_2**4*exp_2**2*mu*I2*I1 - root_4**2*exp_3**2*gamma*mu*I3*I2 + root_4**2*exp_3**2*gamma*mu*I3*I1 + root_2**2*exp_2**2*mu*I3*I2 - root_4**2*exp_2**2*mu*I3*I2 + root_4**2*exp_2**2*mu*I3*I1 - root_2**2*exp_2**2*mu*I2*I1 + exp_3**2*gamma*mu*I3*I2 - exp_3**2*gamma*mu*I2*I1 + exp_2**2*mu*I3*I2 - exp_2**2*mu*I2*I1"),
         # because of what the variables stand for: a root is squared
-        ("root_3**2", "gamma", "-root**6*root_2**2*exp_2**2*exp_3**2*mu*I3*I2 - root**6*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root**4*root_2**2*exp_3**4*gamma*mu*I3*I2 - root**4*root_4**2*exp_3**4*gamma*mu*I3*I1 + root**4*root_2**2*exp_2**2*exp_3**2*mu*I3*I2 + root**4*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 + root**6*exp_2**2*exp_3**2*mu*I2*I1 + root**4*exp_3**4*gamma*mu*I2*I1 + root**2*root_2**2*exp_2**2*exp_3**2*mu*I3*I2 + root**2*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root**4*exp_2**2*exp_3**2*mu*I2*I1 + root_2**2*exp_3**4*gamma*mu*I3*I2 + root_4**2*exp_3**4*gamma*mu*I3*I1 + root_2**2*exp_2**2*exp_3**2*mu*I3*I2 + root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root**2*exp_2**2*exp_3**2*mu*I2*I1 - exp_3**4*gamma*mu*I2*I1 - exp_2**2*exp_3**2*mu*I2*I1"),
+        ("root_3**2", "gamma", "-root**2*root_2**6*exp_2**2*exp_3**2*mu*I3*I2 - root_2**6*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 + root_2**4*root_4**2*exp_3**4*gamma*mu*I3*I2 - root_2**4*root_4**2*exp_3**4*gamma*mu*I3*I1 - root_2**4*root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_2**4*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 + root_2**6*exp_2**2*exp_3**2*mu*I2*I1 - root_2**4*exp_3**4*gamma*mu*I3*I2 + root_2**4*exp_3**4*gamma*mu*I2*I1 + root_2**4*exp_2**2*exp_3**2*mu*I3*I2 - root_2**2*root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_2**2*root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root_2**4*exp_2**2*exp_3**2*mu*I2*I1 - root_4**2*exp_3**4*gamma*mu*I3*I2 + root_4**2*exp_3**4*gamma*mu*I3*I1 + root_2**2*exp_2**2*exp_3**2*mu*I3*I2 - root_4**2*exp_2**2*exp_3**2*mu*I3*I2 + root_4**2*exp_2**2*exp_3**2*mu*I3*I1 - root_2**2*exp_2**2*exp_3**2*mu*I2*I1 + exp_3**4*gamma*mu*I3*I2 - exp_3**4*gamma*mu*I2*I1 + exp_2**2*exp_3**2*mu*I3*I2 - exp_2**2*exp_3**2*mu*I2*I1"),
         # because of what the variables stand for: a root is squared
-        ("root_4**2", "I2*(I3 - I1)/(I3*(I2 - I1))", "root**4*exp_3**4*gamma**2*mu - exp_3**4*gamma**2*mu - 2*exp_2**2*exp_3**2*gamma*mu - exp_2**4*mu"),
+        ("root_4**2", "I2*(I3 - I1)/(I3*(I2 - I1))", "root_2**4*exp_3**4*gamma**2*mu - exp_3**4*gamma**2*mu - 2*exp_2**2*exp_3**2*gamma*mu - exp_2**4*mu"),
     ],
     d="1",
     definitions={
@@ -303,13 +301,13 @@ check(
         "psi": "acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))",
     },
     functions={
-        "cos(theta)": "1/root*(1/root) - root_3*(exp_3*exp_2**(-1))/root*(root_3*(exp_3*exp_2**(-1))/root)",
+        "cos(theta)": "1/root_2*(1/root_2) - root_3*(exp_3*exp_2**(-1))/root_2*(root_3*(exp_3*exp_2**(-1))/root_2)",
         "cos(psi)": "root_4",
-        "sin(psi)": "root_2",
+        "sin(psi)": "root",
     },
     variables={
-        "root": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
-        "root_2": "sqrt(1 - root_4**2)",
+        "root": "sqrt(1 - root_4**2)",
+        "root_2": "sqrt(1 + (root_3*(exp_3*exp_2**(-1)))**2)",
         "root_3": "sqrt(gamma)",
         "root_4": "sqrt(I2*(I3 - I1)/(I3*(I2 - I1)))",
         "exp_2": "exp(1/2*I2**(-1)*t*mu*sin(2*acos(sqrt(I2*(I3 - I1)/(I3*(I2 - I1))))))",

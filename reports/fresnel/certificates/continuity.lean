@@ -23,7 +23,7 @@ theorem equation_1 (root cos_alpha m n : ℝ)
 -- cos_alpha stands for \cos(\alpha)
 -- m stands for m
 -- n stands for n
-theorem equation_2 (root cos_alpha m n : ℝ)
+theorem equation_1 (root cos_alpha m n : ℝ)
     (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (cos_alpha*m + root*n) = 0 := by
   have key : (1 : ℝ) * (0) = 0 := by ring
   have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd

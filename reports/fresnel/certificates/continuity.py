@@ -170,7 +170,7 @@ check(
 )
 
 
-# Equation 2: n\cdot (1+\frac{m\cdot \cos(\alpha)-n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}) = m\cdot \frac{2\cdot n\cdot \cos(\alpha)}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}
+# Equation 1: n\cdot (1+\frac{m\cdot \cos(\alpha)-n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}) = m\cdot \frac{2\cdot n\cdot \cos(\alpha)}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}
 # root stands for \sqrt{1-(\frac{n}{m}\cdot \sin(\alpha))^{2}}
 # cos_alpha stands for \cos(\alpha)
 # m stands for m

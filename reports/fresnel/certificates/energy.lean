@@ -23,7 +23,7 @@ theorem equation_1 (root cos_alpha m n : ℝ)
 -- cos_alpha stands for \cos(\alpha)
 -- m stands for m
 -- n stands for n
-theorem equation_2 (root cos_alpha m n : ℝ)
+theorem equation_1 (root cos_alpha m n : ℝ)
     (hd : (1 : ℝ) ≠ 0) : (0 : ℝ) / (cos_alpha^5*m^4*n + 4*root*cos_alpha^4*m^3*n^2 + 6*root^2*cos_alpha^3*m^2*n^3 + 4*root^3*cos_alpha^2*m*n^4 + root^4*cos_alpha*n^5) = 0 := by
   have key : (1 : ℝ) * (0) = 0 := by ring
   have top : (0 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd

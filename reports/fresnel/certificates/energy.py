@@ -170,7 +170,7 @@ check(
 )
 
 
-# Equation 2: (\frac{m\cdot \cos(\alpha)-n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))})^{2}+\frac{m\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{n\cdot \cos(\alpha)}\cdot (\frac{2\cdot n\cdot \cos(\alpha)}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))})^{2} = 1
+# Equation 1: (\frac{m\cdot \cos(\alpha)-n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))})^{2}+\frac{m\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))}{n\cdot \cos(\alpha)}\cdot (\frac{2\cdot n\cdot \cos(\alpha)}{m\cdot \cos(\alpha)+n\cdot \cos(\arcsin(\frac{n}{m}\cdot \sin(\alpha)))})^{2} = 1
 # root stands for \sqrt{1-(\frac{n}{m}\cdot \sin(\alpha))^{2}}
 # cos_alpha stands for \cos(\alpha)
 # m stands for m
