@@ -99,6 +99,7 @@ impl Generators {
 
     /// Whether nothing relates the generators but c² + s² = 1: they are cosines, sines and exponentials of multiples of
     /// different monomials in the leaves (Ax 1971). Values of other functions may be related in ways that are not looked for.
+    #[cfg(feature = "certificates")]
     pub(super) fn are_independent(&self, graph: &Graph) -> bool {
         let leaf = |base: Expr| matches!(graph.node(base), Node::Leaf(l) if self.get(*l).is_none());
         self.list.iter().all(|g| match *g {

@@ -22,7 +22,7 @@ pub fn explain(derivation: &Derivation, account: &Account, wanted: &[String], co
         for pair in &claim.results {
             out.push_str(&about_pair(account, pair, paint));
         }
-        out.push_str(&super::family::explain(derivation, claim, paint));
+        out.push_str(&super::summary::on_families(derivation, claim, paint));
         out.push_str(&super::region::explain(derivation, claim, paint));
     }
     out

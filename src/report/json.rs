@@ -7,7 +7,7 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::{Account, ClaimAccount, PairAccount, Trials, Witness};
+use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
 use diag::shown::in_json;
@@ -133,7 +133,7 @@ fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
         "results": claim.results.iter().map(pair).collect::<Vec<_>>(),
     });
     if !claim.families.is_empty() {
-        out["families"] = claim.families.iter().map(super::family::json).collect();
+        out["families"] = claim.families.iter().map(on_family).collect();
     }
     out
 }
@@ -230,4 +230,50 @@ mod tests {
         assert_eq!(value, document(&derivation(), &sample::account()));
         insta::assert_snapshot!(text);
     }
+}
+
+fn member(of: &MemberAccount) -> Value {
+    let outcome = of.verdict.outcome();
+    let evidence = of.verdict.evidence();
+    json!({
+        "number": of.number,
+        "values": of.values.iter().map(|(name, x)| (name.clone(), number(*x))).collect::<Map<String, Value>>(),
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "reason": evidence.reason,
+        "witness": evidence.witness.as_ref().map(witness),
+        "trajectory": of.toml,
+    })
+}
+
+/// An entry of `families`.
+fn on_family(family: &FamilyAccount) -> Value {
+    let outcome = family.verdict.outcome();
+    json!({
+        "family": family.family,
+        "verdict": outcome.word(),
+        "strength": outcome.strength(),
+        "expected": family.expected,
+        "unexpected": family.is_unexpected(),
+        "reason": family.verdict.evidence().reason,
+        "size": family.size,
+        "members": family.members,
+        "rejected": family.rejected,
+        "holds": family.holds,
+        "fails": family.fails,
+        "not_applicable": family.not_applicable,
+        "undecided": family.undecided,
+        "stopped": family.stopped,
+        "failing_share": family.failing_share.map(|s| json!({
+            "at_most": number(s.at_most),
+            "confidence": number(s.confidence),
+            "failures": s.failures,
+            "draws": s.draws,
+        })),
+        "first_failing": family.first_failing.as_ref().map(member),
+        "clearest_failing": family.clearest_failing.as_ref().map(member),
+        "first_undecided": family.first_undecided.as_ref().map(member),
+        "closest_call": family.closest_call.as_ref().map(member),
+        "closest_gap": family.closest_gap.map(number),
+    })
 }

@@ -1,12 +1,12 @@
 //! `report.md`: the report for people, as a forge renders it.
 
-use super::discrimination;
 use super::graph::DerivationGraph;
 use super::letters::{LEGEND, letters};
 use super::marked::display;
 pub(super) use super::marked::{code, fenced, math, prose, table};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name};
+use super::{discrimination, family};
 use crate::check::{Account, ClaimAccount, Measurement, PairAccount};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 
@@ -192,7 +192,7 @@ fn claims(derivation: &Derivation, account: &Account, graph: &DerivationGraph) -
         for group in groups {
             out.push_str(&group_section(claim, &group, account.trajectories.len()));
         }
-        out.push_str(&super::family::section(claim));
+        out.push_str(&on_families(claim));
         if let Some(erratum) = claim.variants.as_ref().and_then(|v| v.erratum.as_ref()) {
             out.push_str(&discrimination::corrections_markdown(erratum));
         }
@@ -427,4 +427,31 @@ mod tests {
         assert_eq!(without_idle_anchors(text), rest);
         assert_eq!(without_idle_anchors("<a id=\"x\">"), "<a id=\"x\">");
     }
+}
+
+/// What was found on families of motions.
+fn on_families(claim: &ClaimAccount) -> String {
+    let mut out = String::new();
+    for family in &claim.families {
+        let expected = match family::expected(family) {
+            text if text.is_empty() => text,
+            text => format!(" — **{}**", text.trim_start_matches(", ")),
+        };
+        out.push_str(&format!("**{}** `{}`{expected}. ", family::heading(family), family.family));
+        out.push_str(&prose(&family::sentence(&family::counts(family))));
+        out.push_str(
+            &family::confidence(family).map(|text| format!(" {}", prose(&family::sentence(&text)))).unwrap_or_default(),
+        );
+        out.push_str("\n\n");
+        let mut folded = String::new();
+        for of in family::shown(family) {
+            let seen = of.seen.as_ref().map(|text| format!(": {}", prose(text))).unwrap_or_default();
+            folded.push_str(&format!("{}{seen}.\n\n", prose(&of.named())));
+            folded.push_str(&fenced("toml", of.member.toml.trim_end()));
+        }
+        if !folded.is_empty() {
+            out.push_str(&format!("<details><summary>Members to look at</summary>\n\n{folded}</details>\n\n"));
+        }
+    }
+    out
 }

@@ -4,7 +4,7 @@ use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
 use super::{discrimination, family, region};
-use crate::check::{Account, ClaimAccount, PairAccount, Witness};
+use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount, Witness};
 use crate::derivation::Derivation;
 
 /// Widest name of a claim in the matrix.
@@ -34,9 +34,9 @@ pub fn summary(derivation: &Derivation, account: &Account, colour: bool, whole: 
     if whole {
         out.push_str(&matrix(account, paint));
     }
-    let families = if whole { family::Told::All } else { family::Told::Failing };
+    let told = if whole { Told::All } else { Told::Failing };
     out.push_str(&region::terminal(derivation, account, paint, whole || account.claims.len() <= MOST_BLOCKS));
-    out.push_str(&family::terminal(derivation, account, paint, families));
+    out.push_str(&families(derivation, account, paint, told));
     out.push_str(&blocks("Differs from what is expected", &|g| g.unexpected, usize::MAX));
     out.push_str(&blocks("Fails, as expected", &known("fails"), most));
     out.push_str(&blocks("Undecided", &known("undecided"), most));
@@ -61,10 +61,86 @@ pub fn exceptions(derivation: &Derivation, account: &Account, colour: bool) -> S
     let mut out = blocks(derivation, account, paint, "Differs from what is expected", all, |g| g.unexpected);
     out.push_str(&blocks(derivation, account, paint, "Undecided", all, |g| g.word == "undecided" && !g.unexpected));
     out.push_str(&region::terminal(derivation, account, paint, false));
-    out.push_str(&family::terminal(derivation, account, paint, family::Told::Unexpected));
+    out.push_str(&families(derivation, account, paint, Told::Unexpected));
     out.push_str(&super::units::terminal(&account.units, paint));
     out.push_str(&problems(account, paint));
     out
+}
+
+fn bare(text: &str) -> String {
+    text.replace('$', "")
+}
+
+/// One claim on one family, in the terminal; `pasted` gives the members as trajectories.
+fn on_family(
+    derivation: &Derivation,
+    claim: &ClaimAccount,
+    family: &FamilyAccount,
+    paint: Paint,
+    pasted: bool,
+) -> String {
+    let outcome = family.verdict.outcome();
+    let strength = outcome.strength().map(|s| format!(" ({s})")).unwrap_or_default();
+    let head =
+        format!("{}  {}{strength} on {}{}", glyph(outcome), outcome.word(), family.family, family::expected(family));
+    let head = if family.is_unexpected() { paint.alarm(&head) } else { paint.verdict(outcome, &head) };
+    let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
+    out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
+    out.push_str(&paragraph(&family::sentence(&family::counts(family)), 4));
+    if let Some(text) = family::confidence(family) {
+        out.push_str(&paragraph(&family::sentence(&text), 4));
+    }
+    for of in family::shown(family) {
+        out.push_str(&paragraph(&bare(&of.named()), 4));
+        match &of.member.verdict.evidence().witness {
+            Some(witness) => {
+                out.push_str(&format!("      at t = {}:  {}\n", time(witness.t), witness.formula));
+                out.push_str(&sides(witness, 6));
+            }
+            None => out.extend(of.seen.iter().map(|text| paragraph(&bare(text), 6))),
+        }
+        if pasted {
+            out.push('\n');
+            out.extend(of.member.toml.lines().map(|line| format!("    {line}\n")));
+            out.push('\n');
+        }
+    }
+    out.push('\n');
+    out
+}
+
+/// Which families the terminal shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Told {
+    /// All.
+    All,
+    /// Those with a member on which the claim fails, and those that differ or are open.
+    Failing,
+    /// Those that differ from what is expected, or are open without being expected to.
+    Unexpected,
+}
+
+/// The families in the terminal. Where one differs, or is open without being expected to, its members are given to paste.
+fn families(derivation: &Derivation, account: &Account, paint: Paint, told: Told) -> String {
+    let open = |f: &FamilyAccount| f.verdict.outcome().word() == "undecided" && f.expected.is_none();
+    let wanted = |f: &&FamilyAccount| {
+        let failing = f.fails > 0 && told == Told::Failing;
+        told == Told::All || failing || f.is_unexpected() || open(f)
+    };
+    let mut body = String::new();
+    let mut number = 0;
+    for claim in &account.claims {
+        for family in claim.families.iter().filter(wanted) {
+            number += 1;
+            body.push_str(&on_family(derivation, claim, family, paint, family.is_unexpected() || open(family)));
+        }
+    }
+    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold("On families of motions")) }
+}
+
+/// How the verdicts on families came about, for `rederive explain`.
+pub(super) fn on_families(derivation: &Derivation, claim: &ClaimAccount, paint: Paint) -> String {
+    claim.families.iter().map(|family| on_family(derivation, claim, family, paint, true)).collect()
 }
 
 /// The matrix of verdicts, in as many parts as its columns need, with its legend.
