@@ -495,7 +495,7 @@ impl Scope {
             Some("bar") => {
                 let found = self.find(bare, sub, arguments)?;
                 let complex = self.by_symbol(found.symbol).is_some_and(|e| e.complex);
-                complex.then(|| Found { conjugate: !found.conjugate, ..found })
+                complex.then_some(Found { conjugate: !found.conjugate, ..found })
             }
             Some(_) => None,
             // `m_3` for a component of a declared `{\bf m}`.
