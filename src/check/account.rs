@@ -164,6 +164,8 @@ pub struct IdentityAccount {
     pub presupposed: Vec<String>,
     /// Whether the proof leaves out special cases of what is given.
     pub generic: bool,
+    /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
+    pub(super) narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<String>,
     /// A point at which everything given holds and the claim does not.
@@ -189,7 +191,10 @@ impl IdentityAccount {
     pub(super) fn lends_strength(&self) -> bool {
         let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
         let finding = &self.finding;
-        finding.is_proved_in_part() && finding.exceptions().iter().all(analytic) && self.presupposed.is_empty()
+        finding.is_proved_in_part()
+            && finding.exceptions().iter().all(analytic)
+            && self.presupposed.is_empty()
+            && !self.narrower
     }
 
     /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.

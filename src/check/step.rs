@@ -133,6 +133,7 @@ fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount
             let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
             list.extend(new);
         }
+        first.narrower |= second.narrower;
         // Each sign has certificates of its own.
         first.evidence.certificates.clear();
         first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
@@ -392,9 +393,10 @@ impl<'a> Step<'a> {
         if proved && !self.has_values_together(&equations, &identity, &evidence) {
             along.push(standing::Exception::OneSign);
         }
+        let narrower = self.is_narrower(&identity, &equations);
         let complete = gathered.complete && !self.loosened;
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
-        let mut account = IdentityAccount { evidence, ..account };
+        let mut account = IdentityAccount { evidence, narrower, ..account };
         if account.finding.is_proved_in_part() {
             account.assumptions = self.assumptions_used(&equations, moved);
             account.generic |= !gathered.inherited.is_empty();

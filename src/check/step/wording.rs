@@ -1,7 +1,7 @@
 //! What was found about a step, as the account has it.
 
 use super::super::account::IdentityAccount;
-use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, order};
+use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, domains, order};
 use super::super::second_route::{EITHER_SIGN, IdentityEvidence};
 use super::super::standing::{Exception, Finding, Void};
 use super::{Pairs, Step, pairs};
@@ -109,6 +109,27 @@ impl Step<'_> {
         out
     }
 
+    /// Whether a proof holds where something that moves is not negative, or lies in [−1, 1], for which neither the claim asks nor a
+    /// system: what is given has no value beyond, and says nothing there. At single times, as those at which a denominator is 0,
+    /// the sides are what they tend to.
+    pub(super) fn is_narrower(&mut self, identity: &Identity, equations: &Pairs) -> bool {
+        let Identity::Proved(proof) = identity else { return false };
+        let beyond = |c: &Condition| match *c {
+            Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => Some(e),
+            Condition::Denominator(_) | Condition::Pivot(_) | Condition::Discriminant(_) => None,
+        };
+        let asked: Vec<Condition> =
+            proof.conditions.iter().filter(|c| beyond(c).is_some_and(|e| self.moves(e))).copied().collect();
+        if asked.is_empty() {
+            return false;
+        }
+        let mut roots = self.along(equations);
+        roots.extend(self.sides_of_systems());
+        self.add_definitions(&mut roots);
+        let own = domains(&mut self.graph, &roots);
+        asked.iter().any(|c| !own.contains(c))
+    }
+
     /// What is claimed along a motion.
     fn along(&self, equations: &Pairs) -> Vec<Expr> {
         let integrals = self.claim.forms.iter().filter_map(|form| match form {
@@ -155,15 +176,20 @@ impl Step<'_> {
         out
     }
 
-    /// Everything that the systems among the premises divide by, as it stands and by its definition.
-    fn divided_by_systems(&mut self) -> Vec<Expr> {
+    /// The sides of the equations of the systems among the premises.
+    fn sides_of_systems(&self) -> Vec<Expr> {
         let given = Step::given(self.derivation, self.claim);
         let systems = given.iter().filter_map(|name| match self.derivation.premise(name) {
             Premise::System(system) => Some(&self.derivation.systems[system]),
             Premise::Claim(_) | Premise::Definition => None,
         });
         let relations = systems.flat_map(|s| &s.equations).flat_map(|w| &w.value.relations);
-        let mut roots: Vec<Expr> = relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect();
+        relations.flat_map(pairs).flat_map(|(l, r)| [l, r]).collect()
+    }
+
+    /// Everything that the systems among the premises divide by, as it stands and by its definition.
+    fn divided_by_systems(&mut self) -> Vec<Expr> {
+        let mut roots = self.sides_of_systems();
         self.add_definitions(&mut roots);
         let mut open = self.poles(roots);
         let mut out = Vec::new();
