@@ -54,6 +54,31 @@ fn verdict(account: &Account, id: &str) -> &'static str {
     identity(account, id).verdict()
 }
 
+/// What is given says nothing where it has no value: the proof is one for x ≥ 0, and the motion, which goes on, refutes the claim.
+#[test]
+fn beyond_the_domain_of_what_is_given() {
+    let found = with_claims(
+        "beyond",
+        r#"
+[[claim]]
+id = "root"
+says = "it says nothing where x is negative"
+always = ['(\sqrt x)^2=x']
+[[claim]]
+id = "size"
+says = "what follows for x that is not negative"
+follows-from = ["root"]
+always = ['\sqrt{x^2}=x']
+"#,
+    );
+    assert_eq!(
+        (verdict(&found, "size"), &identity(&found, "size").conditions[..]),
+        ("proved", &["x ≥ 0".to_owned()][..])
+    );
+    let on = |id: &str| found.claims.iter().find(|c| c.id == id).map(|c| c.results[0].verdict.outcome().word());
+    assert_eq!((on("root"), on("size")), (Some("holds"), Some("fails")));
+}
+
 #[test]
 fn premises_and_definitions() {
     let found = with_claims(
