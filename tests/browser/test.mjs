@@ -107,8 +107,8 @@ for (const id of fs.readdirSync(reports).sort()) {
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = true; }));
     await page.waitForTimeout(50);
     formulas = await formulasAreLaidOut(page);
-    // A correction shows the source, in which it has to be made.
-    await page.evaluate(() => document.querySelectorAll("code.difference").forEach(e => { e.hidden = true; }));
+    // A correction shows the source, in which it has to be made; a member of a family what is pasted there.
+    await page.evaluate(() => document.querySelectorAll("code.difference, .region pre").forEach(e => { e.hidden = true; }));
     const raw = (await visibleText(page)).match(/.{0,30}\\[a-zA-Z]{2,}.{0,30}/);
     check(!raw, `${id}: LaTeX is shown: ${raw}`);
     await page.evaluate(() => document.querySelectorAll("details").forEach(d => { d.open = false; }));
