@@ -105,6 +105,17 @@ fn what_is_not_printed_ends_no_argument() {
     ]);
 }
 
+/// Where one part has a value nowhere, or an assumption leaves none, nothing is proved by the others.
+#[test]
+fn parts_without_a_value() {
+    all(&[
+        ("undecided", r"(0\ln(-\left|x\right|)+\left|x\right|,\frac{x-3}{x-3})=(\left|x\right|,1)", "x"),
+        ("undecided", r"0\ln(-\left|x\right|)+\arcsin x+\arccos x=\frac\pi2", "x"),
+        ("undecided", r"0\ln(-x^2)+\ln(ab)=\ln a+\ln b", "x; a, b: positive"),
+        ("proved", r"(0\ln\left|x\right|+x,\frac{x-3}{x-3})=(x,1)", "x"),
+    ]);
+}
+
 /// A second accent is printed above the first.
 #[test]
 fn accents_on_accents() {

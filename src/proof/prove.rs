@@ -58,7 +58,12 @@ pub fn identity_test_after(
                 refutation.equation = group[refutation.equation];
                 return Identity::Refuted(refutation);
             }
-            (Identity::Proved(proof), Identity::Proved(all)) => all.absorb(proof),
+            (Identity::Proved(proof), Identity::Proved(all)) => {
+                // A point at which one of them has a value is none at which all have.
+                let example = all.example.take();
+                all.absorb(proof);
+                all.example = example;
+            }
             (open @ Identity::Undecided(_), Identity::Proved(_)) => out = open,
             (Identity::Proved(_) | Identity::Undecided(_), _) => {}
         }

@@ -84,6 +84,8 @@ pub(super) fn settle(
             settled @ (Identity::Proved(_) | Identity::Refuted(_)) => Some(settled),
         };
     }
+    // Where they have values is asked of them as they are.
+    let whole = equations;
     let equations: Pairs = equations.iter().map(|&(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
     if let Some(found) = numbers(graph, &equations, given) {
         return Some(found);
@@ -92,8 +94,8 @@ pub(super) fn settle(
     let restricted = !given.equations.is_empty() || !given.only_now.is_empty();
     if restricted && !given.parameters.is_empty() {
         let free = Premises { parameters: Vec::new(), ..given.clone() };
-        match identity_at(memory, graph, &equations, &free, options, depth + 1) {
-            Identity::Proved(proof) => return Some(Identity::Proved(finished(graph, &equations, given, proof))),
+        match identity_at(memory, graph, whole, &free, options, depth + 1) {
+            Identity::Proved(proof) => return Some(Identity::Proved(finished(graph, whole, given, proof))),
             refuted @ Identity::Refuted(_) => return Some(refuted),
             Identity::Undecided(_) => {}
         }
@@ -101,16 +103,16 @@ pub(super) fn settle(
     let mut related = Related { memory, graph, given, options, depth, proof: None };
     if related.all(&equations) {
         let proof = related.proof?;
-        return Some(Identity::Proved(finished(graph, &equations, given, proof)));
+        return Some(Identity::Proved(finished(graph, whole, given, proof)));
     }
     if let Some(simpler) = simpler(graph, given) {
-        match identity_at(memory, graph, &equations, &simpler, options, depth + 1) {
+        match identity_at(memory, graph, whole, &simpler, options, depth + 1) {
             Identity::Proved(proof) => return Some(Identity::Proved(proof)),
             refuted @ Identity::Refuted(_) => return Some(refuted),
             Identity::Undecided(_) => {}
         }
     }
-    if let Some(refutation) = refutes(graph, &equations, given, options) {
+    if let Some(refutation) = refutes(graph, whole, given, options) {
         return Some(Identity::Refuted(Box::new(refutation)));
     }
     let mut related = Related { memory, graph, given, options, depth, proof: None };
@@ -121,7 +123,7 @@ pub(super) fn settle(
             if let Some(other) = so_far {
                 proof.absorb(other);
             }
-            Some(Identity::Proved(finished(graph, &equations, given, proof)))
+            Some(Identity::Proved(finished(graph, whole, given, proof)))
         }
         // The formulas as given need not have values at the point.
         Identity::Refuted(_) | Identity::Undecided(_) => None,
