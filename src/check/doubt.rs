@@ -9,7 +9,7 @@ use super::between::may_lie_beyond;
 use super::comparison::Group;
 use super::describe::{incomplete, short};
 use super::measured::{MeasuredGroup, Measurements, measure};
-use super::met;
+use super::met::{self, BESIDE};
 use super::program::{Part, What};
 use super::trial::{Trial, Tried};
 use super::weigh::{Judged, Left};
@@ -21,8 +21,6 @@ use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 
 /// Times that are closer than this share of the span are one.
 const SINGLE: f64 = 1e-9;
-/// How far beside a time it is looked whether something has a value: this share of the span.
-const BESIDE: f64 = 1e-7;
 
 /// What samples leave possible of a part.
 pub(super) fn known(finding: &Finding) -> Possible {
@@ -93,8 +91,8 @@ pub(super) fn unless_valued_between(
             && measured.selectors.iter().all(|g| !matches!(judged(g), Some(Truth::False | Truth::Void)))
     };
     let alone = |t: &&f64| !at_end(t) && ![-BESIDE, BESIDE].iter().any(|share| lives(**t + share * (to - from)));
-    let crossing = zeros().flat_map(|z| &z.times).filter(alone);
-    match touching.into_iter().filter(counts).find(single).or_else(|| crossing.into_iter().find(counts)) {
+    let crossing = || zeros().flat_map(|z| &z.times).filter(counts).find(alone);
+    match touching.into_iter().filter(counts).find(single).or_else(crossing) {
         Some(&t) => {
             let reason = format!("near t = {} it may have a value at a single time", short(t));
             reopened(finding, Possible::ANY, reason)

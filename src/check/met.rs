@@ -21,8 +21,8 @@ use crate::verdict::Possible;
 
 /// Samples that a stretch between two changes must have; as many are added where there are fewer.
 const FEW: usize = 8;
-/// How far beside a time the assumptions are looked at: this share of the span.
-const BESIDE: f64 = 1e-7;
+/// How far beside a time it is looked whether the assumptions are met, and whether something has a value: this share of the span.
+pub(super) const BESIDE: f64 = 1e-7;
 /// Most stretches that get times of their own.
 const MOST: usize = 64;
 
