@@ -86,7 +86,7 @@ fn compile() -> Compiled {
     let mut g = Graph::new();
     let symbol = |g: &mut Graph, name: &str| {
         let symbol = g.declare(name, Shape::scalar(), false);
-        let leaf = Leaf { symbol, component: 0, rate: 0, instant: None };
+        let leaf = Leaf::now(symbol, 0);
         (g.leaf(leaf), leaf)
     };
     let entries = ["R_{33}", "R_{31}", "R_{32}", "R_{13}", "R_{23}"].map(|name| symbol(&mut g, name));
@@ -220,7 +220,7 @@ fn euler_poisson() -> Tape {
     let leaves: Vec<Leaf> = (0..12)
         .map(|i| {
             let symbol = g.declare(&format!("x_{{{i}}}"), Shape::scalar(), false);
-            Leaf { symbol, component: 0, rate: 0, instant: None }
+            Leaf::now(symbol, 0)
         })
         .collect();
     let x: Vec<Expr> = leaves.iter().map(|&leaf| g.leaf(leaf)).collect();

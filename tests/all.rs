@@ -32,6 +32,7 @@ mod enclosure;
 mod enclosure_containment;
 mod enclosure_limits;
 mod families;
+mod fields;
 mod files;
 mod flow_events;
 mod flow_integration;

@@ -25,9 +25,10 @@ fn blocks(page: &str, kind: &str) -> Vec<(usize, String)> {
     out
 }
 
-fn world(page: &str) -> World {
+/// The symbols of a block.
+fn world(symbols: &[(usize, String)]) -> World {
     let mut w = World::empty();
-    for (number, line) in blocks(page, "symbols") {
+    for (number, line) in symbols {
         let (keys, rest) = match line.split_once("  ") {
             Some(parts) => parts,
             // A key as wide as the column.
@@ -40,9 +41,12 @@ fn world(page: &str) -> World {
                 "parameter" => Role::Parameter,
                 "state" => Role::State,
                 "observable" => Role::Observable,
+                "coordinate" => Role::Coordinate,
+                "field" => Role::Field,
                 _ => Role::Abbreviation,
             };
-            if role == Role::Abbreviation {
+            let by_formula = role == Role::Field && !matches!(more, "" | "3" | "complex");
+            if role == Role::Abbreviation || by_formula {
                 let arguments: &[&str] = if key.contains(r"(\alpha)") { &[r"\alpha"] } else { &[] };
                 w.define(key, role, more, arguments);
             } else {
@@ -94,11 +98,15 @@ fn meaning(w: &mut World, text: &str) -> Result<String, Vec<rederive::diag::Prob
 #[test]
 fn examples_mean_what_the_page_says() {
     let page = page();
-    let w = world(&page);
+    // The examples use the symbols of the last list before them.
+    let symbols = blocks(&page, "symbols");
+    let lists: Vec<&[(usize, String)]> = symbols.chunk_by(|a, b| a.0 + 1 == b.0).collect();
+    let worlds: Vec<(usize, World)> = lists.into_iter().map(|list| (list[0].0, world(list))).collect();
     let (mut meanings, mut refusals) = (0, 0);
     let mut wrong = String::new();
     for (number, line) in blocks(&page, "examples") {
-        let mut w = w.clone();
+        let before = worlds.iter().rfind(|(at, _)| *at < number);
+        let mut w = before.unwrap_or_else(|| panic!("line {number}: no symbols")).1.clone();
         if let Some((text, wanted)) = line.split_once(" ⇒ ") {
             meanings += 1;
             match meaning(&mut w, text) {

@@ -104,7 +104,7 @@ fn built(w: &mut World, steps: &[Step]) -> Vec<Expr> {
                 };
                 let instant = instant.map(back).filter(|&e| moving && steady(w, e));
                 let rate = if moving { rate } else { 0 };
-                w.graph.leaf(Leaf { symbol: s, component: component % count, rate, instant })
+                w.graph.leaf(Leaf { rate, instant, ..Leaf::now(s, component % count) })
             }
             Step::Unary(op, a) => {
                 let a = back(a);
@@ -163,7 +163,7 @@ fn names_with_labels_components_rates_and_times() {
     ] {
         let symbol = w.scope.symbol(key).unwrap_or_else(|| panic!("{key}"));
         let instant = instant.map(|n| w.graph.integer(n));
-        let e = w.graph.leaf(Leaf { symbol, component, rate, instant });
+        let e = w.graph.leaf(Leaf { rate, instant, ..Leaf::now(symbol, component) });
         assert_eq!(w.graph.to_latex(e), wanted);
         assert_eq!(w.expression(wanted).as_scalar(), Some(e), "{wanted}");
     }

@@ -469,7 +469,7 @@ fn derivatives_agree() {
     let mut graph = Graph::new();
     let leaves: [Leaf; 2] = ["a", "b"].map(|name| {
         let symbol = graph.declare(name, Shape::scalar(), false);
-        Leaf { symbol, component: 0, rate: 0, instant: None }
+        Leaf::now(symbol, 0)
     });
     let all = Orders::all(DEGREE);
     for &op in Op::ALL {

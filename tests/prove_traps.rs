@@ -8,7 +8,7 @@
 use rederive::check::{Proposition, prove};
 use rederive::derivation::Derivation;
 
-type Row = (&'static str, &'static str, &'static str, &'static str);
+pub type Row = (&'static str, &'static str, &'static str, &'static str);
 
 fn list(text: &str) -> Vec<String> {
     text.split("; ").filter(|t| !t.is_empty()).map(str::to_owned).collect()
@@ -34,7 +34,7 @@ fn found((expected, formula, symbols, given): Row) -> Result<(), String> {
 }
 
 #[track_caller]
-fn all(rows: &[Row]) {
+pub fn all(rows: &[Row]) {
     let wrong: Vec<String> = rows.iter().filter_map(|&row| found(row).err()).collect();
     assert!(wrong.is_empty(), "{} of {} rows:\n{}", wrong.len(), rows.len(), wrong.join("\n"));
 }

@@ -76,10 +76,8 @@ fn derivatives_of_random_expressions() {
     let mut compared = 0;
     for _ in 0..200 {
         let mut g = Graph::new();
-        let leaves: Vec<Leaf> = ["a", "b", "c"]
-            .iter()
-            .map(|name| Leaf { symbol: g.declare(name, Shape::scalar(), false), component: 0, rate: 0, instant: None })
-            .collect();
+        let leaves: Vec<Leaf> =
+            ["a", "b", "c"].iter().map(|name| Leaf::now(g.declare(name, Shape::scalar(), false), 0)).collect();
         let size = 4 + random.below(16);
         let e = random_expression(&mut g, &mut random, &leaves, size);
         let speeds: Vec<Expr> = (0..3).map(|_| g.integer(random.below(7) as i64 - 3)).collect();
@@ -229,12 +227,7 @@ fn functions_of_two_arguments() {
 #[test]
 fn a_pendulum_order_by_order() {
     let mut g = Graph::new();
-    let leaves = ["x", "v"].map(|name| Leaf {
-        symbol: g.declare(name, Shape::scalar(), false),
-        component: 0,
-        rate: 0,
-        instant: None,
-    });
+    let leaves = ["x", "v"].map(|name| Leaf::now(g.declare(name, Shape::scalar(), false), 0));
     let [x, v] = leaves.map(|leaf| g.leaf(leaf));
     let sine = g.unary(Op::Sin, x);
     let down = g.neg(sine);

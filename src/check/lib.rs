@@ -204,7 +204,8 @@ fn check_and(
     let regions = |derivation: &Derivation| {
         region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)
     };
-    if derivation.scope.time().is_none() && derivation.trajectories.is_empty() && derivation.systems.is_empty() {
+    let motionless = derivation.trajectories.is_empty() && derivation.systems.is_empty();
+    if derivation.scope.time().is_none() && motionless && !derivation.claims.iter().any(Claim::is_of_fields) {
         return Ok(Account {
             claims: regions(derivation)?.into_iter().map(|(_, c)| c).collect(),
             ..Account::default()
@@ -231,7 +232,7 @@ fn check_and(
         .collect();
     let claimed: Vec<usize> =
         (0..derivation.claims.len()).filter(|&c| chosen(&options.claims, &derivation.claims[c].id)).collect();
-    let claimed: Vec<usize> = claimed.into_iter().filter(|&c| derivation.claims[c].region.is_none()).collect();
+    let claimed: Vec<usize> = claimed.into_iter().filter(|&c| !derivation.claims[c].is_over_ranges()).collect();
     let mut programs: Vec<Vec<Program>> = Vec::new();
     let mut gradients = Vec::new();
     for &c in &claimed {
@@ -400,9 +401,8 @@ fn check_and(
     // They are large.
     rayon::join(|| drop(altered), || drop(courses));
     // Back to the order of the file.
-    for (at, of) in regions {
+    for (earlier, (at, of)) in regions.into_iter().enumerate() {
         let before = claimed.iter().filter(|&&c| c < at).count();
-        let earlier = account.claims.iter().filter(|c| c.region.is_some()).count();
         account.claims.insert(before + earlier, of);
     }
     Ok(account)
@@ -479,6 +479,12 @@ fn strengthen(
     tried: &[usize],
 ) {
     standing::conditional(derivation, claims, known);
+    for (claim, &at) in claims.iter_mut().zip(claimed) {
+        let declared = &derivation.claims[at];
+        if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
+            claim.region = Some(region::RegionAccount::of_step(region, claim.identity.as_ref()));
+        }
+    }
     by_formula::settle(derivation, claims, claimed, tried);
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
     // The motions of the results of each claim.

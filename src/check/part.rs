@@ -160,7 +160,7 @@ mod tests {
         let mut graph = Graph::default();
         let mut leaf = |name: &str| {
             let symbol = graph.declare(name, Shape::scalar(), false);
-            Leaf { symbol, component: 0, rate: 0, instant: None }
+            Leaf::now(symbol, 0)
         };
         let leaves: Vec<Leaf> = ["a", "b", "c", "d"].map(&mut leaf).to_vec();
         let sign = leaf("s");

@@ -24,7 +24,7 @@ pub(super) fn leaves(derivation: &Derivation) -> Vec<Leaf> {
 
 fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
     let count = derivation.graph.component_count(symbol);
-    (0..count).map(|component| Leaf { symbol, component: component as u16, rate: 0, instant: None }).collect()
+    (0..count).map(|component| Leaf::now(symbol, component as u16)).collect()
 }
 
 /// Compares the states `of` of a motion with those of another.

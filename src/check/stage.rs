@@ -19,7 +19,7 @@ use super::program::Program;
 use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
-use crate::expr::{Expr, Graph, Leaf, Symbol};
+use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
 use crate::flow::{Motion, Observable, Points, Search, Setup, Source, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
@@ -41,7 +41,7 @@ pub(super) struct Stage {
 /// The leaves of all components of a symbol.
 fn leaves_of(graph: &Graph, symbol: Symbol) -> Vec<Leaf> {
     let count = graph.component_count(symbol);
-    (0..count).map(|c| Leaf { symbol, component: c as u16, rate: 0, instant: None }).collect()
+    (0..count).map(|c| Leaf::now(symbol, c as u16)).collect()
 }
 
 fn paired(graph: &Graph, symbol: Symbol, rate: u8, values: &[Expr]) -> Vec<(Leaf, Expr)> {
@@ -76,7 +76,9 @@ impl Fields {
     pub fn solve(derivation: &mut Derivation) -> Result<Fields, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let Derivation { graph, scope, systems, symbols, file, .. } = derivation;
-        let Some(time) = scope.time() else {
+        let motionless = derivation.trajectories.is_empty() && systems.iter().all(|s| s.states.is_empty());
+        let absent = |graph: &mut Graph| motionless.then(|| Leaf::now(graph.declare("t", Shape::scalar(), false), 0));
+        let Some(time) = scope.time().or_else(|| absent(graph)) else {
             return Err(vec![
                 Diagnostic::at(file, "derivation::no-time", 0..0, "no symbol has the role `time`")
                     .hint("add `'t' = { role = \"time\" }` to [symbols]"),
@@ -88,7 +90,9 @@ impl Fields {
         for system in systems.iter() {
             // Observables on the right side are part of the system: it is closed in its states.
             let mut closed: Vec<(Expr, Expr)> = Vec::new();
-            for relation in system.equations.iter().flat_map(|w| &w.value.relations) {
+            // Equations of fields have no motions.
+            let of_states = system.equations.iter().filter(|_| !system.states.is_empty());
+            for relation in of_states.flat_map(|w| &w.value.relations) {
                 for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
                     closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
                 }

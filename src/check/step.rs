@@ -94,7 +94,7 @@ type Pairs = Vec<(Expr, Expr)>;
 
 /// The present value of a component.
 fn now(symbol: Symbol, component: usize) -> Leaf {
-    Leaf { symbol, component: component as u16, rate: 0, instant: None }
+    Leaf::now(symbol, component as u16)
 }
 
 fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {

@@ -210,8 +210,8 @@ impl Loader<'_> {
         if table.get("families").is_some() {
             claim.families = self.some_families(table);
         }
-        if let Some(value) = table.get("ranges") {
-            self.ranges(claim, value);
+        if table.get("ranges").is_some() || table.get("domain").is_some() {
+            self.ranges(claim, table);
         }
         claim.expect = vec![None; claim.trajectories.len()];
         claim.expect_of_families = vec![None; claim.families.len()];

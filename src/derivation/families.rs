@@ -177,7 +177,10 @@ impl Loader<'_> {
             }
             Some(Role::Parameter) => "parameters",
             Some(Role::State) => "initial",
-            Some(Role::Time | Role::Observable | Role::Abbreviation | Role::Argument) | None => {
+            Some(
+                Role::Time | Role::Observable | Role::Abbreviation | Role::Argument | Role::Coordinate | Role::Field,
+            )
+            | None => {
                 let message = format!("`{name}` is neither a parameter nor a state");
                 let hint = "a family varies parameters and initial values; other quantities follow from them";
                 self.problems.note("derivation::bad-role", place, message).hint(hint);
@@ -205,7 +208,7 @@ impl Loader<'_> {
             self.problems.note("derivation::no-value", place, message).hint(hint);
             return None;
         }
-        Some(Leaf { symbol, component: 0, rate, instant: None })
+        Some(Leaf { rate, ..Leaf::now(symbol, 0) })
     }
 
     /// How a symbol varies.

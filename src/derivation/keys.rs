@@ -8,6 +8,7 @@ pub const FILE: &[&str] = &[
     "system",
     "trajectory",
     "family",
+    "domain",
     "claim",
     "measure",
     "condition",
@@ -18,12 +19,14 @@ pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark",
 /// Keys of a symbol.
 pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "complex", "formula", "arguments", "says"];
 /// Keys of `[system.…]`.
-pub const SYSTEM: &[&str] = &["says", "label", "states", "equations"];
+pub const SYSTEM: &[&str] = &["says", "label", "states", "fields", "equations"];
 /// Keys of `[[trajectory]]`.
 pub const TRAJECTORY: &[&str] =
     &["id", "title", "says", "system", "initial", "formula", "from", "map", "parameters", "span", "initial-time"];
 /// Keys of `[[family]]`.
 pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where"];
+/// Keys of `[[domain]]`.
+pub const DOMAIN: &[&str] = &["id", "says", "ranges"];
 /// Keys of a symbol that varies.
 pub const VARIED: &[&str] = &["from", "to", "count", "spacing", "values", "uniform", "log-uniform", "normal"];
 /// Keys that `[[claim]]` and `[[claim.reading]]` share.
@@ -50,6 +53,7 @@ pub const READING: &[&str] = &[
     "same-motion",
     "independent",
     "exists",
+    "domain",
     "ranges",
     "at",
     "expect",
@@ -80,6 +84,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("[system.…]", SYSTEM),
     ("[[trajectory]]", TRAJECTORY),
     ("[[family]]", FAMILY),
+    ("[[domain]]", DOMAIN),
     ("vary", VARIED),
     ("[[claim]] and [[claim.reading]]", READING),
     ("[[claim]]", CLAIM),

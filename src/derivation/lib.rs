@@ -39,8 +39,8 @@ pub use claims::DEFAULT_PRECISION;
 pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Ranged,
-    Region, SymbolEntry, System, Trajectory, Values, Written,
+    Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind,
+    Ranged, Region, SymbolEntry, System, Trajectory, Values, Written,
 };
 pub use premise::Premise;
 pub use role::ClaimRole;

@@ -73,6 +73,7 @@ pub fn parse(source: Source, stem: &str) -> Result<Derivation, Vec<Diagnostic>> 
     loader.systems(&root);
     loader.trajectories(&root);
     loader.families(&root);
+    loader.domains(&root);
     loader.claims(&root);
     loader.circles();
     loader.measures(&root);

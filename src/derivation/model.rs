@@ -56,6 +56,8 @@ pub struct Derivation {
     pub trajectories: Vec<Trajectory>,
     /// Families of motions, in the order of the file.
     pub families: Vec<Family>,
+    /// Boxes of values that claims share, in the order of the file.
+    pub domains: Vec<Domain>,
     /// Claims, in the order of the file; one entry for each reading.
     pub claims: Vec<Claim>,
     /// Quantities to be measured.
@@ -110,6 +112,8 @@ impl SymbolEntry {
             Role::Observable => "observable",
             Role::Abbreviation => "abbreviation",
             Role::Argument => "argument",
+            Role::Coordinate => "coordinate",
+            Role::Field => "field",
         }
     }
 }
@@ -123,7 +127,8 @@ pub struct System {
     pub says: Option<String>,
     /// The label of its equations in the paper's source.
     pub label: Option<String>,
-    /// The unknowns, in the order of the file; all have the role [`Role::State`].
+    /// The unknowns, in the order of the file; all have the role [`Role::State`]. None where the equations are those of
+    /// fields: then there are no motions.
     pub states: Vec<Symbol>,
     /// Its equations; every relation is a plain `=`.
     pub equations: Vec<Written<Statement>>,
@@ -296,6 +301,8 @@ pub struct Ranged {
     pub leaf: Leaf,
     /// Its values.
     pub values: Values,
+    /// The formula as written, of a value that depends on others.
+    pub formula: Option<String>,
     /// The unit of the symbol as written.
     pub unit: Option<String>,
     /// Where the values stand in the file.
@@ -311,7 +318,18 @@ pub enum Values {
     One(Expr),
 }
 
-/// What a claim over ranges of values is about: no motion.
+/// A box of values, with formulas for fields, that claims share.
+#[derive(Clone, Debug)]
+pub struct Domain {
+    /// Its id.
+    pub id: String,
+    /// What it is, in the file's words.
+    pub says: Option<String>,
+    /// The symbols that have values.
+    pub ranges: Vec<Ranged>,
+}
+
+/// What a claim over ranges of values is about: no motion. Without ranges it is about fields, whatever they are.
 #[derive(Clone, Debug, Default)]
 pub struct Region {
     /// The symbols that have values, in the order of the file; nothing else occurs in the claim but what is defined by them.
@@ -418,6 +436,17 @@ impl Claim {
             Some(reading) => format!("{}/{reading}", self.id),
             None => self.id.clone(),
         }
+    }
+
+    /// Whether it is decided at all points of a box.
+    pub fn is_over_ranges(&self) -> bool {
+        self.region.is_some() && !self.is_of_fields()
+    }
+
+    /// Whether it is about fields that have no formulas: it follows from something, or not.
+    pub fn is_of_fields(&self) -> bool {
+        let exists = || self.forms.iter().any(|form| form.kind() == FormKind::Exists);
+        self.region.as_ref().is_some_and(|r| r.ranges.is_empty()) && !exists()
     }
 }
 

@@ -48,10 +48,17 @@ impl Loader<'_> {
         let scope = self.out.scope.clone();
         let says = table.text(&mut self.problems, "says");
         let label = table.text(&mut self.problems, "label");
-        let states = self.states(&table, "states", &scope);
+        let states = self.unknowns(&table, ("states", Role::State, "a state"), &scope);
+        let fields = self.unknowns(&table, ("fields", Role::Field, "a field"), &scope);
         let formulas = table.formulas(&mut self.problems, "equations");
-        for key in ["states", "equations"].iter().filter(|k| table.get(k).is_none()) {
+        let unknowns = if table.get("fields").is_none() { "states" } else { "fields" };
+        for key in [unknowns, "equations"].iter().filter(|k| table.get(k).is_none()) {
             table.missing(&mut self.problems, key);
+        }
+        if !states.is_empty() && !fields.is_empty() {
+            let message = "a system is one of states, or one of fields";
+            self.problems.note("derivation::bad-role", span.clone(), message).hint("write two systems");
+            return None;
         }
         let mut equations = Vec::new();
         for formula in &formulas {
@@ -65,7 +72,7 @@ impl Loader<'_> {
                 }
             }
         }
-        (!states.is_empty() && !equations.is_empty()).then(|| System {
+        (!(states.is_empty() && fields.is_empty()) && !equations.is_empty()).then(|| System {
             id: id.to_owned(),
             says,
             label,
@@ -77,6 +84,16 @@ impl Loader<'_> {
 
     /// An array of states.
     pub fn states(&mut self, table: &Table<'_, '_>, key: &str, scope: &Scope) -> Vec<Symbol> {
+        self.unknowns(table, (key, Role::State, "a state"), scope)
+    }
+
+    /// An array of symbols of one role.
+    fn unknowns(
+        &mut self,
+        table: &Table<'_, '_>,
+        (key, role, called): (&str, Role, &str),
+        scope: &Scope,
+    ) -> Vec<Symbol> {
         let mut out = Vec::new();
         for (name, span) in table.names(&mut self.problems, key) {
             let raw = self.problems.source.text.get(span.clone()).unwrap_or_default();
@@ -85,8 +102,8 @@ impl Loader<'_> {
                 continue;
             }
             let Some(symbol) = self.symbol(name.trim(), span.clone(), scope) else { continue };
-            if scope.role(symbol) != Some(Role::State) {
-                self.problems.note("derivation::bad-role", span, format!("`{name}` is not declared as a state"));
+            if scope.role(symbol) != Some(role) {
+                self.problems.note("derivation::bad-role", span, format!("`{name}` is not declared as {called}"));
             } else if out.contains(&symbol) {
                 self.problems.note("derivation::duplicate-id", span, format!("`{name}` is listed twice"));
             } else {
@@ -437,6 +454,12 @@ impl Loader<'_> {
         let name = text_of(&mut self.problems, value, "system")?;
         let system = self.system(name, value.span())?;
         let states = self.out.systems[system].states.clone();
+        if states.is_empty() {
+            let message = format!("`{name}` is a system of fields: it has no motions");
+            let hint = "let claims follow from it, or give the fields formulas in the claim's `ranges`";
+            self.problems.note("derivation::bad-role", value.span(), message).hint(hint);
+            return None;
+        }
         if table.get("initial").is_none() {
             table.missing(&mut self.problems, "initial");
             return None;

@@ -6,10 +6,10 @@ use toml::de::DeValue;
 
 use super::keys;
 use super::load::Loader;
-use super::model::{Claim, Form, FormKind, Formula, Ranged, Region, SymbolEntry, Values, Written};
-use super::table::{Table, Value};
+use super::model::{Claim, Domain, Form, FormKind, Formula, Ranged, Region, SymbolEntry, Values, Written};
+use super::table::{Table, Value, as_printed, text_of};
 use super::values::Known;
-use expr::{Expr, Leaf, Rational, Symbol};
+use expr::{Expr, Leaf, Partials, Rational, Symbol};
 use latex::{RelationKind, Role, Scope, Statement};
 
 /// The forms that a claim over ranges may have.
@@ -22,12 +22,55 @@ const HINT: &str = "a range is [from, to], for instance 'c' = [0, 2]; a single v
 
 /// A component at the present time.
 fn now(symbol: Symbol, component: usize) -> Leaf {
-    Leaf { symbol, component: component as u16, rate: 0, instant: None }
+    Leaf::now(symbol, component as u16)
 }
 
 impl Loader<'_> {
-    /// `ranges`: the values of every symbol of a claim.
-    pub fn ranges(&mut self, claim: &mut Claim, value: &Value<'_>) {
+    /// Reads every `[[domain]]`.
+    pub fn domains(&mut self, root: &Table<'_, '_>) {
+        for value in root.array(&mut self.problems, "domain", "tables, [[domain]]") {
+            let Some(table) = Table::open(&mut self.problems, value, "[[domain]]", keys::DOMAIN) else { continue };
+            let Some((id, place)) = table.id(&mut self.problems, "id") else { continue };
+            if !self.take("domain", &id, place) {
+                continue;
+            }
+            let says = table.text(&mut self.problems, "says");
+            let Some(value) = table.get("ranges") else {
+                table.missing(&mut self.problems, "ranges");
+                self.refused.push(id);
+                continue;
+            };
+            let scope = self.out.scope.clone();
+            let mut ranges = Vec::new();
+            self.ranges_of(value, &scope, &[], &mut ranges);
+            self.out.domains.push(Domain { id, says, ranges });
+        }
+    }
+
+    /// `domain` and `ranges`: the values of every symbol of a claim.
+    pub fn ranges(&mut self, claim: &mut Claim, table: &Table<'_, '_>) {
+        let mut region = Region::default();
+        if let Some(value) = table.get("domain") {
+            let Some(name) = text_of(&mut self.problems, value, "domain") else { return };
+            match self.out.domains.iter().find(|d| d.id == name) {
+                Some(domain) => region.ranges.clone_from(&domain.ranges),
+                None if self.refused.iter().any(|r| r == name) => return,
+                None => {
+                    let ids = self.out.domains.iter().map(|d| d.id.as_str());
+                    self.problems.unknown("derivation::unknown-domain", value.span(), "domain", name, ids);
+                    return;
+                }
+            }
+        }
+        if let Some(value) = table.get("ranges") {
+            let scope = claim.scope.clone();
+            self.ranges_of(value, &scope, &claim.symbols, &mut region.ranges);
+        }
+        claim.region = Some(region);
+    }
+
+    /// Ranges beside those that are there already.
+    fn ranges_of(&mut self, value: &Value<'_>, scope: &Scope, own: &[SymbolEntry], ranges: &mut Vec<Ranged>) {
         let DeValue::Table(entries) = value.get_ref() else {
             self.problems.wrong_type(value, "ranges", "a table of symbols and their ranges");
             return;
@@ -35,13 +78,10 @@ impl Loader<'_> {
         if entries.is_empty() {
             self.problems.note("derivation::empty-claim", value.span(), "`ranges` gives no symbol").hint(HINT);
         }
-        let scope = claim.scope.clone();
-        let mut region = Region::default();
         for (name, value) in entries {
-            let given = self.ranged((name.get_ref(), name.span()), value, &scope, &claim.symbols, &region.ranges);
-            region.ranges.extend(given);
+            let given = self.ranged((name.get_ref(), name.span()), value, scope, own, ranges);
+            ranges.extend(given);
         }
-        claim.region = Some(region);
     }
 
     /// The components of one symbol, with their values.
@@ -71,6 +111,11 @@ impl Loader<'_> {
             self.problems.note("derivation::duplicate-id", place, message);
             return Vec::new();
         }
+        if scope.role(symbol) == Some(Role::Field) && scope.definition(symbol).is_some() {
+            let message = format!("`{name}` has a formula already");
+            self.problems.note("derivation::bad-role", place, message).hint("leave it out");
+            return Vec::new();
+        }
         let entry = self.out.symbols.iter().chain(own).find(|s| s.symbol == symbol);
         let (unit, positive) = entry.map_or((None, false), |s| (s.unit.clone(), s.positive));
         let graph = &self.out.graph;
@@ -78,6 +123,18 @@ impl Loader<'_> {
             (true, [n, ..]) => vec![usize::from(*n)],
             (_, extents) => extents.iter().map(|n| usize::from(*n)).collect(),
         };
+        if scope.role(symbol) == Some(Role::Field) {
+            let formula = Some(written(value));
+            let found = self.formulas_of_field((name, symbol), value, scope, before).into_iter();
+            let one = |(leaf, values)| Ranged {
+                leaf,
+                values,
+                formula: formula.clone(),
+                unit: unit.clone(),
+                span: value.span(),
+            };
+            return found.map(one).collect();
+        }
         let mut items = Vec::new();
         if !components_of(value, &extents, &mut items) {
             let count = graph.component_count(symbol);
@@ -90,7 +147,49 @@ impl Loader<'_> {
         for (component, item) in items.into_iter().enumerate() {
             let Some(values) = self.values_of_one(item, scope, before) else { continue };
             self.check_range(name, &values, positive, item.span());
-            out.push(Ranged { leaf: now(symbol, component), values, unit: unit.clone(), span: item.span() });
+            if !self.depends_as_declared(symbol, &values, name, item.span()) {
+                continue;
+            }
+            let depends = matches!(values, Values::One(e) if !self.out.graph.leaves([e]).is_empty());
+            let formula = depends.then(|| written(item));
+            out.push(Ranged { leaf: now(symbol, component), values, formula, unit: unit.clone(), span: item.span() });
+        }
+        out
+    }
+
+    /// Refuses a field without a formula, and what names coordinates on which it does not depend: a derivative by one of
+    /// them would be wrong.
+    fn depends_as_declared(&mut self, symbol: Symbol, values: &Values, name: &str, span: Range<usize>) -> bool {
+        let graph = &self.out.graph;
+        let (message, hint) = match values {
+            Values::Between(..) => return true,
+            Values::One(e) => {
+                let foreign = |leaf: &Leaf| graph.coordinate(*leaf).is_some_and(|at| !graph.depends(symbol, at));
+                let Some(leaf) = graph.leaves([*e]).into_iter().find(foreign) else { return true };
+                let message = format!("`{name}` does not depend on `{}`", graph.name(leaf.symbol));
+                (message, "declare it as a field of its coordinates")
+            }
+        };
+        self.problems.note("derivation::bad-range", span, message).hint(hint);
+        false
+    }
+
+    /// A field's formula, for each component.
+    fn formulas_of_field(
+        &mut self,
+        (name, symbol): (&str, Symbol),
+        value: &Value<'_>,
+        scope: &Scope,
+        before: &[Ranged],
+    ) -> Vec<(Leaf, Values)> {
+        let Some(written) = self.components(value, symbol, scope) else { return Vec::new() };
+        let mut out = Vec::new();
+        for (component, e) in written.value.into_iter().enumerate() {
+            let Some(e) = self.given_before(e, value.span(), scope, before) else { continue };
+            let values = Values::One(e);
+            if self.depends_as_declared(symbol, &values, name, value.span()) {
+                out.push((now(symbol, component), values));
+            }
         }
         out
     }
@@ -111,16 +210,21 @@ impl Loader<'_> {
             },
             _ => {
                 let one = self.number_or_formula(value, scope)?;
-                let free = |_: &Scope, leaf: Leaf| before.iter().any(|r| r.leaf == leaf);
-                match self.resolve(one, &Known::new(), scope, &free) {
-                    Ok(e) => Some(Values::One(e)),
-                    Err(leaf) => {
-                        let message = format!("`{}` has no value here", self.leaf_name(leaf));
-                        let hint = "a value may use the symbols that are given before it";
-                        self.problems.note("derivation::no-value", value.span(), message).hint(hint);
-                        None
-                    }
-                }
+                self.given_before(one, value.span(), scope, before).map(Values::One)
+            }
+        }
+    }
+
+    /// An expression of what is given before it.
+    fn given_before(&mut self, e: Expr, span: Range<usize>, scope: &Scope, before: &[Ranged]) -> Option<Expr> {
+        let free = |_: &Scope, leaf: Leaf| before.iter().any(|r| r.leaf == leaf);
+        match self.resolve(e, &Known::new(), scope, &free) {
+            Ok(e) => Some(e),
+            Err(leaf) => {
+                let message = format!("`{}` has no value here", self.leaf_name(leaf));
+                let hint = "a value may use the symbols that are given before it";
+                self.problems.note("derivation::no-value", span, message).hint(hint);
+                None
             }
         }
     }
@@ -224,7 +328,7 @@ impl Loader<'_> {
 
     /// Sees to it that a claim over ranges speaks of nothing else; it is tried on no motion.
     pub fn confine(&mut self, claim: &mut Claim, tables: &[&Table<'_, '_>]) {
-        let Some(region) = claim.region.clone() else { return };
+        let Some(region) = claim.region.clone() else { return self.of_fields(claim, tables) };
         claim.trajectories.clear();
         claim.expect.clear();
         claim.families.clear();
@@ -281,6 +385,36 @@ impl Loader<'_> {
         }
     }
 
+    /// A claim about fields without ranges is tried on no motion: it follows from something, or not.
+    fn of_fields(&mut self, claim: &mut Claim, tables: &[&Table<'_, '_>]) {
+        let assumed = claim.assuming.iter().flat_map(|w| components(&w.value));
+        let said = claim.forms.iter().flat_map(|form| match form {
+            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => components(&w.value),
+            Form::FirstIntegral(w) | Form::Defined(w) => w.value.components.clone(),
+            Form::Solves { .. } | Form::SameMotion { .. } | Form::Independent { .. } | Form::Exists { .. } => {
+                Vec::new()
+            }
+        });
+        let roots: Vec<Expr> = assumed.chain(said).collect();
+        let place = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::Coordinate | Role::Field));
+        let leaves = self.out.graph.leaves(roots);
+        let Some(leaf) = leaves.iter().find(|l| self.out.graph.is_field(l.symbol) || place(l)) else { return };
+        let name = self.leaf_name(*leaf);
+        claim.region = Some(Region::default());
+        claim.trajectories.clear();
+        claim.expect.clear();
+        claim.families.clear();
+        claim.expect_of_families.clear();
+        let about = format!("`{name}` has no value along a motion");
+        let hint = "give everything in the claim a range or a formula in `ranges`, or let it follow from something";
+        if let Some(value) = OF_MOTIONS[..3].iter().find_map(|key| tables.iter().find_map(|t| t.get(key))) {
+            self.problems.note("derivation::bad-region", value.span(), about).hint(hint);
+        } else if let Some(form) = claim.forms.iter().find(|f| f.kind() != FormKind::Always) {
+            let message = format!("{about}, and `{}` is said of motions", form.kind().key());
+            self.problems.note("derivation::bad-region", claim.span.clone(), message).hint(hint);
+        }
+    }
+
     /// The relations of a statement have values where the known components have.
     fn only_of(&mut self, scope: &Scope, statement: &Statement, span: &Range<usize>, known: &[Leaf]) {
         for relation in &statement.relations {
@@ -304,10 +438,12 @@ impl Loader<'_> {
     /// The same for expressions; whether it is so.
     fn only(&mut self, scope: &Scope, roots: &[Expr], span: &Range<usize>, known: &[Leaf]) -> bool {
         let sign = scope.branch_sign();
-        let free = |_: &Scope, leaf: Leaf| leaf == sign || known.contains(&leaf);
+        // What is known of a field is known of its derivatives.
+        let itself = |leaf: Leaf| Leaf { partials: Partials::NONE, ..leaf };
+        let free = |_: &Scope, leaf: Leaf| leaf == sign || known.contains(&itself(leaf));
         for &root in roots {
             let Err(leaf) = self.resolve(root, &Known::new(), scope, &free) else { continue };
-            let name = self.leaf_name(Leaf { rate: 0, instant: None, ..leaf });
+            let name = self.leaf_name(Leaf { rate: 0, partials: Partials::NONE, instant: None, ..leaf });
             let base = self.out.graph.name(leaf.symbol).to_owned();
             let (message, hint) = if leaf.rate > 0 {
                 let message = format!("`{}` is a rate: a claim over ranges has no motion", self.leaf_name(leaf));
@@ -315,7 +451,10 @@ impl Loader<'_> {
             } else if leaf.instant.is_some() {
                 let message = format!("`{name}` at a fixed time is a value along a motion, of which there is none");
                 (message, "take `ranges` out to try it on trajectories, or write a parameter for it".to_owned())
-            } else if matches!(scope.role(leaf.symbol), Some(Role::Parameter)) {
+            } else if scope.role(leaf.symbol) == Some(Role::Field) {
+                let message = format!("`{name}` has no formula here");
+                (message, format!(r"add '{base}' to `ranges`, for instance '{base}' = '\sin x'"))
+            } else if matches!(scope.role(leaf.symbol), Some(Role::Parameter | Role::Coordinate)) {
                 let message = format!("`{name}` has no range");
                 (message, format!("add '{base}' to `ranges`, as [from, to] or as one value"))
             } else {
@@ -336,6 +475,23 @@ impl Loader<'_> {
         }
         self.scalar_component(value, scope)
     }
+}
+
+/// Formulas and numbers as they are written; several in parentheses.
+fn written(value: &Value<'_>) -> String {
+    match value.get_ref() {
+        DeValue::Array(items) => format!("({})", items.iter().map(written).collect::<Vec<_>>().join(",")),
+        DeValue::String(text) => as_printed(text),
+        DeValue::Integer(n) => n.as_str().to_owned(),
+        DeValue::Float(x) => x.as_str().to_owned(),
+        DeValue::Boolean(_) | DeValue::Datetime(_) | DeValue::Table(_) => String::new(),
+    }
+}
+
+/// Both sides of every relation.
+fn components(statement: &Statement) -> Vec<Expr> {
+    let sides = statement.relations.iter().flat_map(|r| r.left.components.iter().chain(&r.right.components));
+    sides.copied().collect()
 }
 
 /// The values of all components, one item for each, as an array of arrays has them; whether there are as many as needed.

@@ -34,6 +34,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("file", "system") => named("system", "Systems of differential equations, each under its id"),
         ("file", "trajectory") => many("trajectory", "Motions on which claims are tried"),
         ("file", "family") => many("family", "Many motions from one, by values that vary"),
+        ("file", "domain") => many("domain", "Boxes of values, with formulas for fields, that claims share"),
         ("file", "claim") => many("claim", "What the paper claims"),
         ("file", "condition") => many("condition", "Conditions that may explain where a claim holds"),
         ("file", "picture") => many("picture", "Pictures of the motions for the report"),
@@ -45,7 +46,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[derivation]", "remark") => text("What a reader of the report should know"),
         ("[derivation]", "encoded-by") => text("Who wrote the file: sentences and remarks are theirs"),
         ("[symbols]", "role") => json!({
-            "enum": ["time", "state", "parameter", "observable", "abbreviation", "constant"], "description": "What the symbol is",
+            "enum": ["time", "state", "parameter", "observable", "abbreviation", "coordinate", "field", "constant"], "description": "What the symbol is",
         }),
         ("[symbols]", "shape") => json!({
             "type": ["string", "integer"],
@@ -60,7 +61,8 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[symbols]", "says") => text("What it stands for"),
         ("[system.…]", "says") => text("What the system is"),
         ("[system.…]", "label") => text("The label of its equations in the paper's source"),
-        ("[system.…]", "states") => ids("The unknowns"),
+        ("[system.…]", "states") => ids("The unknowns of equations of motion"),
+        ("[system.…]", "fields") => ids("The unknowns of partial differential equations"),
         ("[system.…]", "equations") => formulas("The equations, one or several in a string; only plain ="),
         ("[[trajectory]]", "id") => id("Its id"),
         ("[[trajectory]]", "title") => text("For the reader"),
@@ -89,6 +91,11 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         }),
         ("[[family]]", "where") => {
             formulas("Inequalities that every member satisfies; others are rejected and counted")
+        }
+        ("[[domain]]", "id") => id("Its id"),
+        ("[[domain]]", "says") => text("For the reader"),
+        ("[[domain]]", "ranges") => {
+            values("[from, to] for a range, one number or formula for a fixed value or a field")
         }
         ("vary", "from") => value("The first of several values in a row"),
         ("vary", "to") => value("The last of them"),
@@ -141,6 +148,7 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "same-motion" => part("same-motion", "The motion is that of another trajectory"),
             "independent" => part("independent", "Functions of the states are independent of one another"),
             "exists" => part("exists", "Equations have a solution in a box"),
+            "domain" => text("The claim is about the values of this domain: its id"),
             "ranges" => values(
                 "The claim is about all these values, and no motion: [from, to] for a range, one number or formula for a fixed value",
             ),
@@ -259,9 +267,10 @@ pub fn schema() -> Value {
         },
         "derivation": object(&["[derivation]"], &["title", "concerns"]),
         "symbol": object(&["[symbols]"], &["role"]),
-        "system": object(&["[system.…]"], &["states", "equations"]),
+        "system": object(&["[system.…]"], &["equations"]),
         "trajectory": object(&["[[trajectory]]"], &["id"]),
         "family": object(&["[[family]]"], &["id", "of", "vary"]),
+        "domain": object(&["[[domain]]"], &["id", "ranges"]),
         "varied": object(&["vary"], &[]),
         "claim": object(&[reading, "[[claim]]"], &["id", "says"]),
         "reading": object(&[reading], &["id", "says"]),

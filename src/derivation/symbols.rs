@@ -15,6 +15,8 @@ pub(super) const ROLES: &[(&str, Role)] = &[
     ("parameter", Role::Parameter),
     ("observable", Role::Observable),
     ("abbreviation", Role::Abbreviation),
+    ("coordinate", Role::Coordinate),
+    ("field", Role::Field),
 ];
 
 /// The role of a parameter whose value is fixed.
@@ -115,7 +117,7 @@ impl Loader<'_> {
             None => None,
         };
         let defined = matches!(role, Role::Observable | Role::Abbreviation);
-        if defined != formula.is_some() {
+        if defined != formula.is_some() && role != Role::Field {
             let role = ROLES.iter().find(|(_, r)| *r == role).map_or("", |(word, _)| word);
             let noted = if defined {
                 let message = format!("`{name}` is an {role} without a `formula`");
@@ -124,7 +126,7 @@ impl Loader<'_> {
                 let message = format!("`{name}` is declared as {role}, which has no `formula`");
                 problems.note("derivation::bad-role", span.clone(), message)
             };
-            noted.hint("observables and abbreviations are defined by a formula, nothing else is");
+            noted.hint("observables and abbreviations are defined by a formula, fields may be, nothing else is");
             return None;
         }
         let arguments = table.formulas(problems, "arguments");

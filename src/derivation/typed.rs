@@ -4,7 +4,8 @@
 //! too: a role, a shape, `positive`, `angle`, or `constant` for a parameter with a fixed value. Without a role a symbol is a parameter, with a formula an abbreviation. For
 //! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`.
 //!
-//! Where a state or an observable is declared, and no time, `t` is the time.
+//! Where a state or an observable is declared, and no time, `t` is the time. What stands in the parentheses of a field,
+//! `u(x,t): field`, and is not declared, is a coordinate.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -38,6 +39,7 @@ impl Derivation {
             systems: Vec::new(),
             trajectories: Vec::new(),
             families: Vec::new(),
+            domains: Vec::new(),
             claims: Vec::new(),
             measures: Vec::new(),
             conditions: Vec::new(),
@@ -73,6 +75,10 @@ impl Derivation {
                 all.insert(0, (source, typed));
             }
         }
+        // What depends on others comes behind them: fields on coordinates, formulas on anything.
+        all.sort_by_key(|(_, typed)| (typed.formula.is_some(), typed.role == Role::Field));
+        let coordinates = self.unnamed_coordinates(&all);
+        all.splice(0..0, coordinates);
         for (source, typed) in &all {
             for (name, span) in &typed.names {
                 if let Err(found) = self.declare_one(source, typed, name, span) {
@@ -81,6 +87,30 @@ impl Derivation {
             }
         }
         if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+
+    /// What stands in the parentheses of fields and is not declared: coordinates, and `t` is the time.
+    fn unnamed_coordinates(&self, all: &[(Arc<Source>, Typed)]) -> Vec<(Arc<Source>, Typed)> {
+        let mut out: Vec<(Arc<Source>, Typed)> = Vec::new();
+        for (_, field) in all.iter().filter(|(_, t)| t.role == Role::Field) {
+            for (name, _) in &field.names {
+                for one in inside(name) {
+                    let among = |list: &[(Arc<Source>, Typed)]| {
+                        list.iter().any(|(_, t)| t.names.iter().any(|(known, _)| *known == one))
+                    };
+                    if one.is_empty() || self.scope.symbol(&one).is_some() || among(all) || among(&out) {
+                        continue;
+                    }
+                    let timeless = self.scope.time().is_none() && !all.iter().any(|(_, t)| t.role == Role::Time);
+                    let role = if one == "t" && timeless { "time" } else { "coordinate" };
+                    let source = Arc::new(Source { path: String::new(), text: format!("{one}: {role}") });
+                    if let Ok(typed) = Typed::read(&source) {
+                        out.push((source, typed));
+                    }
+                }
+            }
+        }
+        out
     }
 
     fn declare_one(
@@ -238,10 +268,10 @@ impl Typed {
             let message = "a constant is one real number, and nothing else".to_owned();
             return Err(problem(head, "derivation::bad-role", message, "write 'c: constant', or 'g: constant = 9.81'"));
         }
-        if !out.constant && defined != out.formula.is_some() {
+        if !out.constant && defined != out.formula.is_some() && out.role != Role::Field {
             let message =
                 if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
-            let hint = "observables and abbreviations are defined by a formula, nothing else is";
+            let hint = "observables and abbreviations are defined by a formula, fields may be, nothing else is";
             return Err(problem(head, "derivation::bad-role", message.into(), hint));
         }
         if out.formula.is_some() && out.names.len() > 1 {
@@ -262,11 +292,15 @@ impl Typed {
 
     /// The formal arguments of a function: what stands in the parentheses of its name and is not declared.
     fn arguments(&self, name: &str, scope: &Scope) -> Vec<String> {
-        let Some(open) = name.find('(').filter(|_| self.formula.is_some() && name.ends_with(')')) else {
+        if self.formula.is_none() || self.role == Role::Field {
             return Vec::new();
-        };
-        let inner = parts(name, open + 1..name.len() - 1);
-        let names = inner.into_iter().map(|r| name[r].to_owned());
-        names.filter(|n| !n.is_empty() && scope.symbol(n).is_none()).collect()
+        }
+        inside(name).into_iter().filter(|n| !n.is_empty() && scope.symbol(n).is_none()).collect()
     }
+}
+
+/// What stands in the parentheses of a name.
+fn inside(name: &str) -> Vec<String> {
+    let Some(open) = name.find('(').filter(|_| name.ends_with(')')) else { return Vec::new() };
+    parts(name, open + 1..name.len() - 1).into_iter().map(|r| name[r].to_owned()).collect()
 }

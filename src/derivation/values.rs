@@ -234,7 +234,8 @@ impl Loader<'_> {
             _ => "a derivative of ",
         };
         let instant = if leaf.instant.is_some() { " at a fixed time" } else { "" };
-        let whole = format!("{dots}{name}{index}{instant}");
+        let derived = if leaf.partials.is_none() { "" } else { "a derivative of " };
+        let whole = format!("{derived}{dots}{name}{index}{instant}");
         graph.part(leaf).map_or(whole.clone(), |part| part.of(&whole))
     }
 }

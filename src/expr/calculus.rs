@@ -6,13 +6,23 @@ use super::FastMap;
 
 use super::{Expr, Graph, Leaf, Node, Op};
 
-/// An operation whose derivative is not an expression in the table's operations.
+/// Why a derivative cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NoDerivative(pub Op);
+pub enum NoDerivative {
+    /// The derivative of this operation is not an expression in the table's operations.
+    Operation(Op),
+    /// A field is derived more often than [`HIGHEST_ORDER`](super::HIGHEST_ORDER) times.
+    Order,
+}
 
 impl std::fmt::Display for NoDerivative {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "`{}` has no derivative among the known operations", self.0.spelling())
+        match self {
+            NoDerivative::Operation(op) => {
+                write!(f, "`{}` has no derivative among the known operations", op.spelling())
+            }
+            NoDerivative::Order => write!(f, "a derivative of an order above {}", super::HIGHEST_ORDER),
+        }
     }
 }
 
@@ -57,14 +67,23 @@ impl Graph {
         self.directional_derivative(e, |graph, l| (l == leaf).then(|| graph.integer(1)))
     }
 
-    /// de/dt by the chain rule: a leaf for which `moves` is true contributes its rate, `time` contributes 1.
+    /// de/dt by the chain rule: a leaf for which `moves` is true contributes its rate, `time` contributes 1, a field its
+    /// derivative by the time, all coordinates being held fixed.
     ///
     /// # Errors
     /// See [`Graph::directional_derivative`].
     pub fn time_derivative(&mut self, e: Expr, time: Leaf, moves: impl Fn(Leaf) -> bool) -> Result<Expr, NoDerivative> {
+        let coordinate = self.coordinate(time);
+        for leaf in self.leaves([e]) {
+            coordinate.map_or(Ok(None), |at| self.raised(leaf, at))?;
+        }
         self.directional_derivative(e, |graph, leaf| {
             if leaf == time {
                 Some(graph.integer(1))
+            } else if let Some(at) = coordinate
+                && graph.depends(leaf.symbol, at)
+            {
+                graph.raised(leaf, at).ok().flatten()
             } else if leaf.instant.is_none() && moves(leaf) {
                 Some(graph.leaf(Leaf { rate: leaf.rate + 1, ..leaf }))
             } else {
@@ -203,7 +222,7 @@ impl Graph {
             }
             // The derivative of the mean needs the elliptic integral of the second kind.
             Op::Agm if self.is_zero(da) && self.is_zero(db) => da,
-            Op::Agm => return Err(NoDerivative(op)),
+            Op::Agm => return Err(NoDerivative::Operation(op)),
         })
     }
 }

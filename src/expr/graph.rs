@@ -1,6 +1,7 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
-use super::hash::FastHasher;
+use super::field::Partials;
+use super::hash::{FastHasher, FastSet};
 use super::{Op, Part, Rational, Shape};
 use hashbrown::HashTable;
 use std::hash::{Hash, Hasher};
@@ -28,7 +29,7 @@ impl Symbol {
     }
 }
 
-/// What a formula can depend on: one component of a symbol, of one of its time derivatives, now or at a fixed time.
+/// What a formula can depend on: one component of a symbol, of one of its derivatives, now or at a fixed time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Leaf {
     /// The symbol.
@@ -37,6 +38,8 @@ pub struct Leaf {
     pub component: u16,
     /// Order of the time derivative; 0 for the value itself.
     pub rate: u8,
+    /// Orders of the derivatives by coordinates, of a field; for anything else there are none.
+    pub partials: Partials,
     /// `Some(e)`: the value at the time `e`, which is an expression without time-dependent leaves. `None`: now.
     pub instant: Option<Expr>,
 }
@@ -84,6 +87,10 @@ pub struct Graph {
     /// The nodes by what they say: one number each, since copies of a graph are many.
     index: HashTable<Expr>,
     symbols: Vec<SymbolEntry>,
+    /// What fields may depend on, see [`field`](super::field).
+    pub(super) coordinates: Vec<(Symbol, u16)>,
+    /// A field, and the position of a coordinate on which it depends.
+    pub(super) arguments: FastSet<(Symbol, usize)>,
 }
 
 /// The same for a + b and b + a, which are one node.
@@ -248,7 +255,7 @@ impl Graph {
 
     /// The present value of a component of a symbol.
     pub fn component(&mut self, symbol: Symbol, component: u16) -> Expr {
-        self.leaf(Leaf { symbol, component, rate: 0, instant: None })
+        self.leaf(Leaf::now(symbol, component))
     }
 
     /// The constant value of a node, if it is written as one.

@@ -14,6 +14,7 @@
 
 mod calculus;
 pub mod domain;
+mod field;
 mod graph;
 mod hash;
 mod print;
@@ -21,6 +22,7 @@ pub mod tape;
 mod tensor;
 
 pub use calculus::NoDerivative;
+pub use field::{HIGHEST_ORDER, MOST_COORDINATES, Partials};
 pub use graph::{Expr, Graph, Leaf, Node, Symbol, combines};
 pub use hash::{FastHasher, FastMap, FastSet};
 pub use number::{Op, Rational};

@@ -88,11 +88,23 @@ impl Graph {
                 }
             }
         };
-        let whole = format!("{dotted}{lowered}{arguments}{at}");
+        let whole = self.with_partials(leaf, format!("{dotted}{lowered}{arguments}{at}"));
         match self.part(leaf) {
             Some(part) => part.of(&whole),
             None => whole,
         }
+    }
+
+    /// The derivative of a field, as a fraction.
+    fn with_partials(&self, leaf: Leaf, field: String) -> String {
+        let power = |n: u32| if n == 1 { String::new() } else { format!("^{n}") };
+        let order = leaf.partials.order();
+        if order == 0 {
+            return field;
+        }
+        let by = self.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0);
+        let by = by.map(|(leaf, n)| format!(r"\partial {}{}", self.leaf_latex(leaf), power(u32::from(n))));
+        format!(r"\frac{{\partial{} {field}}}{{{}}}", power(order), by.collect::<String>())
     }
 
     /// An expression as LaTeX.
@@ -112,7 +124,8 @@ impl Graph {
                 Node::Pi => (r"\pi".to_owned(), Bond::Factor),
                 Node::Leaf(_) if self.is_branch(node) => (r"(\pm1)".to_owned(), Bond::Factor),
                 Node::Leaf(leaf) => {
-                    (self.leaf_latex(*leaf), if self.part(*leaf).is_some() { Bond::Factor } else { Bond::Symbol })
+                    let plain = self.part(*leaf).is_none() && leaf.partials.is_none();
+                    (self.leaf_latex(*leaf), if plain { Bond::Symbol } else { Bond::Factor })
                 }
                 Node::Binary(Op::Mul, a, b) if self.is_branch(*a) && !self.is_branch(*b) => {
                     (format!(r"\pm {}", wrapped(&printed[b], Bond::Product)), Bond::Sum)

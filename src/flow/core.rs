@@ -54,7 +54,7 @@ pub(super) struct Core {
 /// A new symbol for a number that formulas cannot name.
 pub(super) fn fresh(graph: &mut Graph, name: &str) -> Leaf {
     let symbol = graph.declare(name, Shape::scalar(), false);
-    Leaf { symbol, component: 0, rate: 0, instant: None }
+    Leaf::now(symbol, 0)
 }
 
 impl Core {

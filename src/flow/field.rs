@@ -70,12 +70,8 @@ impl VectorField {
                 return Err(FlowError::NoEquation { state: graph.name(symbol).to_owned() });
             }
             let leaves = |rate| {
-                (0..graph.component_count(symbol) as u16).map(move |component| Leaf {
-                    symbol,
-                    component,
-                    rate,
-                    instant: None,
-                })
+                let components = 0..graph.component_count(symbol) as u16;
+                components.map(move |component| Leaf { rate, ..Leaf::now(symbol, component) })
             };
             state_leaves.extend((0..order).flat_map(leaves));
             unknowns.extend(leaves(order));

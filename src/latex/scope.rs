@@ -7,7 +7,7 @@ use super::name;
 use super::parse::{WrittenName, read_name};
 use super::syntax::{Name, SubItem};
 use diag::Problem;
-use expr::{Graph, Leaf, Shape, Symbol, Tensor};
+use expr::{Graph, Leaf, MOST_COORDINATES, Shape, Symbol, Tensor};
 
 /// What a symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,6 +24,10 @@ pub enum Role {
     Abbreviation,
     /// Stands for what a function is applied to.
     Argument,
+    /// An independent variable of fields.
+    Coordinate,
+    /// Depends on coordinates: any smooth function of them, or given by a formula.
+    Field,
 }
 
 /// How a symbol is declared.
@@ -67,6 +71,8 @@ enum Arguments {
     Literal(String),
     /// Formal arguments of a function.
     Formal(Vec<(Symbol, Shape)>),
+    /// The coordinates of a field, as they are written; they may be left out.
+    Coordinates(String, Vec<Leaf>),
 }
 
 #[derive(Clone, Debug)]
@@ -149,6 +155,10 @@ pub(super) struct Found<'s> {
     pub places: usize,
     /// Whether the parentheses behind it belong to its name.
     pub literal_arguments: bool,
+    /// Its coordinates, for a field.
+    pub coordinates: &'s [Leaf],
+    /// The same as written.
+    places_text: &'s str,
     /// Written with a bar: the complex conjugate of what is declared.
     pub conjugate: bool,
 }
@@ -160,6 +170,10 @@ fn bad_key(message: impl Into<String>, key: &str, hint: &str) -> DeclareError {
         span: 0..key.len(),
         hint: (!hint.is_empty()).then(|| hint.to_owned()),
     })
+}
+
+fn too_many(key: &str) -> DeclareError {
+    bad_key(format!("more than {MOST_COORDINATES} coordinates"), key, "fields of fewer coordinates")
 }
 
 /// Takes a key apart.
@@ -183,7 +197,7 @@ impl Scope {
             logarithm: None,
             imaginary: false,
             units: false,
-            sign: Leaf { symbol, component: 0, rate: 0, instant: None },
+            sign: Leaf::now(symbol, 0),
         }
     }
 
@@ -259,6 +273,13 @@ impl Scope {
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
         }
+        let coordinates = match d.role {
+            Role::Field => self.coordinates_of(graph, key, arguments.as_deref())?,
+            Role::Coordinate if d.formula.is_some() || d.complex || arguments.is_some() => {
+                return Err(bad_key("a coordinate is a real number, and nothing else", key, ""));
+            }
+            _ => Vec::new(),
+        };
         let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
         let mut definition = None;
         let declared = d.shape.as_ref().map(|s| if d.complex { s.complexified() } else { s.clone() });
@@ -295,12 +316,16 @@ impl Scope {
                 let span = 0..text.len();
                 return Err(DeclareError::Formula(vec![Problem { code: "latex::shape", message, span, hint: None }]));
             }
+            if d.role == Role::Field {
+                self.depends_on(graph, &tensor, &coordinates, text)?;
+            }
             definition = Some(tensor);
         }
         let shape = definition.as_ref().map(|t| t.shape.clone()).or(declared);
         let shape = shape.unwrap_or_else(|| if d.complex { Shape::scalar().complexified() } else { Shape::scalar() });
         self.no_clash(key, &name, &pattern, &shape)?;
         let arguments = match (arguments, formal.is_empty()) {
+            (Some(text), _) if d.role == Role::Field => Arguments::Coordinates(text, coordinates),
             (None, true) => Arguments::None,
             (Some(_), false) => Arguments::Formal(formal),
             (Some(text), true) => Arguments::Literal(text),
@@ -310,7 +335,7 @@ impl Scope {
         };
         let moving = match d.role {
             Role::Time | Role::State | Role::Observable => true,
-            Role::Parameter | Role::Argument => false,
+            Role::Parameter | Role::Argument | Role::Coordinate | Role::Field => false,
             Role::Abbreviation => definition.as_ref().is_some_and(|t| self.depends_on_time(graph, t)),
         };
         let rank = shape.real_extents().len();
@@ -318,6 +343,20 @@ impl Scope {
         let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
         let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
         let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
+        if d.role == Role::Coordinate {
+            for component in 0..graph.component_count(symbol) as u16 {
+                graph.add_coordinate(symbol, component).ok_or_else(|| too_many(key))?;
+            }
+        }
+        if let Arguments::Coordinates(_, coordinates) = &arguments {
+            for &leaf in coordinates {
+                // The time is a coordinate where a field depends on it.
+                let at = graph.add_coordinate(leaf.symbol, leaf.component).ok_or_else(|| too_many(key))?;
+                if definition.is_none() {
+                    graph.set_arguments(symbol, &[at]);
+                }
+            }
+        }
         if spelled && !self.words.contains(&letters) {
             self.words.push(letters);
             self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
@@ -342,6 +381,62 @@ impl Scope {
         self.hidden.extend(hidden);
         self.entries.push(Filed { digest: digest(&[&entry.name]), symbol, entry: Arc::new(entry) });
         Ok(symbol)
+    }
+
+    /// The coordinates that stand in the parentheses of a field's name.
+    fn coordinates_of(&self, graph: &Graph, key: &str, arguments: Option<&str>) -> Result<Vec<Leaf>, DeclareError> {
+        let Some(text) = arguments else {
+            return Err(bad_key("a field shows its coordinates", key, "for instance `u(x,t)`"));
+        };
+        let mut out: Vec<Leaf> = Vec::new();
+        for name in text.split(',') {
+            let spelled = |e: &&Filed| e.name == name && e.sub.is_empty();
+            let named = self.symbol(name).or_else(|| self.entries.iter().rev().find(spelled).map(|e| e.symbol));
+            let symbol = named.filter(|s| matches!(self.role(*s), Some(Role::Coordinate | Role::Time)));
+            let Some(symbol) = symbol else {
+                let message = format!("`{name}` is not declared as a coordinate");
+                return Err(bad_key(message, key, "declare it before the field, with the role `coordinate`"));
+            };
+            for component in 0..graph.component_count(symbol) as u16 {
+                let leaf = Leaf::now(symbol, component);
+                if out.contains(&leaf) {
+                    return Err(bad_key(format!("`{name}` stands twice"), key, ""));
+                }
+                out.push(leaf);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Refuses a field's formula that names something that changes and is not among its coordinates.
+    fn depends_on(&self, graph: &Graph, t: &Tensor, allowed: &[Leaf], text: &str) -> Result<(), DeclareError> {
+        let fixed = |l: &Leaf| match self.role(l.symbol) {
+            Some(Role::Coordinate | Role::Time) => allowed.contains(l),
+            Some(Role::State | Role::Observable) => false,
+            // What it names must not depend on more than it does itself.
+            Some(Role::Field) => {
+                graph.coordinates().enumerate().all(|(at, c)| !graph.depends(l.symbol, at) || allowed.contains(&c))
+            }
+            Some(Role::Parameter | Role::Abbreviation | Role::Argument) | None => true,
+        };
+        let Some(leaf) = graph.leaves(t.components.iter().copied()).into_iter().find(|l| !fixed(l)) else {
+            return Ok(());
+        };
+        let message = format!("`{}` is not among the coordinates of this field", graph.name(leaf.symbol));
+        let hint = Some("name it in the parentheses of the field".to_owned());
+        Err(DeclareError::Formula(vec![Problem { code: "latex::derivative", message, span: 0..text.len(), hint }]))
+    }
+
+    /// The coordinates of space: all but the time, and but `t`.
+    pub(super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
+        let in_space = |e: &&Filed| e.role == Role::Coordinate && !matches!(e.name.as_str(), "t" | r"\tau");
+        let symbols = self.entries.iter().filter(in_space).map(|e| e.symbol);
+        symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
+    }
+
+    /// Whether there are coordinates of space.
+    pub(super) fn has_space(&self) -> bool {
+        self.entries.iter().any(|e| e.role == Role::Coordinate && !matches!(e.name.as_str(), "t" | r"\tau"))
     }
 
     /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
@@ -392,7 +487,7 @@ impl Scope {
                 || (e.name == wanted.name
                     && e.sub == sub
                     && wanted.arguments.is_none()
-                    && e.arguments == Arguments::None)
+                    && matches!(e.arguments, Arguments::None | Arguments::Coordinates(..)))
         });
         entry.map(|e| e.symbol)
     }
@@ -410,7 +505,7 @@ impl Scope {
     /// The time.
     pub fn time(&self) -> Option<Leaf> {
         let entry = self.entries.iter().find(|e| e.role == Role::Time)?;
-        Some(Leaf { symbol: entry.symbol, component: 0, rate: 0, instant: None })
+        Some(Leaf::now(entry.symbol, 0))
     }
 
     pub(super) fn time_name(&self) -> Option<&str> {
@@ -435,14 +530,29 @@ impl Scope {
 
     /// Whether parentheses with this content behind this symbol are arguments.
     pub(super) fn applies(&self, name: &str, sub: Option<&[SubItem]>, text: &str) -> bool {
-        self.find(name, sub, Some(text)).is_some_and(|f| f.literal_arguments || !f.formal.is_empty())
+        let found = self.find(name, sub, Some(text));
+        // As many parts as a field has coordinates are a place; anything else is a factor.
+        let place = |f: &Found| f.role == Role::Field && parts(text) == parts(f.places_text);
+        found.is_some_and(|f| f.literal_arguments || !f.formal.is_empty() || place(&f))
     }
 
-    /// Whether a letter is the time, a state or an observable: then it is no index.
+    /// Whether a letter is the time, a coordinate, or something that depends on them: then it is no index.
     pub(super) fn is_time_or_moving(&self, letter: &str) -> bool {
         let number = digest(&[letter]);
         let named = self.entries.iter().rev().find(|e| e.digest == number && e.name == letter && e.sub.is_empty());
-        named.is_some_and(|e| matches!(e.role, Role::Time | Role::State | Role::Observable))
+        named.is_some_and(|e| {
+            matches!(e.role, Role::Time | Role::State | Role::Observable | Role::Coordinate | Role::Field)
+        })
+    }
+
+    /// Whether a symbol, as it is written, is a field.
+    pub(super) fn is_field(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.find(name, sub, None).is_some_and(|f| f.role == Role::Field)
+    }
+
+    /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
+    pub(super) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)
     }
 
     /// Whether a symbol, as it is written, is a matrix.
@@ -542,6 +652,8 @@ impl Scope {
                 (Arguments::None, _) => false,
                 (Arguments::Literal(text), Some(given)) if text == given => true,
                 (Arguments::Formal(_), Some(_)) => true,
+                (Arguments::Coordinates(..), None) => false,
+                (Arguments::Coordinates(text, _), Some(given)) => text == given,
                 _ => continue,
             };
             let Some(indices) = fits(e) else { continue };
@@ -567,7 +679,19 @@ impl Scope {
             } else {
                 0
             },
-            literal_arguments: matches!(entry.arguments, Arguments::Literal(_)),
+            literal_arguments: match &entry.arguments {
+                Arguments::Literal(_) => true,
+                Arguments::Coordinates(text, _) => arguments == Some(text),
+                Arguments::None | Arguments::Formal(_) => false,
+            },
+            coordinates: match &entry.arguments {
+                Arguments::Coordinates(_, coordinates) => coordinates,
+                Arguments::None | Arguments::Literal(_) | Arguments::Formal(_) => &[],
+            },
+            places_text: match &entry.arguments {
+                Arguments::Coordinates(text, _) => text,
+                Arguments::None | Arguments::Literal(_) | Arguments::Formal(_) => "",
+            },
             conjugate: false,
         })
     }
@@ -580,6 +704,16 @@ impl Scope {
         let near = distance(best) <= 2 || name::split(name).1.eq_ignore_ascii_case(name::split(best).1);
         near.then_some(best)
     }
+}
+
+/// Number of parts that commas outside of brackets separate.
+fn parts(text: &str) -> usize {
+    let (mut depth, mut count) = (0i32, 1);
+    for c in text.chars() {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        count += usize::from(c == ',' && depth == 0);
+    }
+    count
 }
 
 fn same_kind(a: &Arguments, b: &Arguments) -> bool {

@@ -156,6 +156,22 @@ pub enum NodeKind {
         /// Written `\mathrm{d}`.
         upright: bool,
     },
+    /// A partial derivative.
+    Partial {
+        /// What is derived.
+        of: Box<Node>,
+        /// By what, each as often as it is; symbols.
+        by: Vec<Node>,
+        /// How it is written.
+        form: PartialForm,
+    },
+    /// An operator of vector analysis before something.
+    Nabla {
+        /// What it acts on.
+        of: Box<Node>,
+        /// What it does.
+        action: Nabla,
+    },
     /// A differential that is not part of a fraction, as in `dW=F\,dx`: along a motion, the rate.
     Differential {
         /// Of what.
@@ -181,6 +197,35 @@ pub enum NodeKind {
     Matrix(Vec<Vec<Node>>),
     /// A limit: what, and where time goes.
     Limit(Box<Node>, Target),
+}
+
+/// How a partial derivative is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PartialForm {
+    /// `\frac{\partial u}{\partial x}`.
+    Fraction,
+    /// `\frac{\partial}{\partial x}u`.
+    Operator,
+    /// `\partial_xu`.
+    Subscript,
+}
+
+/// What ∇ does.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Nabla {
+    /// `\nabla f`.
+    Gradient,
+    /// `\nabla\cdot{\bf A}`.
+    Divergence,
+    /// `\nabla\times{\bf A}`.
+    Curl,
+    /// `\nabla^2f`.
+    Laplacian {
+        /// Written `\Delta f`.
+        delta: bool,
+    },
+    /// `({\bf v}\cdot\nabla)f`: along a direction.
+    Along(Box<Node>),
 }
 
 /// Where time goes in a limit.
@@ -281,6 +326,9 @@ impl Node {
             NodeKind::Cross { left, right, .. } => vec![left, right],
             NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
             NodeKind::Derivative { of, by, .. } => vec![of, by],
+            NodeKind::Partial { of, by, .. } => std::iter::once(&**of).chain(by).collect(),
+            NodeKind::Nabla { of, action: Nabla::Along(direction) } => vec![direction, of],
+            NodeKind::Nabla { of, .. } => vec![of],
             NodeKind::At { of, time, .. } => vec![of, time],
             NodeKind::Factorial(a)
             | NodeKind::Differential { of: a, .. }

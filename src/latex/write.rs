@@ -5,7 +5,8 @@
 
 use super::name;
 use super::syntax::{
-    Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
+    Bracket, Chain, Least, Nabla, Node, NodeKind, PartialForm, RelationKind, Sign, SubItem, SymbolNode, Target,
+    tightness,
 };
 use expr::Rational;
 
@@ -197,6 +198,52 @@ impl Text {
                     self.node(of, Least::Factor);
                 }
             }
+            NodeKind::Partial { of, by, form } => {
+                let power = |n: usize| if n == 1 { String::new() } else { script('^', &n.to_string()) };
+                let runs = by.chunk_by(|a, b| a.kind == b.kind);
+                if *form == PartialForm::Subscript {
+                    for run in runs {
+                        self.put(r"\partial");
+                        let mut under = Text(String::new());
+                        under.node(&run[0], Least::Factor);
+                        self.put(&script('_', &under.0));
+                        self.put(&power(run.len()));
+                    }
+                    self.put(" ");
+                    return self.node(of, Least::Factor);
+                }
+                self.put(r"\frac{\partial");
+                self.put(&power(by.len()));
+                self.put(" ");
+                if *form == PartialForm::Fraction {
+                    self.node(of, Least::Factor);
+                }
+                self.put("}{");
+                for run in runs {
+                    self.put(r"\partial ");
+                    self.node(&run[0], Least::Factor);
+                    self.put(&power(run.len()));
+                }
+                self.put("}");
+                if *form == PartialForm::Operator {
+                    self.node(of, Least::Factor);
+                }
+            }
+            NodeKind::Nabla { of, action } => {
+                match action {
+                    Nabla::Gradient => self.put(r"\nabla "),
+                    Nabla::Divergence => self.put(r"\nabla\cdot "),
+                    Nabla::Curl => self.put(r"\nabla\times "),
+                    Nabla::Laplacian { delta: false } => self.put(r"\nabla^2 "),
+                    Nabla::Laplacian { delta: true } => self.put(r"\Delta "),
+                    Nabla::Along(direction) => {
+                        self.put("(");
+                        self.node(direction, Least::Factor);
+                        self.put(r"\cdot\nabla)");
+                    }
+                }
+                self.node(of, Least::Factor);
+            }
             NodeKind::Differential { of, upright } => {
                 self.put(if *upright { r"\mathrm{d}" } else { "d" });
                 self.node(of, Least::Factor);
@@ -321,7 +368,9 @@ fn between(before: &Node, after: &Node) -> &'static str {
     let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
     // Nobody could say how far such a derivative reaches; the reader refuses it.
     let open = match &before.kind {
-        NodeKind::Derivative { of, operator: true, .. } => !matches!(of.kind, NodeKind::Group(..)),
+        NodeKind::Derivative { of, operator: true, .. }
+        | NodeKind::Partial { of, form: PartialForm::Operator | PartialForm::Subscript, .. }
+        | NodeKind::Nabla { of, .. } => !matches!(of.kind, NodeKind::Group(..)),
         _ => false,
     };
     if open || after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {

@@ -192,7 +192,7 @@ mod tests {
     fn decaying() -> (Graph, Leaf, Expr) {
         let mut g = Graph::new();
         let t = g.declare("t", Shape::scalar(), false);
-        let time = Leaf { symbol: t, component: 0, rate: 0, instant: None };
+        let time = Leaf::now(t, 0);
         let node = g.leaf(time);
         let minus = g.neg(node);
         let f = g.unary(Op::Exp, minus);

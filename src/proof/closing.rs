@@ -141,7 +141,7 @@ impl Dynamics {
                 for (&j, &order) in &orders[i] {
                     if reach[j].checked_sub(depth[i]) == Some(order) {
                         let (symbol, component) = variables[j];
-                        let leaf = Leaf { symbol, component, rate: order, instant: None };
+                        let leaf = Leaf { rate: order, ..Leaf::now(symbol, component) };
                         let slope = graph.partial_derivative(residual, leaf).map_err(|_| Reason::NoDerivative)?;
                         row.push((j, slope));
                     }

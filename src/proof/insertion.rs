@@ -90,7 +90,7 @@ mod tests {
         let mut g = Graph::new();
         let [x, y] = ["x", "y"].map(|n| {
             let symbol = g.declare(n, Shape::scalar(), false);
-            Leaf { symbol, component: 0, rate: 0, instant: None }
+            Leaf::now(symbol, 0)
         });
         let (a, b) = (g.leaf(x), g.leaf(y));
         let sum = g.add(a, b);

@@ -116,6 +116,7 @@ mod exact;
 mod field;
 mod growth;
 mod insertion;
+mod jets;
 mod linear;
 mod logarithm;
 mod lower;

@@ -83,13 +83,13 @@ impl Generators {
     pub(super) fn add(&mut self, generator: Generator) -> Option<Leaf> {
         let component = u16::try_from(self.list.len()).ok()?;
         self.list.push(generator);
-        Some(Leaf { symbol: self.symbol, component, rate: 0, instant: None })
+        Some(Leaf::now(self.symbol, component))
     }
 
     /// The leaf of a generator, by its number.
     pub(super) fn leaf(&self, at: usize) -> Option<Leaf> {
         let component = u16::try_from(at).ok().filter(|_| at < self.list.len())?;
-        Some(Leaf { symbol: self.symbol, component, rate: 0, instant: None })
+        Some(Leaf::now(self.symbol, component))
     }
 
     /// What a leaf stands for, if it is a generator.

@@ -907,6 +907,10 @@ fn leaf_name(graph: &Graph, leaf: Leaf) -> String {
         2 => "_ddot",
         _ => "_rate",
     });
+    for coordinate in graph.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0) {
+        let (by, n) = coordinate;
+        out.push_str(&format!("_d{}{}", leaf_name(graph, by), if n > 1 { n.to_string() } else { String::new() }));
+    }
     if leaf.instant.is_some() {
         out.push_str("_then");
     }

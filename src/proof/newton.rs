@@ -10,6 +10,7 @@
 //! premises must hold, and the sides differ, on all of the box.
 
 use super::exact::Exact;
+use super::jets::names_fields;
 use super::outcome::{Options, Point, PointValue, Premises, Refutation, Side};
 use super::witness::{Values, decimals};
 use expr::tape::{Slots, Tape};
@@ -49,7 +50,9 @@ pub(super) fn refutes(
 ) -> Option<Refutation> {
     let equations: Vec<(Expr, Expr)> = given.equations.iter().chain(&given.only_now).copied().collect();
     let count = equations.len();
-    if count == 0 || count > MOST_EQUATIONS || !given.moving.is_empty() {
+    // A point of a motion, or of a field, must belong to one.
+    let bound = !given.moving.is_empty() || equations.iter().any(|&pair| names_fields(graph, pair));
+    if count == 0 || count > MOST_EQUATIONS || bound {
         return None;
     }
     let residuals: Vec<Expr> = equations.iter().map(|&(l, r)| graph.sub(l, r)).collect();

@@ -264,7 +264,7 @@ impl std::fmt::Display for Reason {
             Reason::NoDerivative => f.write_str("a derivative by time cannot be written with the known operations"),
             Reason::Bound(b) => write!(f, "the error bound stays at 2^{b:.0}"),
             Reason::Unextended => f.write_str(
-                "a point satisfies what is given, and not the claim; but that a motion passes through it was not shown",
+                "a point satisfies what is given, and not the claim; but that a motion, or a field, passes through it was not shown",
             ),
             Reason::NoPoint => f.write_str("no point of the field was found at which all square roots exist"),
             Reason::Coincidence => f.write_str("a relation between roots held at some random points only"),

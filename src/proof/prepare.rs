@@ -2,7 +2,8 @@
 
 use super::closing::Dynamics;
 use super::insertion::put_in;
-use super::outcome::{Premises, Reason};
+use super::jets::{Jets, names_fields};
+use super::outcome::{Point, Premises, Reason};
 use expr::{Expr, Graph, Leaf, Node, Op};
 use expr::{FastMap, FastSet};
 
@@ -11,27 +12,45 @@ use expr::{FastMap, FastSet};
 pub(super) struct Premise {
     pub(super) left: Expr,
     pub(super) right: Expr,
-    /// A derivative by time of a given one: used to solve for rates, and for nothing else as long as others are left.
+    /// A derivative of a given one: used to solve for rates, and for nothing else as long as others are left.
     pub(super) derived: bool,
 }
 
+/// The solutions of the premises: which points belong to one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Solutions {
+    dynamics: Dynamics,
+    jets: Jets,
+}
+
+impl Solutions {
+    /// Whether motions, and fields, pass through a point at which the premises and their derivatives hold.
+    pub(super) fn extend(&self, graph: &Graph, point: &Point) -> bool {
+        self.dynamics.extends(graph, point) && self.jets.extends(graph, point)
+    }
+}
+
 /// The premises' equations, followed by their derivatives by time as far as the claim and hidden constraints ask for, see
-/// [`Dynamics`]; and all of these at the fixed times at which rates occur.
+/// [`Dynamics`], and by coordinates, see [`Jets`]; and those by time at the fixed times at which rates occur.
 pub(super) fn with_rates(
     graph: &mut Graph,
     premises: &Premises,
     equations: &[(Expr, Expr)],
-) -> Result<(Vec<Premise>, Dynamics), Reason> {
+) -> Result<(Vec<Premise>, Solutions), Reason> {
     let plain = |&(left, right): &(Expr, Expr)| Premise { left, right, derived: false };
     let mut all: Vec<Premise> = premises.equations.iter().map(plain).collect();
-    let Some(time) = premises.time else {
-        all.extend(premises.only_now.iter().map(plain));
-        return Ok((all, Dynamics::default()));
-    };
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
     let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
     let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
-    let dynamics = Dynamics::of(graph, &premises.equations, &asked, time, &moves)?;
+    let jets = Jets::of(graph, &premises.equations, &asked, (premises.time, &premises.moving))?;
+    all.extend(jets.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
+    let Some(time) = premises.time else {
+        all.extend(premises.only_now.iter().map(plain));
+        return Ok((all, Solutions { dynamics: Dynamics::default(), jets }));
+    };
+    let of_motions: Vec<(Expr, Expr)> =
+        premises.equations.iter().copied().filter(|&pair| !names_fields(graph, pair)).collect();
+    let dynamics = Dynamics::of(graph, &of_motions, &asked, time, &moves)?;
     for &pair in &dynamics.parts {
         if !premises.equations.contains(&pair) {
             all.push(plain(&pair));
@@ -62,7 +81,7 @@ pub(super) fn with_rates(
         }
     }
     all.extend(premises.only_now.iter().map(plain));
-    Ok((all, dynamics))
+    Ok((all, Solutions { dynamics, jets }))
 }
 
 /// Leaves that stand in arguments of transcendental functions.

@@ -3,7 +3,6 @@
 mod cases;
 
 use super::apart::by_domain;
-use super::closing::Dynamics;
 use super::conditions::{conditions, raised};
 use super::field::{Trials, trials};
 use super::insertion::Insertion;
@@ -11,7 +10,7 @@ use super::lower::{Generator, TooLarge};
 use super::lowered::question;
 use super::memory::{Asked, Memory};
 use super::outcome::{Condition, Identity, Options, Premises, Proof, Reason, Wanted};
-use super::prepare::{explicit, with_rates};
+use super::prepare::{Solutions, explicit, with_rates};
 use super::probe::Probe;
 use super::relate::settle;
 use super::sign::Facts;
@@ -163,7 +162,7 @@ fn decide(
     options: &Options,
 ) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
-    let (mut premises, dynamics) = with_rates(graph, given, equations)?;
+    let (mut premises, solutions) = with_rates(graph, given, equations)?;
     // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
     let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
     for p in &mut premises {
@@ -215,7 +214,7 @@ fn decide(
         seeded: true,
         limit,
         shortened: false,
-        dynamics: &dynamics,
+        solutions: &solutions,
     };
     let own = examination.lowered.premises.clone();
     let settled = examination.generic(&own);
@@ -305,8 +304,8 @@ struct Examination<'a> {
     limit: usize,
     /// Whether a reason was given that looks at a part of the pivots only.
     shortened: bool,
-    /// Which points belong to motions.
-    dynamics: &'a Dynamics,
+    /// Which points belong to motions, and to fields.
+    solutions: &'a Solutions,
 }
 
 impl Examination<'_> {
@@ -509,7 +508,7 @@ impl Examination<'_> {
                 };
                 let mut passed_over = false;
                 let on_a_motion = |f: &Found| {
-                    let extends = f.differs.is_none() || self.dynamics.extends(scene.graph, &f.point);
+                    let extends = f.differs.is_none() || self.solutions.extend(scene.graph, &f.point);
                     passed_over |= !extends;
                     extends
                 };

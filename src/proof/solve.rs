@@ -367,7 +367,7 @@ impl Solver<'_> {
             Some(Generator::Sign | Generator::Half) => None,
             Some(Generator::Free) => Some(2),
             None if self.parameters.contains(&leaf) => Some(3),
-            None if leaf.rate > 0 => Some(0),
+            None if leaf.rate > 0 || !leaf.partials.is_none() => Some(0),
             None => Some(1),
         }
     }
@@ -378,7 +378,7 @@ impl Solver<'_> {
         let extent = self.extent(e);
         let size = extent.size;
         let mut leaves: Vec<(u8, Leaf)> = extent.leaves.iter().filter_map(|&l| Some((self.class(l)?, l))).collect();
-        leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse(leaf.rate)));
+        leaves.sort_by_key(|&(class, leaf)| (class, std::cmp::Reverse((leaf.rate, leaf.partials.order()))));
         for (class, unknown) in leaves {
             if out.iter().any(|c: &Candidate| c.class < class) {
                 break;
@@ -398,7 +398,7 @@ impl Solver<'_> {
             let late = match derived {
                 _ if self.special && from == 0 => 0,
                 false => 1,
-                true if unknown.rate > 0 => 2,
+                true if unknown.rate > 0 || !unknown.partials.is_none() => 2,
                 true => 3,
             };
             let position = out.len();

@@ -233,7 +233,7 @@ mod tests {
         let mut g = Graph::new();
         let leaves = ["x", "y", "z"].map(|n| {
             let symbol = g.declare(n, Shape::scalar(), false);
-            Leaf { symbol, component: 0, rate: 0, instant: None }
+            Leaf::now(symbol, 0)
         });
         (g, leaves)
     }

@@ -451,6 +451,13 @@ fn refuted(claim: &ClaimAccount) -> &'static str {
 /// Where a reading holds, in a few words; the beginning of a sentence.
 pub(super) fn verdict(reading: &Reading<'_>) -> String {
     if let Some(region) = &reading.claim.region {
+        if region.is_of_fields() {
+            return match region.verdict.outcome().word() {
+                "holds" => "Holds for all fields".to_owned(),
+                "fails" => "Fails for some fields".to_owned(),
+                _ => "Undecided".to_owned(),
+            };
+        }
         let (word, rest) = match region.verdict.outcome().word() {
             "holds" => ("Holds", " over the ranges"),
             "fails" => ("Fails", " over the ranges"),

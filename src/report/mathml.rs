@@ -9,7 +9,8 @@
 
 use crate::expr::Rational;
 use crate::latex::syntax::{
-    Bracket, Chain, Least, Node, NodeKind, RelationKind, Sign, SubItem, SymbolNode, Target, tightness,
+    Bracket, Chain, Least, Nabla, Node, NodeKind, PartialForm, RelationKind, Sign, SubItem, SymbolNode, Target,
+    tightness,
 };
 use crate::latex::{self, Scope};
 
@@ -260,6 +261,50 @@ impl Markup {
                 if *operator {
                     self.node(of, Least::Factor);
                 }
+            }
+            NodeKind::Partial { of, by, form } => {
+                const D: &str = "<mo rspace=\"0\">∂</mo>";
+                let raised = |what: &str, n: usize| match n {
+                    1 => what.to_owned(),
+                    n => format!("<msup><mrow>{what}</mrow><mn>{n}</mn></msup>"),
+                };
+                let name = |node: &Node| {
+                    let mut name = Markup(String::new());
+                    name.node(node, Least::Factor);
+                    name.0
+                };
+                let runs = by.chunk_by(|a, b| a.kind == b.kind);
+                if *form == PartialForm::Subscript {
+                    for run in runs {
+                        let below = format!("<msub>{D}<mrow>{}</mrow></msub>", name(&run[0]));
+                        self.put(&raised(&below, run.len()));
+                    }
+                    return self.node(of, Least::Factor);
+                }
+                self.put(&format!("<mfrac><mrow>{}", raised(D, by.len())));
+                if *form == PartialForm::Fraction {
+                    self.node(of, Least::Factor);
+                }
+                let below: String = runs.map(|run| format!("{D}{}", raised(&name(&run[0]), run.len()))).collect();
+                self.put(&format!("</mrow><mrow>{below}</mrow></mfrac>"));
+                if *form == PartialForm::Operator {
+                    self.node(of, Least::Factor);
+                }
+            }
+            NodeKind::Nabla { of, action } => {
+                match action {
+                    Nabla::Gradient => self.put("<mo>∇</mo>"),
+                    Nabla::Divergence => self.put("<mo>∇</mo><mo>⋅</mo>"),
+                    Nabla::Curl => self.put("<mo>∇</mo><mo>×</mo>"),
+                    Nabla::Laplacian { delta: false } => self.put("<msup><mo>∇</mo><mn>2</mn></msup>"),
+                    Nabla::Laplacian { delta: true } => self.put("<mo>Δ</mo>"),
+                    Nabla::Along(direction) => {
+                        self.put("<mrow><mo>(</mo>");
+                        self.node(direction, Least::Factor);
+                        self.put("<mo>⋅</mo><mo>∇</mo><mo>)</mo></mrow>");
+                    }
+                }
+                self.node(of, Least::Factor);
             }
             NodeKind::Differential { of, upright } => {
                 self.put(if *upright { "<mi mathvariant=\"normal\">d</mi>" } else { "<mi>d</mi>" });

@@ -21,6 +21,7 @@ pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
             let unknowns: Vec<String> = region.unknowns.iter().map(range).collect();
             format!("There is {number} for {} of", unknowns.join(", "))
         }
+        _ if region.is_of_fields() => "For all fields".to_owned(),
         _ => "At every point of the ranges".to_owned(),
     }
 }
@@ -31,7 +32,10 @@ fn range(of: &RangeAccount) -> String {
     match of.values {
         Some((from, to)) if from == to => format!("${}={}${unit}", of.name, value(from)),
         Some((from, to)) => format!("${}$ from {} to {}{unit}", of.name, value(from), value(to)),
-        None => format!("${}$ as the others give it", of.name),
+        None => match &of.formula {
+            Some(formula) => format!("${}={formula}$", of.name),
+            None => format!("${}$ as the others give it", of.name),
+        },
     }
 }
 
@@ -118,7 +122,13 @@ pub(super) fn terminal(derivation: &Derivation, account: &Account, paint: Paint,
             body.push_str(&terminal_one(derivation, claim, region, paint));
         }
     }
-    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold("Over ranges of values")) }
+    let of_fields = |c: &ClaimAccount| c.region.as_ref().is_some_and(RegionAccount::is_of_fields);
+    let of = if account.claims.iter().any(of_fields) {
+        "Of fields, and over ranges of values"
+    } else {
+        "Over ranges of values"
+    };
+    if body.is_empty() { body } else { format!("{} ({number})\n\n{body}", paint.bold(of)) }
 }
 
 /// How the verdict over ranges came about, for `rederive explain`.
@@ -176,6 +186,7 @@ fn range_json(of: &RangeAccount) -> Value {
         "unit": of.unit,
         "from": of.values.map(|v| number(v.0)),
         "to": of.values.map(|v| number(v.1)),
+        "formula": of.formula,
     })
 }
 

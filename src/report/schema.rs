@@ -231,6 +231,7 @@ fn region(verdicts: &[&str], expected: &[Value]) -> Value {
         ("unit", text_or_null("Its unit")),
         ("from", number("First value")),
         ("to", number("Last value, the same for a single value")),
+        ("formula", text_or_null("Its formula, for a value that depends on others")),
     ]);
     let shares = object(&[
         ("proved", number("Part of the volume on which the claim holds wherever it applies")),

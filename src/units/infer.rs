@@ -72,6 +72,14 @@ impl<'g> Inference<'g> {
                 states.and_then(|s| s.get(usize::from(leaf.component))).cloned().unwrap_or(State::Unknown)
             }
         };
+        let own = self.graph.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0).fold(
+            own,
+            |own, (coordinate, n)| match (own, self.leaf_state(coordinate)) {
+                (State::Known(unit), State::Known(by)) => State::Known(unit.over(&by.power(&Rational::from(n)))),
+                (State::Zero, _) => State::Zero,
+                _ => State::Unknown,
+            },
+        );
         match (own, leaf.rate, &self.seconds) {
             (own, 0, _) => own,
             (State::Known(unit), n, Some(t)) => State::Known(unit.over(&t.power(&Rational::from(n)))),

@@ -290,7 +290,7 @@ impl<'d> Checker<'d> {
             let mut fault = None;
             let mut unknown = None;
             for &(component, e) in &formulas {
-                let leaf = Leaf { symbol: given.symbol, component: component as u16, rate: given.rate, instant: None };
+                let leaf = Leaf { rate: given.rate, ..Leaf::now(given.symbol, component as u16) };
                 let name = graph.leaf_latex(leaf);
                 match (self.inference.leaf_state(leaf), self.inference.state(e)) {
                     (State::Known(own), State::Known(found)) if own != found => {

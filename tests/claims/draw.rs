@@ -406,7 +406,12 @@ fn has_allowance(claim: &Claim) -> bool {
     hypothesis
         || claim.forms.iter().any(|f| match f {
             Form::Always(t) => t.iter().flatten().any(allowed),
-            Form::Never(t) | Form::Eventually(t) => t.iter().flatten().any(|s| matches!(s, Statement::Limit { .. })),
+            // What is never unequal is always equal.
+            Form::Never(t) => t.iter().flatten().any(|s| match s {
+                Statement::Relation { kinds, .. } => kinds.contains(&Kind::Different),
+                Statement::Limit { .. } => true,
+            }),
+            Form::Eventually(t) => t.iter().flatten().any(|s| matches!(s, Statement::Limit { .. })),
             Form::FirstIntegral(_) | Form::Solves(..) | Form::SameMotion(..) => true,
             Form::Defined(_) | Form::Independent(_) | Form::Exists { .. } => false,
         })

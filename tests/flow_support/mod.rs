@@ -26,7 +26,7 @@ impl World {
     pub fn leaf(&mut self, name: &str) -> Leaf {
         let plain = name.trim_end_matches('\'');
         let symbol = self.symbol(plain);
-        Leaf { symbol, component: 0, rate: (name.len() - plain.len()) as u8, instant: None }
+        Leaf { rate: (name.len() - plain.len()) as u8, ..Leaf::now(symbol, 0) }
     }
 
     /// A formula: + − * / ^ (integer powers), functions, decimals, leaves.

@@ -26,7 +26,7 @@ impl Reader {
     pub fn leaf(&mut self, name: &str) -> Leaf {
         let rate = name.chars().filter(|&c| c == '\'').count() as u8;
         let symbol = self.symbol(name.trim_end_matches('\''));
-        Leaf { symbol, component: 0, rate, instant: None }
+        Leaf { rate, ..Leaf::now(symbol, 0) }
     }
 
     /// From now on `name` means this expression.

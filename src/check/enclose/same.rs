@@ -39,7 +39,7 @@ impl Same {
         let (mut exprs, mut names) = (Vec::new(), Vec::new());
         for &symbol in of {
             for component in 0..along.graph.component_count(symbol) {
-                let leaf = Leaf { symbol, component: component as u16, rate: 0, instant: None };
+                let leaf = Leaf::now(symbol, component as u16);
                 exprs.push(along.graph.leaf(leaf));
                 names.push(format!("{} of both motions", along.graph.leaf_latex(leaf)));
             }

@@ -11,7 +11,7 @@ use std::cell::Cell;
 fn oscillator() -> (Along, Selection, Selection) {
     let mut graph = Graph::new();
     let [t, q, p] = ["t", "q", "p"].map(|name| graph.declare(name, Shape::scalar(), false));
-    let leaf = |symbol, rate| Leaf { symbol, component: 0, rate, instant: None };
+    let leaf = |symbol, rate| Leaf { rate, ..Leaf::now(symbol, 0) };
     let [now, q_now, p_now] = [t, q, p].map(|symbol| leaf(symbol, 0));
     let [q_rate, p_rate, q_value, p_value] = [leaf(q, 1), leaf(p, 1), q_now, p_now].map(|l| graph.leaf(l));
     let back = graph.neg(q_value);

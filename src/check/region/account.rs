@@ -1,7 +1,8 @@
 //! What was found for a claim over ranges.
 
-use super::super::account::ClaimAccount;
+use super::super::account::{ClaimAccount, IdentityAccount};
 use super::super::identity::Proof;
+use super::super::standing::Decision;
 use super::map::{RegionMap, draw};
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
@@ -22,6 +23,8 @@ pub struct RangeAccount {
     /// First and last value, to the nearest binary64 number; equal for a single value. `None` for a value that depends on
     /// others.
     pub values: Option<(f64, f64)>,
+    /// For a value that depends on others: its formula.
+    pub formula: Option<String>,
 }
 
 /// Parts of the volume; they add up to 1.
@@ -98,32 +101,45 @@ fn percent(share: f64, whole: bool) -> String {
 }
 
 impl RegionAccount {
-    pub(super) fn blank(region: &Region, graph: &Graph, put: &Insertion, variables: &[Variable]) -> RegionAccount {
-        let mut ranges = Vec::new();
-        for ranged in &region.ranges {
-            let name = graph.leaf_latex(ranged.leaf);
-            let values = match ranged.values {
-                Values::Between(..) => {
-                    let of = variables.iter().find(|v| v.leaf == ranged.leaf);
-                    of.map(|v| v.shown)
+    /// The account of a claim about fields, by what was decided of it as a step: over all of them, not over ranges.
+    pub(crate) fn of_step(region: &Region, step: Option<&IdentityAccount>) -> RegionAccount {
+        let (known, reason) = match step {
+            None => (Possible::ANY, "it is no equation that could follow from others".to_owned()),
+            Some(step) if step.is_proved() => {
+                let given = if step.from.is_empty() {
+                    "for all fields"
+                } else {
+                    "for all fields that satisfy what it follows from"
+                };
+                (Possible::TRUE, given.to_owned())
+            }
+            Some(step) => match (step.finding.decision(), &step.witness) {
+                (Decision::Refuted, Some(point)) => {
+                    (Possible::FALSE, format!("a solution near a point contradicts it: {point}"))
                 }
-                Values::One(_) => {
-                    put.value(ranged.leaf).and_then(|e| Some(nearest(graph, e, enclosed(graph, e)?))).map(|x| (x, x))
-                }
-            };
-            ranges.push((
-                matches!(ranged.values, Values::One(_)),
-                RangeAccount { name, unit: ranged.unit.clone(), values },
-            ));
+                _ => (Possible::ANY, step.sentence()),
+            },
+        };
+        let strength = if known == Possible::TRUE { Strength::Proved } else { Strength::Enclosed };
+        RegionAccount {
+            verdict: Verdict::over_ranges(known, strength, 1, Some(&[]), reason),
+            ..RegionAccount::empty(region)
         }
-        ranges.sort_by_key(|(single, _)| *single);
+    }
+
+    /// Whether this is about fields, whatever they are.
+    pub fn is_of_fields(&self) -> bool {
+        self.ranges.is_empty() && self.unknowns.is_empty()
+    }
+
+    fn empty(region: &Region) -> RegionAccount {
         RegionAccount {
             verdict: Verdict::of(Finding::open("it was not looked at")),
             expected: region.expect,
-            varying: variables.len(),
+            varying: 0,
             unknowns: Vec::new(),
             unique: false,
-            ranges: ranges.into_iter().map(|(_, r)| r).collect(),
+            ranges: Vec::new(),
             shares: Shares::default(),
             cells: 0,
             depth: 0,
@@ -131,6 +147,39 @@ impl RegionAccount {
             solutions: Vec::new(),
             remarks: Vec::new(),
             map: None,
+        }
+    }
+
+    pub(super) fn blank(region: &Region, graph: &Graph, put: &Insertion, variables: &[Variable]) -> RegionAccount {
+        let mut ranges = Vec::new();
+        for ranged in &region.ranges {
+            // A field has one formula for all its components.
+            let field = graph.is_field(ranged.leaf.symbol);
+            if field && ranged.leaf.component > 0 {
+                continue;
+            }
+            let name = if field { graph.name(ranged.leaf.symbol).to_owned() } else { graph.leaf_latex(ranged.leaf) };
+            let formula = ranged.formula.clone();
+            let values = match ranged.values {
+                Values::Between(..) => {
+                    let of = variables.iter().find(|v| v.leaf == ranged.leaf);
+                    of.map(|v| v.shown)
+                }
+                Values::One(_) if field => None,
+                Values::One(_) => {
+                    put.value(ranged.leaf).and_then(|e| Some(nearest(graph, e, enclosed(graph, e)?))).map(|x| (x, x))
+                }
+            };
+            ranges.push((
+                matches!(ranged.values, Values::One(_)),
+                RangeAccount { name, unit: ranged.unit.clone(), values, formula },
+            ));
+        }
+        ranges.sort_by_key(|(single, _)| *single);
+        RegionAccount {
+            varying: variables.len(),
+            ranges: ranges.into_iter().map(|(_, r)| r).collect(),
+            ..RegionAccount::empty(region)
         }
     }
 
@@ -173,6 +222,9 @@ impl RegionAccount {
                 self.remarks.push(format!("${text}$ is an identity between algebraic numbers, compared exactly"));
                 continue;
             }
+            // Of several components the weakest bound.
+            let same = question.identities.iter().filter(|(other, _)| other == text).map(|(_, bound)| *bound);
+            let bound = same.fold(*bound, f64::max);
             self.remarks.push(format!(
                 "${text}$ is an identity, by random evaluation with an error probability of at most 2^{}",
                 bound.ceil()
@@ -211,7 +263,11 @@ impl RegionAccount {
     fn sentence(&self, known: Possible, division: &Division) -> String {
         let mut out = match known.decided() {
             Some(Truth::True) if self.varying == 0 => "at the one point that is asked for".to_owned(),
-            Some(Truth::True) if self.shares.not_applicable > 0.0 => "at every point at which it applies".to_owned(),
+            Some(Truth::True)
+                if self.shares.not_applicable > 0.0 || division.pieces.iter().any(|p| p.part == Part::Border) =>
+            {
+                "at every point at which it applies".to_owned()
+            }
             Some(Truth::True) => "at every point of the ranges".to_owned(),
             Some(Truth::Void) => {
                 "at no point of the ranges do its assumptions hold and its formulas have values".to_owned()

@@ -70,6 +70,7 @@ pub(super) fn decide_all(
         .claims
         .iter()
         .enumerate()
+        .filter(|(_, claim)| claim.is_over_ranges())
         .filter_map(|(at, claim)| Some((at, claim, claim.region.as_ref()?)))
         .filter(|(_, claim, _)| asked(claim))
         .collect();
@@ -149,7 +150,12 @@ fn decide(
         account.unknowns = unknowns
             .iter()
             .zip(&wanted)
-            .map(|(u, v)| RangeAccount { name: graph.leaf_latex(u.leaf), unit: u.unit.clone(), values: Some(v.shown) })
+            .map(|(u, v)| RangeAccount {
+                name: graph.leaf_latex(u.leaf),
+                unit: u.unit.clone(),
+                values: Some(v.shown),
+                formula: None,
+            })
             .collect();
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;

@@ -7,7 +7,7 @@
 
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
 use crate::derivation::{Claim, Ranged, Values};
-use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
+use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
 use crate::latex::{RelationKind, Scope};
 use crate::verdict::{self, Possible, Proposition};
 
@@ -73,19 +73,28 @@ pub(super) struct Question {
 pub(super) struct Insertion<'a> {
     scope: &'a Scope,
     values: FastMap<Leaf, Expr>,
+    /// The formulas of fields, in which coordinates are still themselves.
+    fields: FastMap<(Symbol, u16), Expr>,
 }
 
 impl<'a> Insertion<'a> {
     pub fn new(graph: &mut Graph, scope: &'a Scope, ranges: &[Ranged]) -> Insertion<'a> {
-        let mut values: FastMap<Leaf, Expr> = FastMap::default();
+        let (mut values, mut fields) = (FastMap::default(), FastMap::default());
+        let coordinates: Vec<Leaf> = graph.coordinates().collect();
         for ranged in ranges {
             if let Values::One(e) = ranged.values {
                 // Single values may depend on those before them.
-                let e = graph.substitute(e, |_, leaf| values.get(&leaf).copied());
-                values.insert(ranged.leaf, e);
+                if graph.is_field(ranged.leaf.symbol) {
+                    let fixed = |leaf: Leaf| values.get(&leaf).copied().filter(|_| !coordinates.contains(&leaf));
+                    let formula = graph.substitute(e, |_, leaf| fixed(leaf));
+                    fields.insert((ranged.leaf.symbol, ranged.leaf.component), formula);
+                } else {
+                    let e = graph.substitute(e, |_, leaf| values.get(&leaf).copied());
+                    values.insert(ranged.leaf, e);
+                }
             }
         }
-        Insertion { scope, values }
+        Insertion { scope, values, fields }
     }
 
     /// The single value of a component.
@@ -106,6 +115,9 @@ impl<'a> Insertion<'a> {
                 definition.components.get(usize::from(leaf.component)).copied()
             });
             if !changed {
+                // A field whose formula has no derivative keeps its name, and has no value.
+                let formula = |symbol, component| self.fields.get(&(symbol, component)).copied();
+                let e = graph.with_fields(e, formula).unwrap_or(e);
                 return graph.substitute(e, |_, leaf| self.values.get(&leaf).copied());
             }
         }

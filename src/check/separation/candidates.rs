@@ -167,7 +167,7 @@ fn claim(derivation: &Derivation, number: usize, says: Says) -> Claim {
 /// The names of the components of a symbol.
 fn components(derivation: &Derivation, entry: &SymbolEntry) -> Vec<String> {
     let graph = &derivation.graph;
-    let leaf = |c: usize| Leaf { symbol: entry.symbol, component: c as u16, rate: 0, instant: None };
+    let leaf = |c: usize| Leaf::now(entry.symbol, c as u16);
     (0..graph.component_count(entry.symbol)).map(|c| graph.leaf_latex(leaf(c))).collect()
 }
 
@@ -227,7 +227,7 @@ fn starts(derivation: &Derivation) -> Vec<String> {
                 let names = components(derivation, entry);
                 out.extend(names.iter().map(|x| format!("{x}(0)=0")));
                 // Systems of second order start with a rate, too.
-                let dotted = |c: usize| Leaf { symbol: entry.symbol, component: c as u16, rate: 1, instant: None };
+                let dotted = |c: usize| Leaf { rate: 1, ..Leaf::now(entry.symbol, c as u16) };
                 out.extend((0..names.len()).map(|c| format!("{}(0)=0", derivation.graph.leaf_latex(dotted(c)))));
             }
             _ => {}

@@ -253,7 +253,8 @@ impl Step<'_> {
             match entry.role {
                 Role::State | Role::Observable => premises.moving.push(entry.symbol),
                 Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
-                Role::Time | Role::Abbreviation | Role::Argument => {}
+                Role::Coordinate => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
+                Role::Time | Role::Abbreviation | Role::Argument | Role::Field => {}
             }
         }
     }
@@ -315,7 +316,7 @@ impl Step<'_> {
         let mut open = self.graph.leaves(roots);
         loop {
             while let Some(leaf) = open.pop() {
-                moving |= leaf.rate > 0;
+                moving |= leaf.rate > 0 || self.graph.is_field(leaf.symbol);
                 let value = Leaf { rate: 0, ..leaf };
                 if value.instant.is_some() || seen.contains(&value) {
                     continue;

@@ -197,7 +197,7 @@ impl Altered {
                 _ => continue,
             };
             let count = derivation.graph.component_count(symbol) as u16;
-            let leaf = |(component, rate): (u16, u8)| Leaf { symbol, component, rate, instant: None };
+            let leaf = |(component, rate): (u16, u8)| Leaf { rate, ..Leaf::now(symbol, component) };
             out.extend((0..count).flat_map(|c| (0..=rates).map(move |r| (c, r))).map(leaf));
         }
         out.sort_unstable();

@@ -242,6 +242,8 @@ impl<'a> Sites<'a> {
             | NodeKind::Conjugation { .. }
             | NodeKind::Absolute(_)
             | NodeKind::Derivative { .. }
+            | NodeKind::Partial { .. }
+            | NodeKind::Nabla { .. }
             | NodeKind::Differential { .. }
             | NodeKind::Tuple(_)
             | NodeKind::Matrix(_)

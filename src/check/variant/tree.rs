@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::expr::Rational;
-use crate::latex::syntax::{Node, NodeKind, Sign, SymbolNode, Target};
+use crate::latex::syntax::{Nabla, Node, NodeKind, Sign, SymbolNode, Target};
 
 /// A number as a formula writes it.
 pub(super) fn number(r: Rational, span: &Range<usize>) -> Node {
@@ -196,6 +196,9 @@ pub(super) fn parts_mut(node: &mut Node) -> Vec<&mut Node> {
         NodeKind::Cross { left, right, .. } => vec![left, right],
         NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
         NodeKind::Derivative { of, by, .. } => vec![of, by],
+        NodeKind::Partial { of, by, .. } => std::iter::once(&mut **of).chain(by).collect(),
+        NodeKind::Nabla { of, action: Nabla::Along(direction) } => vec![direction, of],
+        NodeKind::Nabla { of, .. } => vec![of],
         NodeKind::At { of, time, .. } => vec![of, time],
         NodeKind::Factorial(a)
         | NodeKind::Differential { of: a, .. }

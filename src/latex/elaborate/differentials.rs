@@ -53,6 +53,8 @@ fn degree(node: &Node) -> Elaborated<Option<i32>> {
         | NodeKind::Conjugation { .. }
         | NodeKind::Absolute(_)
         | NodeKind::Derivative { .. }
+        | NodeKind::Partial { .. }
+        | NodeKind::Nabla { .. }
         | NodeKind::At { .. }
         | NodeKind::Factorial(_)
         | NodeKind::Limit(..) => match node.children().into_iter().find(|n| holds_differential(n)) {

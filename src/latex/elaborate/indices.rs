@@ -159,6 +159,7 @@ impl Elaborator<'_> {
                 Ok(usage)
             }
             NodeKind::Derivative { of, by, .. } => self.pieces([&**of, by]),
+            NodeKind::Partial { .. } | NodeKind::Nabla { .. } => self.pieces(node.children()),
             NodeKind::At { of, time, .. } => self.pieces([&**of, time]),
             NodeKind::Factorial(a)
             | NodeKind::Differential { of: a, .. }

@@ -6,6 +6,7 @@
 mod conjugate;
 mod differentials;
 mod indices;
+mod partial;
 mod scripts;
 mod symbol;
 mod value;

@@ -87,7 +87,7 @@ impl<'a> Elaborator<'a> {
             Some(base) => base,
             None => {
                 let mut base = match found.definition {
-                    Some(t) if role == Role::Abbreviation => t.clone(),
+                    Some(t) if matches!(role, Role::Abbreviation | Role::Field) => t.clone(),
                     _ => self.components_of(symbol),
                 };
                 if !formal.is_empty() {
@@ -100,7 +100,10 @@ impl<'a> Elaborator<'a> {
                     }
                 }
                 for _ in 0..s.dots {
-                    base = self.time_derivative(base, span)?;
+                    base = match role {
+                        Role::Field => self.derivative_of_field(base, found.coordinates, span)?,
+                        _ => self.time_derivative(base, span)?,
+                    };
                 }
                 if formal.is_empty() {
                     self.bases.insert((symbol, s.dots), base.clone());
@@ -109,6 +112,11 @@ impl<'a> Elaborator<'a> {
             }
         };
         match s.arguments.as_deref() {
+            Some(places) if role == Role::Field => {
+                if !literal {
+                    base = self.at_place(base, found.coordinates, places, span)?;
+                }
+            }
             Some([argument]) if !literal && formal.is_empty() => {
                 let instant = self.scalar(argument)?;
                 base = self.at_instant(base, instant, &argument.span)?;
@@ -163,11 +171,15 @@ impl<'a> Elaborator<'a> {
     /// for may happen not to move.
     pub(super) fn has_rate(&self, role: Role, span: &Range<usize>) -> Elaborated<()> {
         match role {
+            Role::Coordinate => {
+                let hint = "declare it as a state, if it is the place of something that moves";
+                refuse("latex::dot", "a coordinate does not depend on time", span, hint)
+            }
             Role::Parameter | Role::Argument => {
                 let hint = "a parameter has no rate; leave the derivative out";
                 refuse("latex::dot", "this does not depend on time", span, hint)
             }
-            Role::Time | Role::State | Role::Observable | Role::Abbreviation => Ok(()),
+            Role::Time | Role::State | Role::Observable | Role::Abbreviation | Role::Field => Ok(()),
         }
     }
 

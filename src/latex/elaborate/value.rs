@@ -277,6 +277,8 @@ impl Elaborator<'_> {
             NodeKind::Derivative { of, by, order, .. } => {
                 self.derivative(of, by, *order, &node.span).map(Value::Tensor)
             }
+            NodeKind::Partial { of, by, .. } => self.partial(of, by, &node.span).map(Value::Tensor),
+            NodeKind::Nabla { of, action } => self.nabla(of, action, &node.span).map(Value::Tensor),
             NodeKind::Differential { of, .. } => {
                 if let NodeKind::Symbol(s) = &of.kind
                     && matches!(self.resolve(s, &of.span)?.role, Role::Parameter | Role::Argument)
@@ -544,7 +546,10 @@ impl Elaborator<'_> {
     fn derivative(&mut self, of: &Node, by: &Node, order: u8, span: &Range<usize>) -> Elaborated<Tensor> {
         if let NodeKind::Symbol(s) = &of.kind {
             let role = self.resolve(s, &of.span)?.role;
-            self.has_rate(role, &of.span)?;
+            // `dx/dx` is 1, and `dx/dt` of a coordinate a slip.
+            if role != Role::Coordinate || self.coordinate(by)? != self.coordinate(of)? {
+                self.has_rate(role, &of.span)?;
+            }
         }
         let value = self.tensor(of)?;
         if self.number(by)?.shape.is_complex() {
@@ -552,6 +557,11 @@ impl Elaborator<'_> {
             return refuse("latex::derivative", "a derivative by a complex number", &by.span, hint);
         }
         let by_value = self.scalar(by)?;
+        if let Some(at) = self.coordinate(by)?
+            && self.scope.time().is_none_or(|time| self.graph.leaf(time) != by_value)
+        {
+            return (0..order).try_fold(value, |value, _| self.total(value, at, span));
+        }
         let Some(time) = self.scope.time() else {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
@@ -591,6 +601,9 @@ impl Elaborator<'_> {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
         };
+        if let Some(at) = self.graph.coordinate(time) {
+            self.is_total(&t, at, span)?;
+        }
         let mut components = Vec::new();
         for e in t.components {
             let scope = self.scope;

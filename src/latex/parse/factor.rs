@@ -2,7 +2,7 @@
 
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES};
-use super::super::syntax::{Bracket, Node, NodeKind};
+use super::super::syntax::{Bracket, Nabla, Node, NodeKind};
 use super::function::{self, FUNCTIONS, OPERATORS, WORDS};
 use super::{Open, Parsed, Parser, decimal, refuse};
 use expr::Rational;
@@ -158,7 +158,10 @@ impl Parser<'_> {
                 self.symbol(0).map(Some)
             }
             Kind::Sign('{') => self.braces(start),
-            Kind::Sign('(') => self.round(start).map(Some),
+            Kind::Sign('(') => match self.derivative_along(start)? {
+                Some(derivative) => Ok(Some(derivative)),
+                None => self.round(start).map(Some),
+            },
             Kind::Sign('[') if self.bracketed_name()?.is_some() => self.symbol(0).map(Some),
             Kind::Sign('[') => self.square(start).map(Some),
             Kind::OpenFence => self.fenced(start).map(Some),
@@ -439,7 +442,13 @@ impl Parser<'_> {
                 self.bump();
                 self.function(c, start).map(Some)
             }
-            "partial" | "nabla" | "int" | "sum" | "prod" => {
+            "partial" => self.partial(start).map(Some),
+            "nabla" => self.nabla(start).map(Some),
+            "Delta" if self.begins_laplacian() => {
+                self.bump();
+                self.acting(Nabla::Laplacian { delta: true }, start).map(Some)
+            }
+            "int" | "sum" | "prod" => {
                 let message = format!("`\\{c}` is not part of the formula language");
                 let hint = "write the result of the operation, or an index sum";
                 refuse("latex::unsupported", message, self.span(), hint)

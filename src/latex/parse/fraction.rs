@@ -84,6 +84,9 @@ impl Parser<'_> {
         if let Some(derivative) = self.leibniz(start)? {
             return Ok(derivative);
         }
+        if let Some(derivative) = self.partial_fraction(start)? {
+            return Ok(derivative);
+        }
         let top = Box::new(self.argument()?);
         let bottom = Box::new(self.argument()?);
         Ok(self.node(NodeKind::Quotient { top, bottom, slash: false }, start))
@@ -156,7 +159,7 @@ impl Parser<'_> {
     }
 
     /// The order in `d^2`; 1 without a superscript.
-    fn differential_order(&mut self) -> Parsed<u8> {
+    pub(super) fn differential_order(&mut self) -> Parsed<u8> {
         if !self.eat('^') {
             return Ok(1);
         }
@@ -199,6 +202,7 @@ impl Parser<'_> {
         let fraction =
             matches!(self.kind_after(n), Kind::Command(c) if matches!(c.as_str(), "frac" | "tfrac" | "dfrac"));
         fraction && *self.kind_after(n + 1) == Kind::Sign('{') && self.differential_at(n + 2).is_some()
+            || self.begins_partial_after(n)
     }
 
     fn leibniz(&mut self, start: usize) -> Parsed<Option<Node>> {

@@ -56,6 +56,13 @@ impl Parser<'_> {
         let span = start..self.tokens[close].span.end;
         let shown = &self.text[start..self.last_end()];
         let ambiguous = |message: String, hint: &str| refuse("latex::ambiguous", message, span.clone(), hint);
+        if self.scope.is_field(&symbol.name, sub) {
+            if content.tuple || content.lone || content.number {
+                let hint = r"name all of its coordinates, or none, or write `\cdot` for a product";
+                return ambiguous(format!("`{shown}` is not declared with these coordinates"), hint);
+            }
+            return Ok(false);
+        }
         if self.scope.is_moving(&symbol.name, sub) {
             if content.tuple {
                 // A matrix before the components of a vector.
@@ -213,7 +220,11 @@ impl Parser<'_> {
     /// Whether something depends on time by the time itself alone, as `e^{-\gamma t}` does.
     fn is_explicit(&self, node: &Node) -> bool {
         match &node.kind {
-            NodeKind::At { .. } | NodeKind::Derivative { .. } | NodeKind::Differential { .. } => false,
+            NodeKind::At { .. }
+            | NodeKind::Derivative { .. }
+            | NodeKind::Partial { .. }
+            | NodeKind::Nabla { .. }
+            | NodeKind::Differential { .. } => false,
             NodeKind::Symbol(s) if self.scope.is_moving(&s.name, s.sub.as_deref()) || s.arguments.is_some() => false,
             _ => node.children().into_iter().all(|n| self.is_explicit(n)),
         }

@@ -12,6 +12,7 @@ mod fraction;
 mod function;
 mod instant;
 mod names;
+mod partial;
 mod symbol;
 mod units;
 

@@ -49,11 +49,19 @@ impl Parser<'_> {
         self.scripted_symbol(name, dots, None, start)
     }
 
-    /// `y'` of a function y of x is its derivative, unless it is declared. Where the independent variable is the time by name,
+    /// `y'` of a field of one coordinate is its derivative, and of a function y of x, unless it is declared. Where the independent variable is the time by name,
     /// too, rates have dots, and a prime makes another name.
     fn primed_rate(&self, name: &mut Name, dots: u8, sub: Option<&[SubItem]>) -> u8 {
         let base = name.trim_end_matches('\'');
         let primes = name.len() - base.len();
+        if (1..=MOST_PRIMES).contains(&primes)
+            && dots == 0
+            && !self.scope.declares(name)
+            && self.scope.is_of_one_coordinate(base, sub)
+        {
+            name.truncate(base.len());
+            return primes as u8;
+        }
         let variable = self.scope.time_name().is_some_and(|n| !n.starts_with(['t', 'T']) && !n.starts_with(r"\tau"));
         if !(1..=MOST_PRIMES).contains(&primes) || dots > 0 || !variable {
             return dots;

@@ -1,0 +1,176 @@
+//! Coordinates, and fields: symbols that depend on coordinates.
+//!
+//! **In:** which components of which symbols are coordinates, and on which of them a symbol depends. **Out:** [`Partials`], the
+//! order of a partial derivative, which is part of a [`Leaf`]; and derivatives by a coordinate.
+//!
+//! **Guaranteed:** a derivative of a field is a leaf of its own, the same in whatever order it was taken: fields are smooth.
+//! Whoever gives a field by a formula must see to that.
+//!
+//! **Why a multi-index and not new symbols:** what is known of a field, its shape, its unit, its formula, is known of its
+//! derivatives, too.
+
+use super::{Expr, Graph, Leaf, NoDerivative, Node, Symbol};
+
+/// Most coordinates of one graph.
+pub const MOST_COORDINATES: usize = 5;
+
+/// Highest total order of a partial derivative.
+pub const HIGHEST_ORDER: u32 = 12;
+
+/// How often a field is derived by each coordinate of its graph.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Partials([u8; MOST_COORDINATES]);
+
+impl Partials {
+    /// The field itself.
+    pub const NONE: Partials = Partials([0; MOST_COORDINATES]);
+
+    /// Whether this is the field itself.
+    pub fn is_none(self) -> bool {
+        self == Partials::NONE
+    }
+
+    /// The total order.
+    pub fn order(self) -> u32 {
+        self.0.iter().map(|&n| u32::from(n)).sum()
+    }
+
+    /// The orders, one for each coordinate.
+    pub fn orders(self) -> [u8; MOST_COORDINATES] {
+        self.0
+    }
+
+    /// Once more by a coordinate; `None` beyond [`HIGHEST_ORDER`].
+    pub fn raised(self, coordinate: usize) -> Option<Partials> {
+        let mut out = self;
+        *out.0.get_mut(coordinate)? += 1;
+        (out.order() <= HIGHEST_ORDER).then_some(out)
+    }
+
+    /// What must be derived in addition to `lower` to get this, if that is possible.
+    pub fn beyond(self, lower: Partials) -> Option<Partials> {
+        let mut out = Partials::NONE;
+        for (to, (a, b)) in out.0.iter_mut().zip(self.0.iter().zip(lower.0)) {
+            *to = a.checked_sub(b)?;
+        }
+        Some(out)
+    }
+
+    /// The coordinates by which it is derived, each as often as it is.
+    pub fn steps(self) -> impl Iterator<Item = usize> {
+        self.0.into_iter().enumerate().flat_map(|(at, n)| std::iter::repeat_n(at, usize::from(n)))
+    }
+}
+
+impl Leaf {
+    /// The present value of a component of a symbol.
+    pub fn now(symbol: Symbol, component: u16) -> Leaf {
+        Leaf { symbol, component, rate: 0, partials: Partials::NONE, instant: None }
+    }
+}
+
+impl Graph {
+    /// Makes a component of a symbol a coordinate, unless it is one. Its position among the coordinates; `None` where there are
+    /// [`MOST_COORDINATES`] already.
+    pub fn add_coordinate(&mut self, symbol: Symbol, component: u16) -> Option<usize> {
+        let known = self.coordinates.iter().position(|c| *c == (symbol, component));
+        if known.is_none() && self.coordinates.len() < MOST_COORDINATES {
+            self.coordinates.push((symbol, component));
+            return Some(self.coordinates.len() - 1);
+        }
+        known
+    }
+
+    /// The coordinates.
+    pub fn coordinates(&self) -> impl Iterator<Item = Leaf> {
+        self.coordinates.iter().map(|&(symbol, component)| Leaf::now(symbol, component))
+    }
+
+    /// The position of a leaf among the coordinates, if it is one.
+    pub fn coordinate(&self, leaf: Leaf) -> Option<usize> {
+        let is_it = |&(symbol, component): &(Symbol, u16)| Leaf::now(symbol, component) == leaf;
+        self.coordinates.iter().position(is_it)
+    }
+
+    /// Says that a symbol is a field: which coordinates it depends on, by their positions.
+    pub fn set_arguments(&mut self, symbol: Symbol, coordinates: &[usize]) {
+        for &at in coordinates {
+            self.arguments.insert((symbol, at));
+        }
+    }
+
+    /// Whether a symbol depends on a coordinate.
+    pub fn depends(&self, symbol: Symbol, coordinate: usize) -> bool {
+        self.arguments.contains(&(symbol, coordinate))
+    }
+
+    /// Whether a symbol depends on some coordinate.
+    pub fn is_field(&self, symbol: Symbol) -> bool {
+        (0..self.coordinates.len()).any(|at| self.depends(symbol, at))
+    }
+
+    /// The derivative of a field's leaf by a coordinate; `None` where it does not depend on it.
+    ///
+    /// # Errors
+    /// [`NoDerivative::Order`] beyond [`HIGHEST_ORDER`].
+    pub(crate) fn raised(&mut self, leaf: Leaf, coordinate: usize) -> Result<Option<Expr>, NoDerivative> {
+        if leaf.instant.is_some() || !self.depends(leaf.symbol, coordinate) {
+            return Ok(None);
+        }
+        let partials = leaf.partials.raised(coordinate).ok_or(NoDerivative::Order)?;
+        Ok(Some(self.leaf(Leaf { partials, ..leaf })))
+    }
+
+    /// ∂e/∂(coordinate), the other coordinates and everything that depends on none being held fixed.
+    ///
+    /// # Errors
+    /// See [`Graph::directional_derivative`]; and [`NoDerivative::Order`].
+    pub fn derivative_by(&mut self, e: Expr, coordinate: usize) -> Result<Expr, NoDerivative> {
+        for leaf in self.leaves([e]) {
+            self.raised(leaf, coordinate)?;
+        }
+        self.directional_derivative(e, |graph, leaf| match graph.coordinate(leaf) {
+            Some(at) => (at == coordinate).then(|| graph.integer(1)),
+            None => graph.raised(leaf, coordinate).ok().flatten(),
+        })
+    }
+
+    /// The derivative of that order.
+    ///
+    /// # Errors
+    /// See [`Graph::derivative_by`].
+    pub fn derivative_of_order(&mut self, e: Expr, partials: Partials) -> Result<Expr, NoDerivative> {
+        partials.steps().try_fold(e, |e, at| self.derivative_by(e, at))
+    }
+
+    /// An expression with fields replaced by their formulas, and their derivatives by those of the formulas. The formulas name
+    /// no other fields, and coordinates by themselves.
+    ///
+    /// # Errors
+    /// See [`Graph::derivative_by`].
+    pub fn with_fields(
+        &mut self,
+        e: Expr,
+        formula: impl Fn(Symbol, u16) -> Option<Expr>,
+    ) -> Result<Expr, NoDerivative> {
+        let mut images = super::FastMap::default();
+        for leaf in self.leaves([e]) {
+            if let Some(value) = formula(leaf.symbol, leaf.component) {
+                let derivative = self.derivative_of_order(value, leaf.partials)?;
+                // Where the field has no value, its derivatives have none.
+                images.insert(leaf, self.rate_of(value, derivative, |_| false));
+            }
+        }
+        Ok(self.substitute(e, |_, leaf| images.get(&leaf).copied()))
+    }
+
+    /// The leaves of fields below some expressions.
+    pub fn fields(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Leaf> {
+        self.leaves(roots).into_iter().filter(|l| self.is_field(l.symbol)).collect()
+    }
+
+    /// Whether a node is a coordinate.
+    pub fn is_coordinate(&self, e: Expr) -> bool {
+        matches!(self.node(e), Node::Leaf(leaf) if self.coordinate(*leaf).is_some())
+    }
+}

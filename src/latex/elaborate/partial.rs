@@ -1,0 +1,308 @@
+//! Partial derivatives, of fields and of formulas, and vector analysis.
+//!
+//! Two things are called ∂. By a **coordinate**: the other coordinates are held fixed, and fields change with it. By something
+//! else that a formula names, q, q̇, p or a parameter, as in ∂L/∂q̇: everything else that the formula names is held fixed, and
+//! what observables stand for is written out first. What does not show how it depends on it is refused, since the answer would
+//! be 0.
+
+use std::ops::Range;
+
+use super::super::scope::Role;
+use super::super::syntax::{Nabla, Node, NodeKind};
+use super::super::tensor;
+use super::{Elaborated, Elaborator, refuse};
+use expr::{Expr, Leaf, NoDerivative, Shape, Tensor};
+
+/// How often observables are written out that stand in the formulas of others.
+const DEEPEST_FORMULAS: usize = 64;
+
+impl Elaborator<'_> {
+    /// The position of the coordinate that a node is, if it is one.
+    pub(super) fn coordinate(&mut self, node: &Node) -> Elaborated<Option<usize>> {
+        if !matches!(node.kind, NodeKind::Symbol(_)) {
+            return Ok(None);
+        }
+        let value = self.tensor(node)?;
+        Ok(value.as_scalar().and_then(|e| self.leaf(e)).and_then(|leaf| self.graph.coordinate(leaf)))
+    }
+
+    fn leaf(&self, e: Expr) -> Option<Leaf> {
+        match self.graph.node(e) {
+            expr::Node::Leaf(leaf) => Some(*leaf),
+            _ => None,
+        }
+    }
+
+    /// Every component derived; where the function has no value, neither has its derivative.
+    fn derived(
+        &mut self,
+        t: Tensor,
+        span: &Range<usize>,
+        derive: impl Fn(&mut Self, Expr) -> Result<Expr, NoDerivative>,
+    ) -> Elaborated<Tensor> {
+        let mut components = Vec::with_capacity(t.components.len());
+        for e in t.components {
+            let scope = self.scope;
+            match derive(self, e) {
+                Ok(d) => components.push(self.graph.rate_of(e, d, |l| scope.role(l.symbol) == Some(Role::Observable))),
+                Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
+            }
+        }
+        Ok(Tensor { shape: t.shape, components })
+    }
+
+    fn by_coordinate(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
+        self.derived(t, span, |this, e| this.graph.derivative_by(e, at))
+    }
+
+    /// `\frac{du}{dx}` by a coordinate: of what depends on this one only, so that nothing else could change with it.
+    pub(super) fn total(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
+        self.is_total(&t, at, span)?;
+        self.by_coordinate(t, at, span)
+    }
+
+    /// Refuses a total derivative of a field of several coordinates.
+    pub(super) fn is_total(&mut self, t: &Tensor, at: usize, span: &Range<usize>) -> Elaborated<()> {
+        let others = self.graph.coordinates().count();
+        let fields = self.graph.fields(t.components.iter().copied());
+        let other = |l: &Leaf| (0..others).any(|o| o != at && self.graph.depends(l.symbol, o));
+        match fields.into_iter().find(other) {
+            None => Ok(()),
+            Some(leaf) => {
+                let message = format!("`{}` depends on several coordinates", self.graph.name(leaf.symbol));
+                let hint =
+                    r"write `\partial` where the others are held fixed; what changes along a motion is written out";
+                refuse("latex::derivative", message, span, hint)
+            }
+        }
+    }
+
+    /// `\dot u` and `f'`: by the time, or by the only coordinate.
+    pub(super) fn derivative_of_field(
+        &mut self,
+        t: Tensor,
+        coordinates: &[Leaf],
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        let time = self.scope.time().filter(|time| coordinates.contains(time));
+        let by = match coordinates {
+            [only] => Some(*only),
+            _ => time,
+        };
+        match by.and_then(|leaf| self.graph.coordinate(leaf)) {
+            Some(at) => self.by_coordinate(t, at, span),
+            None => {
+                let hint = r"write `\frac{\partial u}{\partial t}`";
+                refuse(
+                    "latex::dot",
+                    "a dot is the derivative by the time, on which this field does not depend",
+                    span,
+                    hint,
+                )
+            }
+        }
+    }
+
+    /// A field at a place: one that is given by a formula. Where another one is taken somewhere else, nothing relates it to
+    /// what it is here.
+    pub(super) fn at_place(
+        &mut self,
+        t: Tensor,
+        coordinates: &[Leaf],
+        places: &[Node],
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        let mut values = Vec::new();
+        for place in places {
+            values.extend(self.tensor(place)?.components);
+        }
+        if values.len() != coordinates.len() {
+            let message = format!("the field has {} coordinates, not {}", coordinates.len(), values.len());
+            return refuse("latex::arity", message, span, r"write `\cdot` for a product");
+        }
+        if !self.graph.fields(t.components.iter().copied()).is_empty() {
+            let message = "only a field that is given by a formula is taken at another place";
+            let hint = r"give it a `formula`, or write `\cdot` for a product";
+            return refuse("latex::unsupported", message, span, hint);
+        }
+        let put = |leaf: Leaf| coordinates.iter().position(|c| *c == leaf).map(|i| values[i]);
+        let components = t.components.into_iter().map(|e| self.graph.substitute(e, |_, leaf| put(leaf))).collect();
+        Ok(Tensor { shape: t.shape, components })
+    }
+
+    /// A partial derivative.
+    pub(super) fn partial(&mut self, of: &Node, by: &[Node], span: &Range<usize>) -> Elaborated<Tensor> {
+        let mut value = self.tensor(of)?;
+        let shows = match &of.kind {
+            NodeKind::Symbol(s) => {
+                let found = self.resolve(s, &of.span)?;
+                found.definition.is_some() || found.role == Role::Field
+            }
+            _ => true,
+        };
+        for by in by.iter().rev() {
+            if self.number(by)?.shape.is_complex() {
+                return refuse("latex::derivative", "a derivative by a complex number", &by.span, "");
+            }
+            let e = self.scalar(by)?;
+            let Some(leaf) = self.leaf(e) else {
+                let hint = "give it a name of its own, on which the formula depends";
+                return refuse("latex::derivative", "this stands for a formula", &by.span, hint);
+            };
+            if let Some(at) = self.graph.coordinate(leaf) {
+                self.is_explicit(&value, shows, leaf, span)?;
+                value = self.by_coordinate(value, at, span)?;
+                continue;
+            }
+            value = self.spelled_out(value, span)?;
+            match self.scope.role(leaf.symbol) {
+                Some(Role::State | Role::Parameter | Role::Time | Role::Argument) if leaf.instant.is_none() => {}
+                _ => {
+                    let hint = "derivatives are by coordinates, states, their rates, and parameters";
+                    return refuse("latex::derivative", "it is not clear what is held fixed", &by.span, hint);
+                }
+            }
+            self.is_explicit(&value, shows, leaf, span)?;
+            value = self.derived(value, span, |this, e| this.graph.partial_derivative(e, leaf))?;
+        }
+        Ok(value)
+    }
+
+    /// Refuses the derivative of something by what it does not name, unless it is defined by a formula that shows it.
+    fn is_explicit(&self, t: &Tensor, shows: bool, by: Leaf, span: &Range<usize>) -> Elaborated<()> {
+        let at = self.graph.coordinate(by);
+        let leaves = self.graph.leaves(t.components.iter().copied());
+        let named = leaves.iter().any(|l| *l == by || at.is_some_and(|at| self.graph.depends(l.symbol, at)));
+        let moves = |l: &Leaf| matches!(self.scope.role(l.symbol), Some(Role::State | Role::Observable));
+        // A formula that names neither it nor anything that could hide it: its derivative is 0 for everybody to see.
+        if named || shows && !leaves.iter().any(|l| moves(l) && self.graph.coordinate(by).is_some()) {
+            return Ok(());
+        }
+        let message = format!("this does not show how it depends on `{}`", self.graph.leaf_latex(by));
+        let hint = "declare it as a field of its coordinates, or as an abbreviation with a formula";
+        refuse("latex::derivative", message, span, hint)
+    }
+
+    /// Observables replaced by what they stand for.
+    fn spelled_out(&mut self, mut t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
+        for _ in 0..DEEPEST_FORMULAS {
+            let leaves = self.graph.leaves(t.components.iter().copied());
+            let scope = self.scope;
+            let hidden = |l: &Leaf| scope.role(l.symbol) == Some(Role::Observable);
+            let Some(first) = leaves.iter().find(|l| hidden(l)) else { return Ok(t) };
+            if let Some(other) = leaves.iter().find(|l| hidden(l) && (l.rate > 0 || l.instant.is_some())) {
+                let message = format!("`{}` hides what it depends on", self.graph.leaf_latex(*other));
+                return refuse("latex::derivative", message, span, "write it out");
+            }
+            let formula = |l: Leaf| {
+                let definition = if hidden(&l) { scope.definition(l.symbol) } else { None };
+                definition.and_then(|d| d.components.get(usize::from(l.component)).copied())
+            };
+            if formula(*first).is_none() {
+                break;
+            }
+            let components = t.components.iter().map(|&e| self.graph.substitute(e, |_, l| formula(l))).collect();
+            t = Tensor { shape: t.shape, components };
+        }
+        refuse("latex::derivative", "this hides what it depends on", span, "write it out")
+    }
+
+    /// ∇ before something, in Cartesian coordinates.
+    pub(super) fn nabla(&mut self, of: &Node, action: &Nabla, span: &Range<usize>) -> Elaborated<Tensor> {
+        let mut space = Vec::new();
+        for leaf in self.scope.space(self.graph) {
+            space.extend(self.graph.coordinate(leaf));
+        }
+        if space.is_empty() {
+            let hint = "declare `x`, `y`, `z` with the role `coordinate`";
+            return refuse("latex::derivative", "there are no coordinates of space", span, hint);
+        }
+        let value = self.tensor(of)?;
+        for leaf in self.graph.leaves(value.components.iter().copied()) {
+            if matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Observable)) {
+                let message = format!("`{}` is no field: it does not depend on a place", self.graph.leaf_latex(leaf));
+                return refuse("latex::derivative", message, &of.span, "declare it as a field of its coordinates");
+            }
+        }
+        let n = space.len();
+        let vector = |t: &Tensor| matches!(*t.shape.real_extents(), [m] if usize::from(m) == n);
+        let vectors = format!("a vector of {n} components is needed here, as there are coordinates of space");
+        match action {
+            Nabla::Gradient => {
+                if !value.shape.real_extents().is_empty() {
+                    let hint = r"write `({\bf v}\cdot\nabla){\bf A}`, or components";
+                    return refuse("latex::shape", "the gradient of something that is no number", &of.span, hint);
+                }
+                let parts = self.slopes(&value, &space, span)?;
+                Ok(tensor::of_numbers(self.graph, Shape::vector(n as u16), &parts))
+            }
+            Nabla::Laplacian { .. } => {
+                let mut sum: Option<Tensor> = None;
+                for &at in &space {
+                    let once = self.by_coordinate(value.clone(), at, span)?;
+                    let twice = self.by_coordinate(once, at, span)?;
+                    sum = Some(self.plus_each(sum, twice));
+                }
+                Ok(sum.unwrap_or(value))
+            }
+            Nabla::Divergence => {
+                if !vector(&value) {
+                    return refuse("latex::shape", vectors, &of.span, "");
+                }
+                let mut sum: Option<Tensor> = None;
+                for (i, &at) in space.iter().enumerate() {
+                    let slope = self.by_coordinate(component(&value, i), at, span)?;
+                    sum = Some(self.plus_each(sum, slope));
+                }
+                Ok(sum.unwrap_or(value))
+            }
+            Nabla::Curl => {
+                if n != 3 || !vector(&value) {
+                    let message = "the curl is that of a vector of three components, with three coordinates of space";
+                    return refuse("latex::shape", message, &of.span, "");
+                }
+                let mut parts = Vec::new();
+                for i in 0..3 {
+                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                    let forth = self.by_coordinate(component(&value, k), space[j], span)?;
+                    let back = self.by_coordinate(component(&value, j), space[k], span)?;
+                    let pairs = forth.components.iter().zip(&back.components);
+                    let components = pairs.map(|(&a, &b)| self.graph.sub(a, b)).collect();
+                    parts.push(Tensor { shape: forth.shape, components });
+                }
+                Ok(tensor::of_numbers(self.graph, Shape::vector(3), &parts))
+            }
+            Nabla::Along(direction) => {
+                let along = self.tensor(direction)?;
+                if along.shape.is_complex() || !vector(&along) {
+                    return refuse("latex::shape", vectors, &direction.span, "");
+                }
+                let mut sum: Option<Tensor> = None;
+                for (i, &at) in space.iter().enumerate() {
+                    let slope = self.by_coordinate(value.clone(), at, span)?;
+                    let components = slope.components.iter().map(|&d| self.graph.mul(along.components[i], d)).collect();
+                    sum = Some(self.plus_each(sum, Tensor { shape: slope.shape, components }));
+                }
+                Ok(sum.unwrap_or(value))
+            }
+        }
+    }
+
+    fn slopes(&mut self, t: &Tensor, space: &[usize], span: &Range<usize>) -> Elaborated<Vec<Tensor>> {
+        space.iter().map(|&at| self.by_coordinate(t.clone(), at, span)).collect()
+    }
+
+    fn plus_each(&mut self, sum: Option<Tensor>, term: Tensor) -> Tensor {
+        let Some(sum) = sum else { return term };
+        let pairs = sum.components.iter().zip(&term.components);
+        let components = pairs.map(|(&a, &b)| self.graph.add(a, b)).collect();
+        Tensor { shape: sum.shape, components }
+    }
+}
+
+/// The i-th component of a vector, as a number.
+fn component(t: &Tensor, i: usize) -> Tensor {
+    let parts = t.components.len() / usize::from(t.shape.real_extents().first().copied().unwrap_or(1)).max(1);
+    let components = t.components[i * parts..(i + 1) * parts].to_vec();
+    Tensor { shape: if parts == 1 { Shape::scalar() } else { Shape::scalar().complexified() }, components }
+}

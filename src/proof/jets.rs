@@ -1,0 +1,257 @@
+//! Premises about fields, closed under partial derivatives, and the points through which solutions pass.
+//!
+//! **In:** equations that hold at all places, and what is asked about. **Out:** [`Jets`]: derivatives of the equations, as many
+//! as are needed; and a test whether values of derivatives at a point belong to a solution.
+//!
+//! # Which derivatives
+//!
+//! The derivatives of a field are independent unknowns (a jet). They are ranked: by total order, then by the orders by each
+//! coordinate, the time first, then by field. The highest in an equation *leads* it; a field that it defines by others leads
+//! before all. A derivative that is asked about, and is
+//! one of a leader, asks for the same derivative of that equation, which names others, ranked lower; so this ends (Kolchin
+//! 1973, ch. 0 § 17). Where two equations lead with derivatives of one field, both are derived up to the least that
+//! they have in common: the difference is a condition of integrability, and a premise like any other. All of these hold wherever the
+//! premises do, so what follows from them is proved; that some were left out can only lose a proof.
+//!
+//! # Why a point is not enough
+//!
+//! A point that satisfies all of them need not belong to a solution: u_x = yu, u_y = u have none but u = 0. It does if no
+//! premise names a field, since polynomials have any derivatives; or by **Riquier's theorem** (Riquier 1910; Ritt, *Differential
+//! Algebra*, 1950, ch. VIII): every equation is solved for its leader, the factor of which is not 0 at the point; each leads
+//! with another field, so that no condition of integrability arises; no equation names a derivative of another's leader; and
+//! they are analytic there; and that field depends on all coordinates of its equation. The ranking above is one of those for which the theorem holds: how two derivatives compare does not
+//! depend on the field, but for equal ones.
+
+use super::outcome::{Point, Reason};
+use super::witness::{decimals, values_at};
+use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Symbol};
+
+/// More derivatives are not formed: what is left out can only lose a proof.
+const MOST_DERIVED: usize = 192;
+
+/// Highest total order that is looked at.
+const HIGHEST: u32 = 8;
+
+/// A component of a field.
+type Unknown = (Symbol, u16);
+
+/// An equation, with the derivative that leads it.
+#[derive(Clone, Copy, Debug)]
+struct Led {
+    left: Expr,
+    right: Expr,
+    leader: Leaf,
+}
+
+/// Equations of fields with their derivatives.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Jets {
+    /// The derivatives.
+    pub(super) derived: Vec<(Expr, Expr)>,
+    /// Whether a premise names a field.
+    named: bool,
+    /// What is divided by when each premise is solved for its leader, where Riquier's theorem applies.
+    slopes: Option<Vec<Expr>>,
+}
+
+/// Where a derivative stands in the ranking.
+fn rank(graph: &Graph, time: Option<Leaf>, leaf: Leaf) -> (u32, Vec<u8>, Unknown) {
+    let orders = leaf.partials.orders();
+    let time = time.and_then(|t| graph.coordinate(t));
+    let first = time.map_or(0, |at| orders[at]);
+    let others = orders.into_iter().enumerate().filter(|(at, _)| Some(*at) != time).map(|(_, n)| n);
+    let all = std::iter::once(first).chain(others).collect();
+    (leaf.partials.order(), all, (leaf.symbol, leaf.component))
+}
+
+/// The field that an equation defines by others: u in u = −φ_x/φ. There it leads, whatever the order of the others; any ranking
+/// serves a proof, and a solution for the others is one for it.
+fn defined(graph: &Graph, left: Expr, right: Expr) -> Option<Leaf> {
+    let one = |e: Expr, of: Expr| match *graph.node(e) {
+        Node::Leaf(leaf) if graph.is_field(leaf.symbol) && leaf.partials.is_none() => {
+            let itself = |l: &Leaf| (l.symbol, l.component) == (leaf.symbol, leaf.component);
+            (!graph.fields([of]).iter().any(itself)).then_some(leaf)
+        }
+        _ => None,
+    };
+    one(left, right).or_else(|| one(right, left))
+}
+
+/// Whether equations name fields.
+pub(super) fn names_fields(graph: &Graph, (l, r): (Expr, Expr)) -> bool {
+    !graph.fields([l, r]).is_empty()
+}
+
+impl Jets {
+    /// Derives as far as `asked` asks for. `moving`: what has motions; an equation that names it and a field is looked at as it
+    /// is, and refutes nothing.
+    ///
+    /// # Errors
+    /// [`Reason::NoDerivative`] where a derivative cannot be written.
+    pub(super) fn of(
+        graph: &mut Graph,
+        equations: &[(Expr, Expr)],
+        asked: &[Expr],
+        (time, moving): (Option<Leaf>, &[Symbol]),
+    ) -> Result<Jets, Reason> {
+        let mut out = Jets::default();
+        let (mut led, mut pure) = (Vec::new(), true);
+        for &(left, right) in equations {
+            let fields = graph.fields([left, right]);
+            let highest = fields.iter().copied().max_by_key(|l| rank(graph, time, *l));
+            let Some(leader) = defined(graph, left, right).or(highest) else { continue };
+            out.named = true;
+            // What stands at a fixed time, or moves, is no field of its coordinates.
+            if graph.leaves([left, right]).iter().any(|l| l.instant.is_some() || moving.contains(&l.symbol)) {
+                pure = false;
+                continue;
+            }
+            led.push(Led { left, right, leader });
+        }
+        if !out.named {
+            return Ok(out);
+        }
+        let complete = out.derive(graph, &led, asked, time)?;
+        out.slopes = if pure && complete { solvable(graph, &led)? } else { None };
+        Ok(out)
+    }
+
+    /// The derivatives that are asked for, by what was asked and by each other; whether all were formed.
+    fn derive(&mut self, graph: &mut Graph, led: &[Led], asked: &[Expr], time: Option<Leaf>) -> Result<bool, Reason> {
+        let mut wanted: Vec<(usize, Partials)> = Vec::new();
+        // Conditions of integrability.
+        for (i, a) in led.iter().enumerate() {
+            for (j, b) in led.iter().enumerate().skip(i + 1) {
+                if (a.leader.symbol, a.leader.component) == (b.leader.symbol, b.leader.component) {
+                    let both = least_common(a.leader.partials, b.leader.partials);
+                    for (at, leader) in [(i, a.leader), (j, b.leader)] {
+                        let beyond = both.and_then(|both| both.beyond(leader.partials));
+                        wanted.extend(beyond.filter(|p| !p.is_none()).map(|p| (at, p)));
+                    }
+                }
+            }
+        }
+        let mut open: Vec<Leaf> = graph.fields(asked.iter().copied());
+        open.extend(graph.fields(led.iter().flat_map(|p| [p.left, p.right])));
+        let (mut seen, mut formed) = (FastSet::<Leaf>::default(), FastSet::<(usize, Partials)>::default());
+        let mut known: FastMap<(usize, Partials), (Expr, Expr)> = FastMap::default();
+        let mut complete = true;
+        loop {
+            while let Some(leaf) = open.pop() {
+                if !seen.insert(leaf) {
+                    continue;
+                }
+                for (at, p) in led.iter().enumerate() {
+                    let same = (p.leader.symbol, p.leader.component) == (leaf.symbol, leaf.component);
+                    let beyond = leaf.partials.beyond(p.leader.partials).filter(|b| same && !b.is_none());
+                    wanted.extend(beyond.map(|b| (at, b)));
+                }
+            }
+            let Some((at, beyond)) = wanted.pop() else { break };
+            if !formed.insert((at, beyond)) {
+                continue;
+            }
+            if self.derived.len() >= MOST_DERIVED || beyond.order() + led[at].leader.partials.order() > HIGHEST {
+                complete = false;
+                continue;
+            }
+            let pair = derivative(graph, &mut known, led, (at, beyond))?;
+            if pair.0 != pair.1 && !self.derived.contains(&pair) {
+                self.derived.push(pair);
+                open.extend(graph.fields([pair.0, pair.1]));
+            }
+        }
+        // Lower ones first: they are solved first.
+        let rank_of = |graph: &Graph, pair: &(Expr, Expr)| {
+            graph.fields([pair.0, pair.1]).into_iter().map(|l| rank(graph, time, l)).max()
+        };
+        self.derived.sort_by_cached_key(|pair| rank_of(graph, pair));
+        Ok(complete)
+    }
+
+    /// Whether a solution passes through a point at which the equations and their derivatives hold.
+    pub(super) fn extends(&self, graph: &Graph, point: &Point) -> bool {
+        if !self.named {
+            return true;
+        }
+        let Some(slopes) = &self.slopes else { return false };
+        let known = decimals(graph, slopes, &values_at(point));
+        known.into_iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error))
+    }
+}
+
+/// Derives an equation, by steps that others share.
+fn derivative(
+    graph: &mut Graph,
+    known: &mut FastMap<(usize, Partials), (Expr, Expr)>,
+    led: &[Led],
+    (at, beyond): (usize, Partials),
+) -> Result<(Expr, Expr), Reason> {
+    let (mut so_far, mut pair) = (Partials::NONE, (led[at].left, led[at].right));
+    for by in beyond.steps() {
+        so_far = so_far.raised(by).ok_or(Reason::TooLarge)?;
+        pair = match known.get(&(at, so_far)) {
+            Some(&pair) => pair,
+            None => {
+                let mut one = |e| graph.derivative_by(e, by).map_err(|_| Reason::NoDerivative);
+                (one(pair.0)?, one(pair.1)?)
+            }
+        };
+        known.insert((at, so_far), pair);
+    }
+    Ok(pair)
+}
+
+/// The least derivative that is one of both.
+fn least_common(a: Partials, b: Partials) -> Option<Partials> {
+    let missing: Vec<usize> = a
+        .orders()
+        .iter()
+        .zip(b.orders())
+        .enumerate()
+        .flat_map(|(at, (&a, b))| vec![at; usize::from(b.saturating_sub(a))])
+        .collect();
+    missing.into_iter().try_fold(a, |p, at| p.raised(at))
+}
+
+/// What each equation is divided by when it is solved for its leader, if Riquier's theorem applies where none of it is 0.
+fn solvable(graph: &mut Graph, led: &[Led]) -> Result<Option<Vec<Expr>>, Reason> {
+    let mut slopes = Vec::new();
+    for (at, p) in led.iter().enumerate() {
+        let others = led.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, q)| q.leader);
+        let below = |leader: Leaf, l: &Leaf| {
+            (l.symbol, l.component) == (leader.symbol, leader.component) && l.partials.beyond(leader.partials).is_some()
+        };
+        let named = graph.fields([p.left, p.right]);
+        let mut others = others;
+        if others.any(|leader| {
+            (leader.symbol, leader.component) == (p.leader.symbol, p.leader.component)
+                || named.iter().any(|l| below(leader, l))
+        }) {
+            return Ok(None);
+        }
+        // A field that does not depend on a coordinate of the equation satisfies another one: its derivative by it is 0.
+        let depends = |l: &Leaf, at: usize| graph.coordinate(*l) == Some(at) || graph.depends(l.symbol, at);
+        let of_others = (0..graph.coordinates().count()).any(|at| {
+            !graph.depends(p.leader.symbol, at) && graph.leaves([p.left, p.right]).iter().any(|l| depends(l, at))
+        });
+        if of_others {
+            return Ok(None);
+        }
+        let analytic = graph.reachable([p.left, p.right]).into_iter().all(|e| match *graph.node(e) {
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => true,
+            Node::Unary(op, _) => matches!(
+                op,
+                Op::Neg | Op::Powi(_) | Op::Exp | Op::Sin | Op::Cos | Op::Sinh | Op::Cosh | Op::Tanh | Op::Arctan
+            ),
+            Node::Binary(op, ..) => matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div),
+        });
+        if !analytic {
+            return Ok(None);
+        }
+        let residual = graph.sub(p.left, p.right);
+        let slope = graph.partial_derivative(residual, p.leader).map_err(|_| Reason::NoDerivative)?;
+        slopes.push(slope);
+    }
+    Ok(Some(slopes))
+}

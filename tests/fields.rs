@@ -1,0 +1,191 @@
+//! Fields: derivatives, what follows from partial differential equations, and what does not.
+//!
+//! Rows are those of [`prove_traps`](crate::prove_traps).
+
+use crate::prove_traps::all;
+
+#[test]
+fn fields_by_themselves() {
+    all(&[
+        ("proved", r"\partial_x\partial_yu=\frac{\partial^2u}{\partial y\partial x}", "u(x,y): field", ""),
+        ("proved", r"\frac{\partial}{\partial x}(uv)=u\partial_xv+v\partial_xu", "u(x,y), v(x,y): field", ""),
+        ("proved", r"\nabla\times\nabla f=0", "f(x,y,z): field", ""),
+        ("proved", r"\nabla\cdot(\nabla\times{\bf A})=0", r"{\bf A}(x,y,z): field, 3", ""),
+        (
+            "proved",
+            r"\nabla\times(\nabla\times{\bf A})=\nabla(\nabla\cdot{\bf A})-\nabla^2{\bf A}",
+            r"{\bf A}(x,y,z): field, 3",
+            "",
+        ),
+        (
+            "proved",
+            r"\nabla\cdot({\bf A}\times{\bf B})={\bf B}\cdot(\nabla\times{\bf A})-{\bf A}\cdot(\nabla\times{\bf B})",
+            r"{\bf A}(x,y,z), {\bf B}(x,y,z): field, 3",
+            "",
+        ),
+        (
+            "proved",
+            r"({\bf A}\cdot\nabla){\bf A}=\nabla\left(\frac12{\bf A}^2\right)-{\bf A}\times(\nabla\times{\bf A})",
+            r"{\bf A}(x,y,z): field, 3",
+            "",
+        ),
+        ("refuted", r"\nabla\cdot(u{\bf A})=u\nabla\cdot{\bf A}", r"{\bf A}(x,y,z): field, 3; u(x,y,z): field", ""),
+        ("refuted", r"\partial_xu=0", "u(x,t): field", ""),
+        ("refuted", r"u=0", "u(x,t): field", ""),
+        ("refuted", r"\partial_x(\partial_tu)^2=(\partial_x\partial_tu)^2", "u(x,t): field", ""),
+        ("proved", r"\nabla^2\frac1r=0", r"r = \sqrt{x^2+y^2+z^2}; x, y, z: coordinate", ""),
+        ("refuted", r"\nabla^2\frac1r=0", r"r = \sqrt{x^2+y^2}; x, y: coordinate", ""),
+        ("proved", r"\partial_t^2u=c^2\partial_x^2u", r"u(x,t): field = \sin(x-ct); c", ""),
+        ("refuted", r"\partial_t^2u=c\partial_x^2u", r"u(x,t): field = \sin(x-ct); c", ""),
+        ("proved", r"g(x,0)=x^2", r"g(x,t): field = x^2e^{-t}", ""),
+        ("proved", r"g(y,0)=y^2", r"g(x,t): field = x^2e^{-t}; y", ""),
+        ("refuted", r"\partial_x|u|=\partial_xu", "u(x,t): field", ""),
+        ("proved", r"\partial_x|u|=\partial_xu", "u(x,t): field", "u>0"),
+        ("proved", r"\partial_x\psi^*=(\partial_x\psi)^*", r"\psi(x,t): field, complex", ""),
+        ("refuted", r"\partial_x|\psi|^2=2\psi^*\partial_x\psi", r"\psi(x,t): field, complex", ""),
+        ("refuted", r"\dot u=\partial_xu", "u(x,t): field", ""),
+        ("proved", r"\frac{d^2}{dx^2}(uv)=u''v+2u'v'+uv''", "u(x), v(x): field", ""),
+        ("proved", r"\partial_x\ln u=\frac{\partial_xu}{u}", "u(x,t): field", ""),
+        ("refuted", r"\partial_x|x|=1", "x: coordinate", ""),
+        ("proved", r"\partial_x|x|=1", "x: coordinate", "x>0"),
+        ("proved", r"\nabla\cdot\frac{{\bf r}}{r^3}=0", r"{\bf r}: coordinate, 3; r = |{\bf r}|", ""),
+        ("proved", r"\nabla\times({\bf w}\times{\bf r})=2{\bf w}", r"{\bf r}: coordinate, 3; {\bf w}: 3", ""),
+        (
+            "proved",
+            r"\frac{\partial A_i}{\partial r_i}=\nabla\cdot A",
+            r"{\bf r}: coordinate, 3; A({\bf r}): field, 3",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn what_follows_from_equations_of_fields() {
+    all(&[
+        ("proved", r"\partial_x^2u=\partial_t^2u", "u(x,t): field", r"\partial_tu=\partial_xu"),
+        ("proved", r"\partial_x^3u=\partial_t^3u", "u(x,t): field", r"\partial_tu=\partial_xu"),
+        ("refuted", r"\partial_tu=\partial_xu", "u(x,t): field", r"\partial_x^2u=\partial_t^2u"),
+        ("proved", r"\dot u=0", "u(x,t): field", "u=5"),
+        ("proved", r"f''=f", "f(x): field", "f'=f"),
+        ("refuted", r"f''=-f", "f(x): field", "f'=f"),
+        // f = 1.
+        ("unproved", r"f''=-f", "f(x): field", "f'^2=1-f^2"),
+        // Integrability.
+        ("proved", r"u=0", "u(x,y): field", r"\partial_xu=yu; \partial_yu=u"),
+        ("unproved", r"u=0", "u(x,y): field", r"\partial_xu=y; \partial_yu=-x"),
+        ("unproved", r"1=0", "u(x,y): field", r"\partial_xu=y; \partial_yu=-x"),
+        ("proved", r"\partial_yv=\partial_xw", "u(x,y), v(x,y), w(x,y): field", r"\partial_xu=v; \partial_yu=w"),
+        ("unrefuted", r"\partial_yv=\partial_xw", "u(x,y), v(x,y), w(x,y): field", r"v=\partial_xu; w=\partial_yu"),
+        // Cauchy and Riemann.
+        ("proved", r"\nabla^2u=0", "u(x,y), v(x,y): field", r"\partial_xu=\partial_yv; \partial_yu=-\partial_xv"),
+        ("refuted", r"u=v", "u(x,y), v(x,y): field", r"\partial_xu=\partial_yv; \partial_yu=-\partial_xv"),
+        ("refuted", r"u=0", "u(x,y): field", r"\nabla^2u=0"),
+        ("refuted", r"\partial_tu=0", "u(x,t): field", r"\partial_tu=\partial_x^2u"),
+        // A sum of squares.
+        ("proved", r"\partial_xu=0", "u(x,t): field", r"(\partial_xu)^2+(\partial_tu)^2=0"),
+        ("unrefuted", r"\partial_x^2u=0", "u(x,t): field", r"(\partial_xu)^2+(\partial_tu)^2=0"),
+        ("unrefuted", r"\partial_x^2u=0", "u(x,t): field", r"(\partial_xu)^2=0"),
+        // An equation between coordinates holds at some places, and is not derived.
+        ("proved", r"u=0", "u(x,t): field", "u=x; x=0"),
+        ("proved", r"\partial_xu=1", "u(x,t): field", "u=x; x=0"),
+        ("unproved", r"\partial_xu=0", "u(x,t): field", "u=x; x=0"),
+        ("unproved", r"\partial_xu=0", "u(x,t): field", "x=t"),
+        ("unproved", r"1=0", "u(x,t): field", "x=t; u=1"),
+        // What moves is the same at all places.
+        ("unrefuted", r"\partial_xu=0", "u(x,t): field; q: state", "u=q"),
+        ("unproved", r"\partial_tu=0", "u(x,t): field; q: state", "u=q"),
+        // Fields of fewer coordinates.
+        ("proved", r"\partial_x\partial_yu=0", "u(x,y), f(x), g(y): field", "u=f+g"),
+        ("proved", r"f'=0", "f(x), g(y): field", "f=g"),
+        ("unrefuted", r"f=0", "f(x): field; y: coordinate", "f=y"),
+        ("unrefuted", r"f=c", "f(x), g(y): field; c", "f=g; f=c"),
+        // Maxwell's relation of thermodynamics, and what follows from it.
+        (
+            "proved",
+            r"\frac{\partial p}{\partial T}=\frac{\partial S}{\partial V}",
+            "p(T,V), S(T,V), F(T,V): field",
+            r"p=-\frac{\partial F}{\partial V}; S=-\frac{\partial F}{\partial T}",
+        ),
+        (
+            "proved",
+            r"\frac{\partial U}{\partial V}=T\frac{\partial p}{\partial T}-p",
+            "p(T,V), S(T,V), F(T,V), U(T,V): field",
+            r"p=-\frac{\partial F}{\partial V}; S=-\frac{\partial F}{\partial T}; U=F+TS",
+        ),
+        // No theorem says that there is a solution.
+        ("undecided", r"u=1", "u(x,t): field", r"\partial_tu=\sqrt{u}"),
+        // A field that is defined by another.
+        (
+            "proved",
+            r"\partial_tu+u\partial_xu=\nu\partial_x^2u",
+            r"u(x,t), \phi(x,t): field; \nu: positive",
+            r"\partial_t\phi=\nu\partial_x^2\phi; u=-\frac{2\nu}{\phi}\partial_x\phi",
+        ),
+        (
+            "refuted",
+            r"\partial_tu=\nu\partial_x^2u",
+            r"u(x,t), \phi(x,t): field; \nu: positive",
+            r"\partial_t\phi=\nu\partial_x^2\phi; u=-\frac{2\nu}{\phi}\partial_x\phi",
+        ),
+        // It names the derivative that leads another equation.
+        ("unproved", r"u=0", r"u(x,t), \phi(x,t): field", r"\partial_t\phi=\partial_x^2\phi; u=\partial_x^2\phi"),
+        // Waves of a medium.
+        (
+            "proved",
+            r"\partial_t^2u=c^2\partial_x^2u",
+            "u(x,t), v(x,t): field; c",
+            r"\partial_tu=c\partial_xv; \partial_tv=c\partial_xu",
+        ),
+        (
+            "refuted",
+            r"\partial_t^2u=c\partial_x^2u",
+            "u(x,t), v(x,t): field; c",
+            r"\partial_tu=c\partial_xv; \partial_tv=c\partial_xu",
+        ),
+        (
+            "proved",
+            r"\partial_t|\psi|^2+\partial_x\left(\frac{h}{m}\operatorname{Im}(\psi^*\partial_x\psi)\right)=0",
+            r"\psi(x,t): field, complex; V(x): field; h, m: positive",
+            r"\mathrm ih\partial_t\psi=-\frac{h^2}{2m}\partial_x^2\psi+V\psi",
+        ),
+        // Without what makes it real, the potential is a source.
+        (
+            "refuted",
+            r"\partial_t|\psi|^2+\partial_x\left(\frac{h}{m}\operatorname{Im}(\psi^*\partial_x\psi)\right)=0",
+            r"\psi(x,t), V(x,t): field, complex; h, m: positive",
+            r"\mathrm ih\partial_t\psi=-\frac{h^2}{2m}\partial_x^2\psi+V\psi",
+        ),
+    ]);
+}
+
+#[test]
+fn derivatives_by_what_a_formula_names() {
+    let lagrangian = r"L = \frac12m\dot q^2-\frac12k q^2; q: state; m, k";
+    all(&[
+        (
+            "proved",
+            r"\frac{d}{dt}\frac{\partial L}{\partial\dot q}-\frac{\partial L}{\partial q}=m\ddot q+kq",
+            lagrangian,
+            "",
+        ),
+        ("refuted", r"\frac{d}{dt}\frac{\partial L}{\partial\dot q}=m\ddot q+kq", lagrangian, ""),
+        ("proved", r"\dot q\frac{\partial L}{\partial\dot q}-L=\frac12m\dot q^2+\frac12kq^2", lagrangian, ""),
+        ("proved", r"\frac{\partial^2L}{\partial\dot q^2}=m", lagrangian, ""),
+        ("proved", r"\frac{\partial L}{\partial m}=\frac12\dot q^2", lagrangian, ""),
+        ("proved", r"\frac{\partial L}{\partial t}=0", lagrangian, ""),
+        // What observables stand for is written out first.
+        ("proved", r"\frac{\partial}{\partial q}(E^2)=2kqE", r"E: observable = \frac12kq^2; q: state; k", ""),
+        (
+            "proved",
+            r"\frac{d}{dt}H=0",
+            r"H = \frac{p^2}{2m}+kq^4; q, p: state; m: positive; k",
+            r"\dot q=\frac{\partial H}{\partial p}; \dot p=-\frac{\partial H}{\partial q}",
+        ),
+        (
+            "refuted",
+            r"\frac{d}{dt}H=0",
+            r"H = \frac{p^2}{2m}+kq^4; q, p: state; m: positive; k",
+            r"\dot q=\frac{\partial H}{\partial p}; \dot p=\frac{\partial H}{\partial q}",
+        ),
+    ]);
+}
