@@ -55,10 +55,10 @@ class DerivationError(Error):
 
 
 class UnknownName(Error, KeyError):
-    """There is no claim, reading or trajectory of this name."""
+    """There is no claim, reading or motion of this name; a second argument says it in other words."""
 
     def __str__(self) -> str:
-        return f"there is no claim or trajectory `{self.args[0]}`"
+        return str(self.args[1]) if len(self.args) > 1 else f"there is no claim or trajectory `{self.args[0]}`"
 
 
 class Cancelled(Error):
