@@ -7,6 +7,9 @@ from typing import Any
 
 import pytest
 
+import rederive
+from rederive import notebook
+
 nbformat = pytest.importorskip("nbformat")
 nbclient = pytest.importorskip("nbclient")
 TUTORIAL = Path(__file__).resolve().parents[1] / "tutorial.ipynb"
@@ -38,6 +41,15 @@ def test_the_tutorial_runs_and_shows_what_it_says() -> None:
     if place := os.environ.get("REDERIVE_CELLS"):
         Path(place).write_text(json.dumps(pages), encoding="utf-8")
     assert any("image/png" in o.get("data", {}) for cell in cells for o in cell.outputs)
+
+
+def test_a_wrong_first_line_of_a_cell(spring: str) -> None:
+    space: dict[str, Any] = {}
+    for line, words in [("--claims energy", "usage: %%rederive"), ("my-report", "no name in Python"), ("a --claim none", "`none`")]:
+        with pytest.raises(rederive.Error) as e:
+            notebook.run(line, spring, space)
+        assert words in str(e.value) and not space
+    assert notebook.run("a --claim energy --trajectory pulled --sampled", spring, space) is space["a"]
 
 
 def test_problems_of_a_cell_are_shown_without_a_trace() -> None:
