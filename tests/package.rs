@@ -229,3 +229,17 @@ fn binstall_takes_what_a_release_makes() {
     assert_eq!(taken("pkg-url"), format!("{{ repo }}/releases/download/v{{ version }}/{name}.tgz"));
     assert_eq!(taken("bin-dir"), format!("{name}/{{ bin }}{{ binary-ext }}"));
 }
+
+/// `cargo run` is about all crates here, `cargo install` about one: what the first has compiled serves the second.
+#[test]
+fn what_is_run_here_is_what_is_installed() {
+    let features = |more: &[&str]| -> BTreeSet<String> {
+        let base = ["tree", "--offline", "--locked", "-e", "normal", "--prefix", "none", "-f", "{p} {f}"];
+        let text = cargo(&[&base[..], more].concat());
+        let own = text.lines().filter(|l| l.starts_with("rederive"));
+        own.map(|l| l.trim_end_matches(" (*)").to_owned()).collect()
+    };
+    let all = features(&[]);
+    assert!(all.len() > 10, "{all:?}");
+    assert_eq!(all, features(&["-p", env!("CARGO_PKG_NAME")]));
+}
