@@ -58,7 +58,8 @@ class UnknownName(Error, KeyError):
     """There is no claim, reading or motion of this name; a second argument says it in other words."""
 
     def __str__(self) -> str:
-        return str(self.args[1]) if len(self.args) > 1 else f"there is no claim or trajectory `{self.args[0]}`"
+        name, *words = self.args
+        return str(words[0]) if words else f"there is no claim or trajectory `{name}`"
 
 
 class Cancelled(Error):
