@@ -215,3 +215,31 @@ fn the_page_on_rules_has_every_rule() {
         }
     }
 }
+
+/// `cargo binstall` finds the archives of a release by name. The workflow is not in the package.
+#[test]
+fn binstall_takes_what_a_release_makes() {
+    let Ok(release) = std::fs::read_to_string(root().join(".github/workflows/release.yml")) else { return };
+    let manifest: toml::Table = read("Cargo.toml").parse().expect("TOML");
+    let taken = |key: &str| manifest["package"]["metadata"]["binstall"][key].as_str().expect("a text");
+    let name = release.lines().find_map(|l| l.trim().strip_prefix("name=\"")?.strip_suffix('"')).expect("a name");
+    let name = name.replace("$TARGET", "{ target }");
+    assert!(release.contains("tar -czf \"$name.tgz\" \"$name\"") && release.contains("tags: [\"v[0-9]*\"]"));
+    assert_eq!(taken("pkg-fmt"), "tgz");
+    assert_eq!(taken("pkg-url"), format!("{{ repo }}/releases/download/v{{ version }}/{name}.tgz"));
+    assert_eq!(taken("bin-dir"), format!("{name}/{{ bin }}{{ binary-ext }}"));
+}
+
+/// `cargo run` is about all crates here, `cargo install` about one: what the first has compiled serves the second.
+#[test]
+fn what_is_run_here_is_what_is_installed() {
+    let features = |more: &[&str]| -> BTreeSet<String> {
+        let base = ["tree", "--offline", "--locked", "-e", "normal", "--prefix", "none", "-f", "{p} {f}"];
+        let text = cargo(&[&base[..], more].concat());
+        let own = text.lines().filter(|l| l.starts_with("rederive"));
+        own.map(|l| l.trim_end_matches(" (*)").to_owned()).collect()
+    };
+    let all = features(&[]);
+    assert!(all.len() > 10, "{all:?}");
+    assert_eq!(all, features(&["-p", env!("CARGO_PKG_NAME")]));
+}

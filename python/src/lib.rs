@@ -147,12 +147,13 @@ impl Session {
         self.0.claims().into_iter().map(|c| (c.id, c.reading, c.says)).collect()
     }
 
-    /// The claims and the trajectories that they are tried on.
+    /// The claims, and the trajectories and families that they are tried on.
     fn pairs(&self) -> Vec<(String, Option<String>, Vec<String>)> {
         let derivation = self.0.derivation();
-        let on = |c: &rederive::derivation::Claim| match c.region {
-            Some(_) => Vec::new(),
-            None => c.trajectories.iter().map(|t| derivation.trajectories[*t].id.clone()).collect(),
+        let on = |c: &rederive::derivation::Claim| -> Vec<String> {
+            let motions = c.trajectories.iter().map(|t| &derivation.trajectories[*t].id);
+            let all = motions.chain(c.families.iter().map(|f| &derivation.families[*f].id));
+            all.filter(|_| c.region.is_none()).cloned().collect()
         };
         derivation.claims.iter().map(|c| (c.id.clone(), c.reading.clone(), on(c))).collect()
     }

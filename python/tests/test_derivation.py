@@ -75,3 +75,48 @@ def test_a_pendulum_in_sympy() -> None:
     with pytest.raises(rederive.NoCounterpart, match="another `latex=`"):
         made.symbol(sympy.Symbol("omega_0"))
     assert made.symbol(sympy.Symbol("foo"), latex="F").latex(sympy.Symbol("foo") ** 2) == "F^{2}"
+
+
+def test_complex_amplitudes_and_families_in_sympy() -> None:
+    sp = pytest.importorskip("sympy")
+    t, omega = sp.Symbol("t"), sp.Symbol("omega", positive=True)
+    z = sp.Function("z", complex=True)
+    rotation = (
+        rederive.Derivation("A complex amplitude", concerns="A textbook")
+        .symbol("t", "time")
+        .symbol(omega)
+        .symbol(z(t))
+        .system("rotation", z(t), sp.Eq(z(t).diff(t), -sp.I * omega * z(t)))
+        .trajectory("one", system="rotation", parameters={omega: 1.3}, initial={z(t): r"1+2\mathrm{i}"}, span=[0, 3])
+        .table("family", id="row", of="one", vary={omega: {"from": 0.5, "to": 2, "count": 4}})
+        .table("family", id="drawn", of="one", vary={omega: {"uniform": [0.5, 2]}}, draws=5, seed=3)
+        .claim("size", "The size stays", trajectories="one", families=["row", "drawn"], first_integral=sp.Abs(z(t)) ** 2)
+        .claim("sign", "The wrong sign", trajectories="one", families="row", always=sp.Eq(z(t), z(0) * sp.exp(sp.I * omega * t)))
+    )
+    report = rederive.check(rotation)
+    assert [(r.claim, r.on, str(r.verdict)) for r in report.results] == [
+        ("size", "one", "holds"),
+        ("size", "row", "holds"),
+        ("size", "drawn", "holds"),
+        ("sign", "one", "fails"),
+        ("sign", "row", "fails"),
+    ]
+    wrong = report["sign", "row"]
+    assert wrong in report.unexpected and wrong.family == "row" and wrong.trajectory is None
+    assert wrong.members is not None and (wrong.members.count, wrong.members.fails) == (4, 4)
+    assert wrong.witness is not None and wrong.witness.left != wrong.witness.right
+    assert "sign on the family row: fails" in str(report) and "of 4 members 0 hold, 4 fail" in str(report)
+    drawn = report["size", "drawn"].members
+    assert drawn is not None and drawn.failing_at_most is not None and 0 < drawn.failing_at_most < 1
+    assert pickle.loads(pickle.dumps(report)) == report
+    assert '<th>row</th>' in report._repr_html_()
+    with pytest.raises(rederive.UnknownName, match="no curve of `sign` on `row`"):
+        report.curve("sign", "row")
+    assert rederive.Session(rotation).pairs == (("size", "one"), ("size", "row"), ("size", "drawn"), ("sign", "one"), ("sign", "row"))
+    assert len(rederive.check(rotation, claims="size", trajectories="row").results) == 1
+
+
+def test_words_of_python_are_keys_too() -> None:
+    made = rederive.Derivation("x").trajectory("seen", from_="one", initial_time=1).claim("c", "y", rests_on="d")
+    assert made.data["trajectory"] == [{"id": "seen", "from": "one", "initial-time": 1}]
+    assert made.data["claim"] == [{"id": "c", "says": "y", "rests-on": ["d"]}]

@@ -65,22 +65,16 @@ def test_other_threads_go_on(derivations: Path) -> None:
 
 
 def test_a_proof_has_a_deadline() -> None:
+    # Half a second of work: more than a thread waits for its turn.
     letters = "abcdfghjklmnop"
     power = rf"\left({'+'.join(letters)}\right)"
-    many = ", ".join(f"{power}^{{{n}}}={power}^{{{n - 6}}}{power}^6" for n in range(10, 30))
+    many = ", ".join(f"{power}^{{{n}}}={power}^{{{n - 6}}}{power}^6" for n in range(10, 2500))
     with pytest.raises(rederive.DeadlineReached) as e:
         rederive.prove(many, ", ".join(letters), deadline=0)
     assert isinstance(e.value, TimeoutError)
+    # What is left of a time may be less than nothing.
+    with pytest.raises(rederive.DeadlineReached):
+        rederive.prove(many, ", ".join(letters), deadline=-1)
+    with pytest.raises(ValueError, match="not a number"):
+        rederive.prove(many, ", ".join(letters), deadline=float("nan"))
     assert rederive.prove(many, ", ".join(letters), deadline=60).verdict is rederive.Decision.PROVED
-
-
-def test_a_call_costs_little() -> None:
-    session = rederive.Session()
-    calls = []
-    for _ in range(200):
-        begun = time.perf_counter()
-        with pytest.raises(rederive.DerivationError):
-            session.prove("x", "x")
-        calls.append(time.perf_counter() - begun)
-    # The answer itself is a problem that is found at once, so that this is what a call costs.
-    assert sorted(calls)[len(calls) // 2] < 1e-3, sorted(calls)[len(calls) // 2]

@@ -7,9 +7,12 @@ from typing import Any
 
 import pytest
 
+import rederive
+from rederive import notebook
+
 nbformat = pytest.importorskip("nbformat")
 nbclient = pytest.importorskip("nbclient")
-TUTORIAL = Path(__file__).resolve().parents[1] / "tutorial.ipynb"
+BOOKS = Path(__file__).resolve().parents[1]
 
 
 def run(book: Any) -> list[Any]:
@@ -18,7 +21,7 @@ def run(book: Any) -> list[Any]:
 
 
 def test_the_tutorial_runs_and_shows_what_it_says() -> None:
-    cells = run(nbformat.read(TUTORIAL, as_version=4))
+    cells = run(nbformat.read(BOOKS / "tutorial.ipynb", as_version=4))
 
     def shown(cell: Any, kind: str) -> str:
         found = [o["data"][kind] for o in cell.outputs if o.output_type in ("execute_result", "display_data") and kind in o["data"]]
@@ -38,6 +41,23 @@ def test_the_tutorial_runs_and_shows_what_it_says() -> None:
     if place := os.environ.get("REDERIVE_CELLS"):
         Path(place).write_text(json.dumps(pages), encoding="utf-8")
     assert any("image/png" in o.get("data", {}) for cell in cells for o in cell.outputs)
+
+
+def test_the_seven_identities_of_the_bench() -> None:
+    cells = run(nbformat.read(BOOKS / "identities.ipynb", as_version=4))
+    text = "".join(o["text"] for cell in cells for o in cell.outputs if o.output_type == "stream")
+    rows = [line for line in text.splitlines() if "simplify:" in line and not line.startswith("all")]
+    assert len(rows) == 7 and all(" proved " in row for row in rows), rows
+    assert text.splitlines()[-1].startswith("refuted Counterexample")
+
+
+def test_a_wrong_first_line_of_a_cell(spring: str) -> None:
+    space: dict[str, Any] = {}
+    for line, words in [("--claims energy", "usage: %%rederive"), ("my-report", "no name in Python"), ("a --claim none", "`none`")]:
+        with pytest.raises(rederive.Error) as e:
+            notebook.run(line, spring, space)
+        assert words in str(e.value) and not space
+    assert notebook.run("a --claim energy --trajectory pulled --sampled", spring, space) is space["a"]
 
 
 def test_problems_of_a_cell_are_shown_without_a_trace() -> None:

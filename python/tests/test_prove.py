@@ -101,3 +101,18 @@ def test_complex_symbols_of_sympy() -> None:
     assert rabi.data["symbols"]["c"] == {"role": "state", "complex": True}
     with pytest.raises(rederive.NoCounterpart, match="not real"):
         rederive.prove(sp.Eq(sp.Symbol("y", imaginary=True), z))
+
+
+def test_what_is_no_formula() -> None:
+    sp = pytest.importorskip("sympy")
+    x = sp.Symbol("x")
+    with pytest.raises(TypeError, match="Eq"):
+        rederive.prove(x + x == 2 * x)
+    with pytest.raises(TypeError, match="text in LaTeX"):
+        rederive.prove(3)
+
+
+def test_names_as_sympy_spells_them() -> None:
+    sp = pytest.importorskip("sympy")
+    hbar, lamda = sp.symbols("hbar lamda")
+    assert rederive.prove(sp.Eq(hbar * lamda, lamda * hbar, evaluate=False)).formula == r"\hbar\cdot \lambda=\hbar\cdot \lambda"

@@ -29,6 +29,15 @@ def test_tests_are_selected_by_name(project: pytest.Pytester) -> None:
     result.stdout.fnmatch_lines(["*energy*pulled*PASSED*"])
 
 
+def test_families_are_tests(pytester: pytest.Pytester, spring: str) -> None:
+    row = "[[family]]\nid = 'row'\nof = 'pulled'\nvary = { '\\omega' = { values = [0.5, 1, 2] } }\n\n[[claim]]"
+    text = spring.replace("[[claim]]", row, 1).replace("id = 'at-once'", "id = 'at-once'\nfamilies = ['row']")
+    pytester.makefile(".derivation.toml", spring=text.replace("expect = { fails = 'all' }", "expect = { fails = ['pulled', 'pushed'] }"))
+    result = pytester.runpytest_subprocess("-p", "no:cacheprovider", "-k", "at-once")
+    result.assert_outcomes(passed=2, failed=1, deselected=4)
+    assert "rest/at-once on the family row: fails (sampled), which nothing expects" in result.stdout.str()
+
+
 def test_folders_that_are_not_named_are_left_alone(pytester: pytest.Pytester, spring: str) -> None:
     pytester.makefile(".toml", settings=spring)
     assert pytester.runpytest_subprocess().ret == pytest.ExitCode.NO_TESTS_COLLECTED

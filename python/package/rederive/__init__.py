@@ -24,7 +24,7 @@ from .errors import (
 )
 from .notebook import load_ipython_extension
 from .proof import Counterexample, Proof
-from .report import Claim, Curve, Exclusion, Report, Residual, Result, Summary, Witness
+from .report import Claim, Curve, Exclusion, Members, Report, Residual, Result, Summary, Witness
 from .session import Session, check, prove
 from .verdict import Decision, Strength, Verdict
 
@@ -40,6 +40,7 @@ __all__ = [
     "DerivationError",
     "Error",
     "Exclusion",
+    "Members",
     "NoCounterpart",
     "Problem",
     "Proof",

@@ -15,6 +15,10 @@ from .formula import Names, is_sympy
 __all__ = ["Derivation"]
 
 Data = dict[str, Any]
+# What of a claim is a list, so that one alone may be given without brackets.
+SEVERAL = frozenset(
+    "always never eventually first_integral defined assuming trajectories families follows_from rests_on".split()
+)
 
 
 class Derivation:
@@ -89,7 +93,7 @@ class Derivation:
         return self
 
     def table(self, kind: str, **keys: Any) -> Derivation:
-        """Any other table: ``measure``, ``condition``, ``picture``."""
+        """Any other table: ``family``, ``measure``, ``condition``, ``picture``."""
         self._data.setdefault(kind, []).append(self._keys(keys))
         return self
 
@@ -98,11 +102,11 @@ class Derivation:
         return self._names.latex(expression)
 
     def _forms(self, keys: Mapping[str, Any]) -> Data:
-        several = ("always", "never", "eventually", "first_integral", "defined", "assuming", "trajectories", "follows_from")
-        return self._keys({key: _several(value) if key in several else value for key, value in keys.items()})
+        return self._keys({key: _several(value) if key in SEVERAL else value for key, value in keys.items()})
 
     def _keys(self, keys: Mapping[str, Any]) -> Data:
-        return {key.replace("_", "-"): self._value(value) for key, value in keys.items() if value is not None}
+        # A word of Python's own is written with an underscore after it, `from_`.
+        return {key.rstrip("_").replace("_", "-"): self._value(value) for key, value in keys.items() if value is not None}
 
     def _value(self, value: Any) -> Any:
         if is_sympy(value):

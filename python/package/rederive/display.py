@@ -41,6 +41,8 @@ def _number(x: Side) -> str:
 
 
 def _on(result: Result) -> str:
+    if result.family is not None:
+        return f"{result.claim} on the family {result.family}"
     return f"{result.claim} on {result.trajectory}" if result.trajectory is not None else f"{result.claim} over its ranges"
 
 
@@ -66,6 +68,8 @@ def result_text(result: Result) -> str:
         lines[0] += f", expected: {result.expected}" if result.expected is not None else ", which nothing expects"
     if result.reason:
         lines.append(f"  {result.reason}")
+    if (m := result.members) is not None:
+        lines.append(f"  of {m.count} members {m.holds} hold, {m.fails} fail, {m.not_applicable} do not apply, {m.undecided} undecided")
     if result.witness is not None:
         lines += ["  " + line for line in witness_text(result.witness).splitlines()]
     return "\n".join(lines)
@@ -88,13 +92,13 @@ def _span(word: str, text: str, more: str = "") -> str:
 def _matrix(report: Report) -> str:
     motions: list[Optional[str]] = []
     for result in report.results:
-        if result.trajectory not in motions:
-            motions.append(result.trajectory)
+        if result.on not in motions:
+            motions.append(result.on)
     shown = motions[:SHOWN]
     head = "".join(f"<th>{html.escape(m or 'ranges')}</th>" for m in shown)
     rows = []
     for claim in report.claims:
-        found = {result.trajectory: result for result in claim.results}
+        found = {result.on: result for result in claim.results}
         cells = []
         for motion in shown:
             if motion not in found:

@@ -55,10 +55,11 @@ class DerivationError(Error):
 
 
 class UnknownName(Error, KeyError):
-    """There is no claim, reading or trajectory of this name."""
+    """There is no claim, reading or motion of this name; a second argument says it in other words."""
 
     def __str__(self) -> str:
-        return f"there is no claim or trajectory `{self.args[0]}`"
+        name, *words = self.args
+        return str(words[0]) if words else f"there is no claim or trajectory `{name}`"
 
 
 class Cancelled(Error):

@@ -15,8 +15,10 @@ __all__ = ["Names", "is_sympy"]
 
 GREEK = frozenset(
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau upsilon phi chi psi omega "
-    "Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega varphi vartheta varepsilon varrho".split()
+    "Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega varphi vartheta varepsilon varrho hbar ell".split()
 )
+# `lambda` is a word of Python: SymPy has this spelling for it.
+SPELLED = {"lamda": "lambda", "Lamda": "Lambda"}
 FUNCTIONS = {
     "sin": r"\sin", "cos": r"\cos", "tan": r"\tan", "cot": r"\cot", "sec": r"\sec", "csc": r"\csc",
     "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan",
@@ -214,14 +216,19 @@ def _name(name: str) -> str:
     if len(rest) > 1:
         raise NoCounterpart(f"the name {name} has two underscores: say what it is in formulas, with `latex=`")
     label = rest[0] if rest else ""
+    label = SPELLED.get(label, label)
     if not label:
         # As SymPy prints it: x1 is x with the index 1.
         letters = head.rstrip("0123456789")
         head, label = letters, head[len(letters) :]
+    head = SPELLED.get(head, head)
     if head in GREEK:
         head = f"\\{head}"
     elif len(head) != 1 or not head.isalpha():
-        raise NoCounterpart(f"the name {name} is neither one letter nor a Greek one: say what it is in formulas, with `latex=`")
+        raise NoCounterpart(
+            f"the name {name} is neither one letter nor a Greek one: take such a name, or say in a Derivation what it is in "
+            f"formulas, `.symbol({name}, latex=…)`"
+        )
     if not label:
         return head
     if label in GREEK:

@@ -20,7 +20,7 @@ class Counterexample:
     right: str
     point: Mapping[str, str] = field(hash=False)
     equation: int = 0
-    """Of several equations, which one fails; counted from 0."""
+    """Of several equations, which one fails; counted from 0. One between complex numbers counts as two, Re and Im."""
 
 
 @dataclass(frozen=True)

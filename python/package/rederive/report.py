@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import pandas
     from matplotlib.axes import Axes
 
-__all__ = ["Claim", "Curve", "Exclusion", "Report", "Residual", "Result", "Summary", "Witness"]
+__all__ = ["Claim", "Curve", "Exclusion", "Members", "Report", "Residual", "Result", "Summary", "Witness"]
 
 Side = Union[float, tuple[float, float], None]
 
@@ -55,13 +55,31 @@ class Exclusion:
 
 
 @dataclass(frozen=True)
+class Members:
+    """How many members of a family there are of each kind."""
+
+    count: int
+    """How many were tried."""
+    holds: int
+    fails: int
+    not_applicable: int
+    undecided: int
+    rejected: int
+    """Draws that are no members."""
+    failing_at_most: Optional[float]
+    """Where everything is drawn: the share of all such motions that fail is no larger, ..."""
+    confidence: Optional[float]
+    """... with this confidence."""
+
+
+@dataclass(frozen=True)
 class Result:
-    """One claim on one motion, or over its ranges."""
+    """One claim on one motion, on a family of them, or over its ranges."""
 
     claim: str
     """Its id, or ``id/reading``."""
     trajectory: Optional[str]
-    """``None`` for a claim over ranges."""
+    """``None`` for a family, and for a claim over ranges."""
     verdict: Verdict
     strength: Optional[Strength]
     expected: Optional[Verdict]
@@ -74,6 +92,14 @@ class Result:
     samples: Optional[int] = None
     branch: Optional[str] = None
     excluded: tuple[Exclusion, ...] = ()
+    family: Optional[str] = None
+    """The family, where the claim was tried on one; the witness is of the member that fails most clearly."""
+    members: Optional[Members] = None
+
+    @property
+    def on(self) -> Optional[str]:
+        """The trajectory or the family; ``None`` for a claim over ranges."""
+        return self.family if self.trajectory is None else self.trajectory
 
     def __bool__(self) -> NoReturn:
         raise TypeError("a Result is neither true nor false: compare its `verdict`, or ask `unexpected`")
@@ -103,11 +129,11 @@ class Claim:
         """The id, or ``id/reading``."""
         return self.id if self.reading is None else f"{self.id}/{self.reading}"
 
-    def __getitem__(self, trajectory: Optional[str]) -> Result:
+    def __getitem__(self, on: Optional[str]) -> Result:
         for result in self.results:
-            if result.trajectory == trajectory:
+            if result.on == on:
                 return result
-        raise UnknownName(f"{self.name} on {trajectory}")
+        raise UnknownName(f"{self.name} on {on}")
 
     def __iter__(self) -> Iterator[Result]:
         return iter(self.results)
@@ -190,7 +216,9 @@ class Report:
             if claim.name == name:
                 return claim
         readings = [claim.name for claim in self.claims if claim.id == name]
-        raise UnknownName(f"{name}` itself: it has the readings `{'`, `'.join(readings)}" if readings else name)
+        if readings:
+            raise UnknownName(name, f"`{name}` has readings, name one of them: `{'`, `'.join(readings)}`")
+        raise UnknownName(name)
 
     def __iter__(self) -> Iterator[Claim]:
         return iter(self.claims)
@@ -239,7 +267,8 @@ class Report:
         of = self[claim]
         rows = self._findings().curve(of.id, of.reading, trajectory)
         if rows is None:
-            raise UnknownName(f"{claim} on {trajectory}` with a curve, or `{claim}")
+            _ = of[trajectory]
+            raise UnknownName(claim, f"there is no curve of `{claim}` on `{trajectory}`: nothing was compared at times of one motion")
         return rows
 
     def _findings(self) -> _rederive.Findings:
@@ -259,6 +288,7 @@ class Report:
             {
                 "claim": r.claim,
                 "trajectory": r.trajectory,
+                "family": r.family,
                 "verdict": word(r.verdict),
                 "strength": word(r.strength),
                 "expected": word(r.expected),
@@ -269,7 +299,7 @@ class Report:
             }
             for r in self.results
         ]
-        names = ["claim", "trajectory", "verdict", "strength", "expected", "unexpected", "residual", "bound", "reason"]
+        names = ["claim", "trajectory", "family", "verdict", "strength", "expected", "unexpected", "residual", "bound", "reason"]
         return pandas.DataFrame(rows, columns=names)
 
     def plot(self, claim: str, trajectory: str, axes: Optional[Axes] = None) -> Axes:
@@ -291,6 +321,7 @@ class Report:
 def _claim(data: dict[str, Any]) -> Claim:
     name = data["id"] if data["reading"] is None else f"{data['id']}/{data['reading']}"
     results = [_result(name, one) for one in data["results"]]
+    results += [_on_family(name, one) for one in data.get("families", ())]
     if data["region"] is not None:
         results.append(_over_ranges(name, data["region"]))
     return Claim(
@@ -318,7 +349,7 @@ def _strength(word: Optional[str]) -> Optional[Strength]:
 
 
 def _result(claim: str, data: dict[str, Any]) -> Result:
-    witness, residual = data["witness"], data["residual"]
+    residual = data["residual"]
     return Result(
         claim=claim,
         trajectory=data["trajectory"],
@@ -327,11 +358,42 @@ def _result(claim: str, data: dict[str, Any]) -> Result:
         expected=_verdict(data["expected"]),
         unexpected=data["unexpected"],
         reason=data["reason"],
-        witness=witness and Witness(**{key: witness[key] for key in ("t", "formula", "left", "right", "bound", "values")}),
+        witness=_witness(data["witness"]),
         residual=residual and Residual(**residual),
         samples=data["samples"],
         branch=data["branch"],
         excluded=tuple(Exclusion(e["from"], e["to"], e["reason"]) for e in data["excluded"]),
+    )
+
+
+def _witness(data: Optional[dict[str, Any]]) -> Optional[Witness]:
+    if data is None:
+        return None
+    return Witness(**{key: data[key] for key in ("t", "formula", "left", "right", "bound", "values")})
+
+
+def _on_family(claim: str, data: dict[str, Any]) -> Result:
+    share, clearest = data["failing_share"] or {}, data["clearest_failing"] or {}
+    return Result(
+        claim=claim,
+        trajectory=None,
+        verdict=Verdict(data["verdict"]),
+        strength=_strength(data["strength"]),
+        expected=_verdict(data["expected"]),
+        unexpected=data["unexpected"],
+        reason=data["reason"],
+        witness=_witness(clearest.get("witness")),
+        family=data["family"],
+        members=Members(
+            count=data["members"],
+            holds=data["holds"],
+            fails=data["fails"],
+            not_applicable=data["not_applicable"],
+            undecided=data["undecided"],
+            rejected=data["rejected"],
+            failing_at_most=share.get("at_most"),
+            confidence=share.get("confidence"),
+        ),
     )
 
 

@@ -100,7 +100,7 @@ class Session:
         if self._text is None:
             raise ValueError("there is nothing to check: the session has no derivation")
         sampled = rigor == "sampled"
-        of = (_names(claims), _names(trajectories), sampled, only_verdicts, deadline, memory)
+        of = (_names(claims), _names(trajectories), sampled, only_verdicts, _seconds(deadline), memory)
         asked = _Asked(self._name, self._text, *of)
         with shown(progress, self._name) as tell:
             found = asked.of(self._read, tell)
@@ -121,7 +121,12 @@ class Session:
         premises: list[Any] = [given] if is_sympy(given) else list(_names(given))
         if is_sympy(formula):
             formula, words, premises = _of_sympy(formula, words, premises)
-        document, text = self._read.prove(formula, words, premises, throughout, scope, deadline)
+        elif not isinstance(formula, str):
+            raise TypeError(
+                f"a formula is a text in LaTeX or a relation of SymPy, not {formula!r}"
+                + (": `==` compares at once, an equation of SymPy is `Eq(…, …)`" if isinstance(formula, bool) else "")
+            )
+        document, text = self._read.prove(formula, words, premises, throughout, scope, _seconds(deadline))
         return Proof.of(document, text)
 
 
@@ -139,7 +144,7 @@ def check(
     """Tries the claims of a derivation on its motions.
 
     ``derivation``: a path, the text of a derivation file (with line breaks), or a :class:`Derivation`.
-    ``claims``, ``trajectories``: only these, by name; all when empty.
+    ``claims``, ``trajectories``: only these, by name; all when empty. Families count among the trajectories.
     ``rigor``: ``"enclosed"`` looks at every time of the span where it is possible, ``"sampled"`` at finitely many.
     ``only_verdicts``: no altered formulas, no corrections, nothing that separates the motions.
     ``deadline``: after so many seconds nothing is begun; what is left is undecided.
@@ -185,6 +190,13 @@ def _name(id: str, reading: Optional[str]) -> str:
 
 def _names(names: Union[str, Iterable[str]]) -> tuple[str, ...]:
     return (names,) if isinstance(names, str) else tuple(names)
+
+
+def _seconds(deadline: Optional[float]) -> Optional[float]:
+    """A deadline that is over already is one, too; the library knows none below zero."""
+    if deadline is not None and deadline != deadline:
+        raise ValueError("the deadline is not a number")
+    return None if deadline is None else max(float(deadline), 0.0)
 
 
 def _of_sympy(formula: Any, words: list[str], given: list[Any]) -> tuple[str, list[str], list[str]]:
