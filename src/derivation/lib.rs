@@ -29,6 +29,7 @@ mod premise;
 mod region;
 mod role;
 mod schema;
+mod start;
 mod symbols;
 mod table;
 mod typed;
@@ -45,4 +46,5 @@ pub use model::{
 pub use premise::Premise;
 pub use role::ClaimRole;
 pub use schema::{schema, undescribed};
+pub use start::{Start, Unknown};
 pub use unit::Unit;

@@ -10,6 +10,7 @@ use latex::{Role, Scope, Statement};
 use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
+use super::start::Start;
 use super::unit::Unit;
 
 /// A formula as written, where it stands, and what it means.
@@ -139,8 +140,10 @@ pub enum Motion {
         /// Position in [`Derivation::systems`].
         system: usize,
         /// State, order of its rate (0 for the state itself), and one expression for each stored component, over
-        /// parameters only; in the order of the system's states.
+        /// parameters, the unknowns of `start`, and rates that the system gives; in the order of the system's states.
         initial: Vec<(Symbol, u8, Written<Vec<Expr>>)>,
+        /// The values among them that equations determine.
+        start: Option<Start>,
     },
     /// Given by formulas in time and parameters: one expression for each stored component.
     Formula {
@@ -155,6 +158,16 @@ pub enum Motion {
         /// that of the other motion. A state that the other motion does not have may be added.
         map: Vec<(Symbol, Written<Vec<Expr>>)>,
     },
+}
+
+impl Motion {
+    /// The initial values that equations determine.
+    pub fn start(&self) -> Option<&Start> {
+        match self {
+            Motion::Integrated { start, .. } => start.as_ref(),
+            Motion::Formula { .. } | Motion::Derived { .. } => None,
+        }
+    }
 }
 
 /// A motion on which claims are tried.
