@@ -41,10 +41,9 @@ pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
     Claim, Condition, Derivation, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Ranged,
-    Region, SymbolEntry, System, Trajectory, Values, Written,
+    Region, Start, SymbolEntry, System, Trajectory, Unknown, Values, Written,
 };
 pub use premise::Premise;
 pub use role::ClaimRole;
 pub use schema::{schema, undescribed};
-pub use start::{Start, Unknown};
 pub use unit::Unit;

@@ -10,7 +10,6 @@ use latex::{Role, Scope, Statement};
 use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
-use super::start::Start;
 use super::unit::Unit;
 
 /// A formula as written, where it stands, and what it means.
@@ -130,6 +129,51 @@ pub struct System {
     pub equations: Vec<Written<Statement>>,
     /// Place of its id in the file.
     pub span: Range<usize>,
+}
+
+/// An initial value that equations determine.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// What the other formulas call it: a symbol of its own.
+    pub leaf: Leaf,
+    /// How a formula writes the quantity whose initial value it is.
+    pub name: String,
+    /// The guess, over parameters.
+    pub near: Expr,
+    /// How far the value may be from the guess, over parameters; half of the guess unless it is given.
+    pub within: Option<Expr>,
+    /// Place of the guess in the file.
+    pub span: Range<usize>,
+}
+
+/// Initial values that equations determine. The equations have one solution in which every unknown lies as near to its guess as
+/// it says: this is for those to show who compute.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The unknowns.
+    pub unknowns: Vec<Unknown>,
+    /// The equations as they are written, between states and their rates.
+    pub equations: Vec<Written<Statement>>,
+    /// Left − right of each component, over parameters, unknowns and rates that the system gives; as many as unknowns.
+    pub differences: Vec<Expr>,
+    /// Place of the equations in the file.
+    pub span: Range<usize>,
+}
+
+impl Start {
+    /// The same with something else put in for leaves.
+    pub fn with(&self, mut put: impl FnMut(Expr) -> Expr) -> Start {
+        let unknown = |u: &Unknown, put: &mut dyn FnMut(Expr) -> Expr| Unknown {
+            near: put(u.near),
+            within: u.within.map(&mut *put),
+            ..u.clone()
+        };
+        Start {
+            unknowns: self.unknowns.iter().map(|u| unknown(u, &mut put)).collect(),
+            differences: self.differences.iter().map(|&e| put(e)).collect(),
+            ..self.clone()
+        }
+    }
 }
 
 /// Where a motion comes from.

@@ -4,62 +4,15 @@
 //! each with its guess, and as many equations between numbers. **Guaranteed:** an equation speaks of parameters, unknowns, and
 //! rates that the system gives, and of nothing else. Nothing is solved here.
 
-use std::ops::Range;
-
 use toml::de::DeValue;
 
 use super::keys;
 use super::load::{Loader, is_equation};
-use super::model::Written;
+use super::model::{Start, Unknown, Written};
 use super::table::{Table, Value};
 use super::values::Known;
 use expr::{Expr, Leaf, Shape, Symbol};
 use latex::{Scope, Statement};
-
-/// An initial value that equations determine.
-#[derive(Clone, Debug)]
-pub struct Unknown {
-    /// What the other formulas call it: a symbol of its own.
-    pub leaf: Leaf,
-    /// How a formula writes the quantity whose initial value it is.
-    pub name: String,
-    /// The guess, over parameters.
-    pub near: Expr,
-    /// How far the value may be from the guess, over parameters; half of the guess unless it is given.
-    pub within: Option<Expr>,
-    /// Place of the guess in the file.
-    pub span: Range<usize>,
-}
-
-/// Initial values that equations determine. The equations have one solution in which every unknown lies as near to its guess as
-/// it says: this is for those to show who compute.
-#[derive(Clone, Debug)]
-pub struct Start {
-    /// The unknowns.
-    pub unknowns: Vec<Unknown>,
-    /// The equations as they are written, between states and their rates.
-    pub equations: Vec<Written<Statement>>,
-    /// Left − right of each component, over parameters, unknowns and rates that the system gives; as many as unknowns.
-    pub differences: Vec<Expr>,
-    /// Place of the equations in the file.
-    pub span: Range<usize>,
-}
-
-impl Start {
-    /// The same with something else put in for leaves.
-    pub fn with(&self, mut put: impl FnMut(Expr) -> Expr) -> Start {
-        let unknown = |u: &Unknown, put: &mut dyn FnMut(Expr) -> Expr| Unknown {
-            near: put(u.near),
-            within: u.within.map(&mut *put),
-            ..u.clone()
-        };
-        Start {
-            unknowns: self.unknowns.iter().map(|u| unknown(u, &mut put)).collect(),
-            differences: self.differences.iter().map(|&e| put(e)).collect(),
-            ..self.clone()
-        }
-    }
-}
 
 /// What an equation between initial values may use.
 const MAY_USE: &str = "a constraint holds at the initial time: it may use parameters, the initial values, and rates that the \
