@@ -16,6 +16,8 @@ use latex::{Role, Scope};
 /// A symbol with its value: one expression for each stored component.
 pub(super) type ValueOf = (Symbol, Written<Vec<Expr>>);
 type Values = Vec<ValueOf>;
+/// States and orders of their rates, with their values.
+type Given = Vec<(Symbol, u8, Written<Vec<Expr>>)>;
 
 /// A `[[trajectory]]` before what it comes from is known.
 struct Draft<'a, 's> {
@@ -400,7 +402,7 @@ impl Loader<'_> {
         scope: &Scope,
         free: &dyn Fn(&Scope, Leaf) -> bool,
         hint: &str,
-    ) -> (Vec<(Symbol, u8, Written<Vec<Expr>>)>, Known) {
+    ) -> (Given, Known) {
         let mut out = Vec::new();
         let mut known = Known::new();
         for Assigned { symbol, rate, value, .. } in given {

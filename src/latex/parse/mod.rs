@@ -579,7 +579,7 @@ fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
     if factor.begins_with_number() {
         // `r^3 4\pi^2`: the exponent ends where the line goes on. Without a space it could be `r^{34}`.
         let raised = match &last.kind {
-            NodeKind::Symbol(s) => s.arguments.is_none() && s.sup.as_deref().is_some_and(|sup| number(sup)),
+            NodeKind::Symbol(s) => s.arguments.is_none() && s.sup.as_deref().is_some_and(number),
             _ => false,
         };
         return if number(last) {
