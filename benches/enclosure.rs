@@ -34,7 +34,7 @@ fn enclose(rotation: bool, span: f64, radius: f64) -> Enclosure {
         span: (0.0, span),
         initial_time: 0.0,
         parameters,
-        source: Source::Integrated { field: &field, initial },
+        source: Source::Integrated { field: &field, initial, start: Default::default() },
         observables: Vec::new(),
     };
     let enclosure = Enclosure::new(&mut w.graph, &setup, None).expect("a motion");

@@ -35,7 +35,7 @@ fn tape_one_integration(bencher: divan::Bencher) {
         span: (0.0, SPAN),
         initial_time: 0.0,
         parameters,
-        source: Source::Integrated { field: &field, initial },
+        source: Source::Integrated { field: &field, initial, start: Default::default() },
         observables: Vec::new(),
     };
     let motion = rederive::flow::Motion::new(&mut w.graph, setup).unwrap();

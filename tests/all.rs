@@ -38,6 +38,7 @@ mod flow_events;
 mod flow_integration;
 mod flow_motion;
 mod flow_rigid_body;
+mod flow_start;
 mod flow_systems;
 mod formats;
 mod front;

@@ -181,7 +181,7 @@ fn enclose(
         span,
         initial_time: 0.0,
         parameters: w.pairs(parameters),
-        source: Source::Integrated { field, initial: w.pairs(initial) },
+        source: Source::Integrated { field, initial: w.pairs(initial), start: Default::default() },
         observables: w.observables(observables),
     };
     Enclosure::new(&mut w.graph, &setup, None).expect("a motion")

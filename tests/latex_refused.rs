@@ -119,7 +119,6 @@ fn powers_of_functions_that_could_be_inverses() {
     assert!(!refused(r"x=\ln^{-1}x", AMBIGUOUS).contains("arc"));
     refused(r"x=\cos^a x", AMBIGUOUS);
     refused(r"x=\log x", AMBIGUOUS);
-    refused(r"x=\log_{10}x", "latex::unexpected");
 }
 
 #[test]
@@ -426,4 +425,50 @@ fn deep_and_long_texts_end_in_a_small_stack() {
         assert!(world().try_read(&product).is_ok());
     };
     std::thread::Builder::new().stack_size(512 * 1024).spawn(run).expect("a thread").join().expect("no overflow");
+}
+
+#[test]
+fn what_is_said_in_other_ways_has_a_hint() {
+    let hints = [
+        (r"x=a‹\Rightarrow› y=b", "latex::unsupported", "follows-from"),
+        (r"x=a‹\implies› y=b", "latex::unsupported", "assuming"),
+        (r"k=0,1,2,‹\ldots›", "latex::unsupported", "ranges"),
+        (r"x^2+y^2=‹\text{const›.}", "latex::unsupported", "first-integral"),
+        (r"x^2+y^2=‹\mathrm{constant›}", "latex::unsupported", "first-integral"),
+        (r"x^2+y^2=‹{\rm const›}", "latex::unsupported", "first-integral"),
+        (r"x^2+y^2=‹const›", "latex::unsupported", "first-integral"),
+        (r"‹Z›(\beta)=1", "latex::unknown-symbol", r"'Z(\beta)'"),
+        (r"‹f›(q)=1", "latex::unknown-symbol", "arguments = ['q']"),
+        (r"‹f_1›(q)=1", "latex::unknown-symbol", "abbreviation"),
+        (r"x=\log_‹10›a", "latex::ambiguous", "_{10}"),
+        (r"x=\ln‹_›2a", "latex::unexpected", ""),
+        (r"x=a-‹-›b", "latex::unexpected", "parentheses"),
+        (r"x=a\pm‹-›b", "latex::unexpected", "parentheses"),
+        (r"x=\lfloor a\rfloor", "latex::unsupported", "parameter"),
+    ];
+    for (marked, code, hint) in hints {
+        let found = refused(marked, code);
+        assert!(found.contains(hint), "{marked}: {found}");
+    }
+}
+
+#[test]
+fn a_difference_is_a_name_only_where_that_is_clear() {
+    use Role::{Parameter, State, Time};
+    let w = World::empty()
+        .with("t", Time, "")
+        .with("x", State, "")
+        .with(r"\Delta x", Parameter, "")
+        .with("a", Parameter, "");
+    refused_in(&w, r"a=‹\Delta x›^2", "latex::ambiguous");
+    refused_in(&w, r"a=\Delta a", "latex::unknown-symbol");
+    let both = w.clone().with(r"\Delta", Parameter, "");
+    refused_in(&both, r"a=‹\Delta x›", "latex::ambiguous");
+    // A product of two symbols stays one.
+    let mut product = World::empty().with("t", Time, "").with(r"\Delta", Parameter, "").with("x", State, "");
+    assert!(product.try_read(r"\Delta x=1").is_ok());
+    for text in [r"\Delta x=a", r"(\Delta x)^2=a", r"\frac{a}{\Delta x}=1", r"a\Delta x=1", r"\sin\Delta x=a"] {
+        let read = w.clone().try_read(text);
+        assert!(read.is_ok(), "{text}");
+    }
 }

@@ -22,6 +22,14 @@ fn ends(code: i32, arguments: &[&str]) -> String {
     out + &err
 }
 
+#[test]
+fn a_formula_may_begin_with_a_sign() {
+    ends(0, &["-x=-1\\cdot x", "-s", "x"]);
+    ends(0, &["--symbol", "x", "-x+x=0"]);
+    ends(0, &["-s", "x", "--", "-x+x=0"]);
+    ends(2, &["-s", "x", "x=x", "--certificat"]);
+}
+
 /// The words of a line as a shell takes them: blanks separate, single quotes keep together.
 fn words(line: &str) -> Vec<String> {
     let mut out = vec![String::new()];

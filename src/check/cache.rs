@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 use super::follow::{Followed, follow, strengthen_all};
 use super::memory::{Contents, Memory, Recall};
 use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
-use crate::derivation::Derivation;
+use crate::derivation::{Derivation, Family, Motion};
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
@@ -156,7 +156,11 @@ fn contents(derivation: &Derivation) -> Option<Contents> {
     };
     let claims = claims.into_iter().map(&mut one).collect::<Option<_>>()?;
     let motions = motions.iter().map(|m| Some((id(m)?, m.to_string()))).collect::<Option<_>>()?;
-    Some(Contents { base: conventions + &root.to_string() + &symbols, motions, claims })
+    // Values that are solved for are symbols, too: with others, those that are declared after them have other numbers.
+    let all = derivation.trajectories.iter().map(|t| &t.motion).chain(derivation.families.iter().map(Family::motion));
+    let unknowns = all.filter_map(Motion::start).flat_map(|start| &start.unknowns);
+    let unknowns: Vec<usize> = unknowns.map(|u| u.leaf.symbol.index()).collect();
+    Some(Contents { base: format!("{conventions}{root}{symbols}{unknowns:?}"), motions, claims })
 }
 
 /// Takes the words and the symbols out of a claim; the symbols are returned, since motions know the observables of all claims.

@@ -162,6 +162,8 @@ impl Draft {
     /// The family of a trajectory of the file; `None` for one that is derived from another.
     fn of(derivation: &Derivation, trajectory: &Trajectory) -> Option<Draft> {
         let system = match &trajectory.motion {
+            // What is solved for has no number that could be changed.
+            Motion::Integrated { .. } if trajectory.motion.start().is_some() => return None,
             Motion::Integrated { system, .. } => Some(derivation.systems.get(*system)?.id.clone()),
             Motion::Formula { .. } => None,
             Motion::Derived { .. } => return None,

@@ -20,7 +20,7 @@ use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
-use crate::flow::{Motion, Observable, Points, Search, Setup, Source, VectorField, Zeros};
+use crate::flow::{FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -429,12 +429,7 @@ fn family(
                     let built = prepare(derivation, requests, &mut graph, t, motion, known)?;
                     done.push((t, built));
                 }
-                Err(error) => problems.push(Diagnostic::at(
-                    &derivation.file,
-                    "flow::trajectory",
-                    trajectory.place.clone(),
-                    format!("the trajectory `{}` cannot be built: {error}", trajectory.id),
-                )),
+                Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),
             }
         }
         if later.len() == before || !problems.is_empty() {
@@ -450,6 +445,17 @@ fn family(
     }
     recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
     Ok(done)
+}
+
+/// Why a motion cannot be built, at its place.
+fn unbuilt(derivation: &Derivation, trajectory: &Trajectory, error: &FlowError) -> Diagnostic {
+    let message = format!("the trajectory `{}` cannot be built: {error}", trajectory.id);
+    let at = |code, place| Diagnostic::at(&derivation.file, code, place, message);
+    let constraints = trajectory.motion.start().map(|start| start.span.clone());
+    match error.about_constraints() {
+        Some(hint) => at("flow::initial", constraints.unwrap_or(trajectory.place.clone())).hint(hint),
+        None => at("flow::trajectory", trajectory.place.clone()),
+    }
 }
 
 /// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
@@ -473,10 +479,18 @@ pub(super) fn setup<'a>(
         known.push(*symbol);
     }
     let source = match (&trajectory.motion, from) {
-        (Given::Integrated { system, initial }, _) => {
+        (Given::Integrated { system, initial, start }, _) => {
             known.extend(&systems[*system].states);
             let values = initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect();
-            Source::Integrated { field: &fields.fields[*system], initial: values }
+            let start = start.as_ref().map_or_else(Start::default, |start| Start {
+                guesses: start
+                    .unknowns
+                    .iter()
+                    .map(|u| Guess { leaf: u.leaf, name: u.name.clone(), near: u.near, within: u.within })
+                    .collect(),
+                differences: start.differences.clone(),
+            });
+            Source::Integrated { field: &fields.fields[*system], initial: values, start }
         }
         (Given::Formula { states }, _) => {
             known.extend(states.iter().map(|(s, _)| *s));

@@ -46,6 +46,7 @@ pub enum Signs {
 #[derive(clap::Args)]
 pub struct ProveArguments {
     /// The equation, in LaTeX; several are separated by commas, and all must hold
+    #[arg(allow_hyphen_values = true)]
     formula: String,
     /// A premise: a relation in LaTeX, or with --in the name of a claim or system; may be repeated
     #[arg(long, short, value_name = "FORMULA|NAME", allow_hyphen_values = true)]

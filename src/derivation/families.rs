@@ -373,12 +373,12 @@ impl Loader<'_> {
         varied: &[Leaf],
     ) -> Vec<Constraint> {
         let free = |_: &Scope, leaf: Leaf| varied.contains(&leaf);
-        let mut known: Known = parameters.iter().map(|(s, w)| (*s, w.value.clone())).collect();
+        let mut known: Known = parameters.iter().map(|(s, w)| ((*s, 0), w.value.clone())).collect();
         if let Motion::Integrated { initial, .. } = motion {
             for (symbol, _, written) in initial.iter().filter(|(_, rate, _)| *rate == 0) {
                 let each = written.value.iter().map(|e| self.resolve(*e, &known, scope, &free));
                 if let Ok(values) = each.collect::<Result<Vec<Expr>, Leaf>>() {
-                    known.insert(*symbol, values);
+                    known.insert((*symbol, 0), values);
                 }
             }
         }

@@ -201,6 +201,11 @@ impl Family {
         std::iter::once(id.clone()).chain(more).find(|id| !is_taken(id)).unwrap_or(id)
     }
 
+    /// The motion with what varies left open.
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
     /// The title of a member.
     pub fn member_title(&self, number: u64) -> String {
         format!("Member {number} of {}", self.id)
@@ -216,19 +221,21 @@ impl Family {
         let of_parameters: Vec<Symbol> = self.parameters.iter().map(|(symbol, _)| *symbol).collect();
         // As in a file, initial values keep the parameters that they are given by.
         let of_states = |leaf: Leaf| value(leaf).filter(|_| !of_parameters.contains(&leaf.symbol));
-        let mut put = |written: &Written<Vec<Expr>>, value: &dyn Fn(Leaf) -> Option<Expr>| {
+        type Image<'a> = &'a dyn Fn(Leaf) -> Option<Expr>;
+        fn put(graph: &mut Graph, written: &Written<Vec<Expr>>, value: Image) -> Written<Vec<Expr>> {
             let value = written.value.iter().map(|e| graph.substitute(*e, |_, leaf| value(leaf))).collect();
             Written { value, ..written.clone() }
-        };
-        let parameters = self.parameters.iter().map(|(symbol, w)| (*symbol, put(w, &value))).collect();
+        }
+        let parameters = self.parameters.iter().map(|(symbol, w)| (*symbol, put(graph, w, &value))).collect();
         let motion = match &self.motion {
-            Motion::Integrated { system, initial } => Motion::Integrated {
+            Motion::Integrated { system, initial, start } => Motion::Integrated {
                 system: *system,
-                initial: initial.iter().map(|(symbol, rate, w)| (*symbol, *rate, put(w, &of_states))).collect(),
+                initial: initial.iter().map(|(symbol, rate, w)| (*symbol, *rate, put(graph, w, &of_states))).collect(),
+                start: start.as_ref().map(|s| s.with(|e| graph.substitute(e, |_, leaf| of_states(leaf)))),
             },
-            Motion::Formula { states } => {
-                Motion::Formula { states: states.iter().map(|(symbol, w)| (*symbol, put(w, &of_states))).collect() }
-            }
+            Motion::Formula { states } => Motion::Formula {
+                states: states.iter().map(|(symbol, w)| (*symbol, put(graph, w, &of_states))).collect(),
+            },
             Motion::Derived { .. } => return None,
         };
         let (id, title) = (self.member_id(number, |_| false), self.member_title(number));

@@ -21,8 +21,22 @@ pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "com
 /// Keys of `[system.…]`.
 pub const SYSTEM: &[&str] = &["says", "label", "states", "fields", "equations"];
 /// Keys of `[[trajectory]]`.
-pub const TRAJECTORY: &[&str] =
-    &["id", "title", "says", "system", "initial", "formula", "from", "map", "parameters", "span", "initial-time"];
+pub const TRAJECTORY: &[&str] = &[
+    "id",
+    "title",
+    "says",
+    "system",
+    "initial",
+    "constraints",
+    "formula",
+    "from",
+    "map",
+    "parameters",
+    "span",
+    "initial-time",
+];
+/// Keys of an initial value that is solved for.
+pub const GUESS: &[&str] = &["near", "within"];
 /// Keys of `[[family]]`.
 pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where"];
 /// Keys of `[[domain]]`.
@@ -83,6 +97,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("[symbols]", SYMBOL),
     ("[system.…]", SYSTEM),
     ("[[trajectory]]", TRAJECTORY),
+    ("initial", GUESS),
     ("[[family]]", FAMILY),
     ("[[domain]]", DOMAIN),
     ("vary", VARIED),

@@ -29,6 +29,7 @@ mod premise;
 mod region;
 mod role;
 mod schema;
+mod start;
 mod symbols;
 mod table;
 mod typed;
@@ -40,7 +41,7 @@ pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
     Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind,
-    Ranged, Region, SymbolEntry, System, Trajectory, Values, Written,
+    Ranged, Region, Start, SymbolEntry, System, Trajectory, Unknown, Values, Written,
 };
 pub use premise::Premise;
 pub use role::ClaimRole;

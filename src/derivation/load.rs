@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue};
 
 use super::keys;
-use super::model::{Derivation, System, Trajectory, Written};
+use super::model::{Derivation, System, Trajectory, Unknown, Written};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
 use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
@@ -104,6 +104,8 @@ pub(super) struct Loader<'s> {
     pub in_si: Vec<String>,
     /// Whether upright names are units.
     pub has_units: bool,
+    /// Initial values that are guessed, where guesses are taken.
+    pub guesses: Option<Vec<Unknown>>,
 }
 
 impl<'s> Loader<'s> {
@@ -111,7 +113,15 @@ impl<'s> Loader<'s> {
         let file = Arc::clone(problems.source);
         let sha256 = Sha256::digest(file.text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect();
         let out = Derivation { file, sha256, ..Derivation::blank() };
-        Loader { problems, out, taken: HashMap::new(), refused: Vec::new(), in_si: Vec::new(), has_units: false }
+        Loader {
+            problems,
+            out,
+            taken: HashMap::new(),
+            refused: Vec::new(),
+            in_si: Vec::new(),
+            has_units: false,
+            guesses: None,
+        }
     }
 
     fn finish(self) -> Result<Derivation, Vec<Diagnostic>> {

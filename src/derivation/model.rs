@@ -136,6 +136,51 @@ pub struct System {
     pub span: Range<usize>,
 }
 
+/// An initial value that equations determine.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// What the other formulas call it: a symbol of its own.
+    pub leaf: Leaf,
+    /// How a formula writes the quantity whose initial value it is.
+    pub name: String,
+    /// The guess, over parameters.
+    pub near: Expr,
+    /// How far the value may be from the guess, over parameters; half of the guess unless it is given.
+    pub within: Option<Expr>,
+    /// Place of the guess in the file.
+    pub span: Range<usize>,
+}
+
+/// Initial values that equations determine. The equations have one solution in which every unknown lies as near to its guess as
+/// it says: this is for those to show who compute.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The unknowns.
+    pub unknowns: Vec<Unknown>,
+    /// The equations as they are written, between states and their rates.
+    pub equations: Vec<Written<Statement>>,
+    /// Left − right of each component, over parameters, unknowns and rates that the system gives; as many as unknowns.
+    pub differences: Vec<Expr>,
+    /// Place of the equations in the file.
+    pub span: Range<usize>,
+}
+
+impl Start {
+    /// The same with something else put in for leaves.
+    pub fn with(&self, mut put: impl FnMut(Expr) -> Expr) -> Start {
+        let unknown = |u: &Unknown, put: &mut dyn FnMut(Expr) -> Expr| Unknown {
+            near: put(u.near),
+            within: u.within.map(&mut *put),
+            ..u.clone()
+        };
+        Start {
+            unknowns: self.unknowns.iter().map(|u| unknown(u, &mut put)).collect(),
+            differences: self.differences.iter().map(|&e| put(e)).collect(),
+            ..self.clone()
+        }
+    }
+}
+
 /// Where a motion comes from.
 #[derive(Clone, Debug)]
 pub enum Motion {
@@ -144,8 +189,10 @@ pub enum Motion {
         /// Position in [`Derivation::systems`].
         system: usize,
         /// State, order of its rate (0 for the state itself), and one expression for each stored component, over
-        /// parameters only; in the order of the system's states.
+        /// parameters, the unknowns of `start`, and rates that the system gives; in the order of the system's states.
         initial: Vec<(Symbol, u8, Written<Vec<Expr>>)>,
+        /// The values among them that equations determine.
+        start: Option<Start>,
     },
     /// Given by formulas in time and parameters: one expression for each stored component.
     Formula {
@@ -160,6 +207,16 @@ pub enum Motion {
         /// that of the other motion. A state that the other motion does not have may be added.
         map: Vec<(Symbol, Written<Vec<Expr>>)>,
     },
+}
+
+impl Motion {
+    /// The initial values that equations determine.
+    pub fn start(&self) -> Option<&Start> {
+        match self {
+            Motion::Integrated { start, .. } => start.as_ref(),
+            Motion::Formula { .. } | Motion::Derived { .. } => None,
+        }
+    }
 }
 
 /// A motion on which claims are tried.

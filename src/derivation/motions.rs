@@ -16,6 +16,8 @@ use latex::{Role, Scope};
 /// A symbol with its value: one expression for each stored component.
 pub(super) type ValueOf = (Symbol, Written<Vec<Expr>>);
 type Values = Vec<ValueOf>;
+/// States and orders of their rates, with their values.
+type Given = Vec<(Symbol, u8, Written<Vec<Expr>>)>;
 
 /// A `[[trajectory]]` before what it comes from is known.
 struct Draft<'a, 's> {
@@ -184,7 +186,7 @@ impl Loader<'_> {
         if ways[2] && source.is_none() {
             return None; // said already
         }
-        for (key, way, index) in [("initial", "system", 0), ("map", "from", 2)] {
+        for (key, way, index) in [("initial", "system", 0), ("constraints", "system", 0), ("map", "from", 2)] {
             if let Some(value) = table.get(key).filter(|_| !ways[index]) {
                 let message = format!("`{key}` goes with `{way}` only");
                 self.problems.note("derivation::unknown-key", value.span(), message);
@@ -300,6 +302,10 @@ impl Loader<'_> {
             if role == Role::Parameter && scope.definition(symbol).is_some() {
                 let message = format!("`{}` is a constant: its value is fixed", name.get_ref());
                 self.problems.note("derivation::bad-role", name.span(), message).hint("leave it out");
+            } else if let Some(first) = out.iter().find(|g: &&Assigned<'_, '_>| (g.symbol, g.rate) == (symbol, rate)) {
+                let message = format!("`{}` is given twice", name.get_ref());
+                let first = first.span.clone();
+                self.problems.note("derivation::duplicate-id", name.span(), message).see(first, "the first value");
             } else if scope.role(symbol) == Some(role) {
                 out.push(Assigned { symbol, rate, span: name.span(), value });
             } else {
@@ -331,15 +337,15 @@ impl Loader<'_> {
                 out.push((entry.symbol, Written { text, span, value }));
             }
         }
-        let mut known: Known = out.iter().map(|(s, w)| (*s, w.value.clone())).collect();
+        let mut known: Known = out.iter().map(|(s, w)| ((*s, 0), w.value.clone())).collect();
         for Assigned { symbol, value, .. } in self.given(table, "parameters", Role::Parameter, scope) {
             if let Some(open) = self.left_open(symbol, 0, value, varied) {
-                known.insert(symbol, open.value.clone());
+                known.insert((symbol, 0), open.value.clone());
                 out.push((symbol, open));
                 continue;
             }
             let Some(mut written) = self.components(value, symbol, scope) else {
-                known.insert(symbol, vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
+                known.insert((symbol, 0), vec![self.out.graph.integer(1); self.out.graph.component_count(symbol)]);
                 continue;
             };
             self.keep(symbol, 0, &written);
@@ -348,7 +354,7 @@ impl Loader<'_> {
                 continue;
             }
             self.check_positive(symbol, &written);
-            known.insert(symbol, written.value.clone());
+            known.insert((symbol, 0), written.value.clone());
             out.retain(|(s, _)| *s != symbol);
             out.push((symbol, written));
         }
@@ -405,41 +411,32 @@ impl Loader<'_> {
         true
     }
 
-    /// States given one after the other: each formula may use the states before it.
+    /// States given one after the other: each formula may use the states before it, and their rates. `free` may stay in it.
     fn state_values(
         &mut self,
         given: Vec<Assigned<'_, '_>>,
-        (parameters, varied): (&[ValueOf], &[Leaf]),
+        varied: &[Leaf],
         scope: &Scope,
-        time: bool,
+        free: &dyn Fn(&Scope, Leaf) -> bool,
         hint: &str,
-    ) -> Vec<(Symbol, u8, Written<Vec<Expr>>)> {
+    ) -> (Given, Known) {
         let mut out = Vec::new();
         let mut known = Known::new();
-        let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
-        let free = move |scope: &Scope, leaf: Leaf| {
-            leaf.rate == 0
-                && (has.contains(&leaf.symbol) || time && scope.time().is_some_and(|t| t.symbol == leaf.symbol))
-                || varied.contains(&leaf)
-        };
         for Assigned { symbol, rate, value, .. } in given {
             if let Some(open) = self.left_open(symbol, rate, value, varied) {
-                if rate == 0 {
-                    known.insert(symbol, open.value.clone());
-                }
+                known.insert((symbol, rate), open.value.clone());
                 out.push((symbol, rate, open));
                 continue;
             }
             let Some(mut written) = self.components(value, symbol, scope) else { continue };
-            self.keep(symbol, rate, &written);
-            if self.resolve_all(&mut written, &known, scope, &free, hint) {
-                if rate == 0 {
-                    known.insert(symbol, written.value.clone());
-                }
+            let shown = self.name_guesses(symbol, rate, &written);
+            self.keep(symbol, rate, &shown);
+            if self.resolve_all(&mut written, &known, scope, free, hint) {
+                known.insert((symbol, rate), written.value.clone());
                 out.push((symbol, rate, written));
             }
         }
-        out
+        (out, known)
     }
 
     /// A motion by a system. What is varied is left open.
@@ -469,10 +466,10 @@ impl Loader<'_> {
             let message = format!("`{}` is no state of the system `{name}`", self.out.graph.name(g.symbol));
             self.problems.note("derivation::unknown-symbol", g.span.clone(), message);
         }
-        let missing: Vec<&str> = states
+        let missing: Vec<String> = states
             .iter()
             .filter(|s| !given.iter().any(|g| g.symbol == **s && g.rate == 0))
-            .map(|s| self.out.graph.name(*s))
+            .map(|s| self.out.graph.name(*s).to_owned())
             .collect();
         if !missing.is_empty() {
             let span = table.get("initial").map_or(table.span.clone(), |v| v.span());
@@ -481,10 +478,32 @@ impl Loader<'_> {
             self.problems.note("derivation::missing-initial", span, message);
         }
         given.retain(|g| states.contains(&g.symbol));
-        let hint = "initial values may use the trajectory's parameters and the states that are given before";
-        let mut initial = self.state_values(given, (parameters, varied), scope, false, hint);
+        let hint = "initial values may use the trajectory's parameters, the states and rates that are given before, and \
+                    rates that the system gives";
+        let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
+        let of_system = {
+            let given: Vec<(Symbol, u8)> = given.iter().map(|g| (g.symbol, g.rate)).collect();
+            let states = states.clone();
+            move |leaf: Leaf| {
+                leaf.rate > 0 && states.contains(&leaf.symbol) && !given.contains(&(leaf.symbol, leaf.rate))
+            }
+        };
+        let free = |scope: &Scope, leaf: Leaf| {
+            // A symbol without a role stands for a value that is solved for.
+            let bare = leaf.rate == 0 && (has.contains(&leaf.symbol) || scope.role(leaf.symbol).is_none());
+            leaf.instant.is_none() && (bare || of_system(leaf)) || varied.contains(&leaf)
+        };
+        let before = self.problems.found.len();
+        self.guesses = Some(Vec::new());
+        let (mut initial, known) = self.state_values(given, varied, scope, &free, hint);
+        let guesses = self.guesses.take().unwrap_or_default();
+        let start = if self.problems.found.len() == before && missing.is_empty() {
+            self.start(table, guesses, &known, scope, &free)
+        } else {
+            None
+        };
         initial.sort_by_key(|(s, rate, _)| (states.iter().position(|x| x == s), *rate));
-        Some(Motion::Integrated { system, initial })
+        Some(Motion::Integrated { system, initial, start })
     }
 
     /// The states of a motion by formulas. What is varied is left open.
@@ -503,7 +522,12 @@ impl Loader<'_> {
             self.problems.note("derivation::missing-key", value.span(), "`formula` gives no state");
         }
         let hint = "a motion's formula may use the time, the trajectory's parameters and the states before it";
-        self.state_values(given, (parameters, varied), scope, true, hint).into_iter().map(|(s, _, w)| (s, w)).collect()
+        let has: Vec<Symbol> = parameters.iter().map(|(s, _)| *s).collect();
+        let free = |scope: &Scope, leaf: Leaf| {
+            let bare = has.contains(&leaf.symbol) || scope.time().is_some_and(|t| t.symbol == leaf.symbol);
+            leaf.rate == 0 && bare || varied.contains(&leaf)
+        };
+        self.state_values(given, varied, scope, &free, hint).0.into_iter().map(|(s, _, w)| (s, w)).collect()
     }
 
     /// The map of a derived motion: its formulas keep their leaves, states of the source among them.

@@ -68,7 +68,15 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[trajectory]]", "title") => text("For the reader"),
         ("[[trajectory]]", "says") => text("For the reader"),
         ("[[trajectory]]", "system") => text("Integrated: the id of the system"),
-        ("[[trajectory]]", "initial") => values("Integrated: the value of every state at the initial time"),
+        ("[[trajectory]]", "initial") => json!({
+            "type": "object", "additionalProperties": { "$ref": "#/definitions/initial" },
+            "description": "Integrated: the value of every state at the initial time",
+        }),
+        ("[[trajectory]]", "constraints") => {
+            formulas("Equations between the initial values: those that are guessed are solved for")
+        }
+        ("initial", "near") => value("A guess: the value is the solution of the constraints near to it"),
+        ("initial", "within") => value("How far it may be from the guess; half of it unless given"),
         ("[[trajectory]]", "formula") => values("Given by formulas: every state, in terms of time and parameters"),
         ("[[trajectory]]", "from") => text("Computed from another trajectory: its id"),
         ("[[trajectory]]", "map") => values("With `from`: states in terms of those of the other trajectory"),
@@ -222,6 +230,7 @@ const TABLES: &[&str] = &[
     "[symbols]",
     "[system.…]",
     "[[trajectory]]",
+    "initial",
     "[[family]]",
     "vary",
     "[[claim]] and [[claim.reading]]",
@@ -263,6 +272,15 @@ pub fn schema() -> Value {
                 { "type": "number" },
                 { "type": "string" },
                 { "type": "array", "items": { "$ref": "#/definitions/value" } },
+            ],
+        },
+        "initial": {
+            "description": "A number, a formula in single quotes, a guess of what the constraints determine, or an array of these",
+            "anyOf": [
+                { "type": "number" },
+                { "type": "string" },
+                object(&["initial"], &["near"]),
+                { "type": "array", "items": { "$ref": "#/definitions/initial" } },
             ],
         },
         "derivation": object(&["[derivation]"], &["title", "concerns"]),

@@ -11,8 +11,8 @@ use super::table::{Value, as_printed, literal_of};
 use expr::{Expr, Leaf, Shape, Symbol, Tensor};
 use latex::Scope;
 
-/// The values of symbols that a formula may use, one expression for each stored component.
-pub(super) type Known = HashMap<Symbol, Vec<Expr>>;
+/// The values of symbols, and of their rates by order, that a formula may use: one expression for each stored component.
+pub(super) type Known = HashMap<(Symbol, u8), Vec<Expr>>;
 
 impl Loader<'_> {
     /// The components of a symbol, as a number, a formula, or an array of them gives them.
@@ -148,6 +148,9 @@ impl Loader<'_> {
         if let Some(number) = rational(&mut self.problems, value) {
             return number.ok().map(|r| self.out.graph.constant(r));
         }
+        if self.is_guess(value) {
+            return self.guess(value, scope);
+        }
         if !value.get_ref().is_str() {
             self.problems.wrong_type(value, "a value", "a number or a formula in single quotes");
             return None;
@@ -203,11 +206,12 @@ impl Loader<'_> {
         loop {
             let leaves = self.out.graph.leaves([e]);
             let value = |leaf: Leaf| -> Option<Expr> {
-                if leaf.rate != 0 || leaf.instant.is_some() {
+                if leaf.instant.is_some() {
                     return None;
                 }
-                let values = known.get(&leaf.symbol).map(Vec::as_slice);
-                let values = values.or_else(|| scope.definition(leaf.symbol).map(|t| t.components.as_slice()))?;
+                let values = known.get(&(leaf.symbol, leaf.rate)).map(Vec::as_slice);
+                let defined = || scope.definition(leaf.symbol).filter(|_| leaf.rate == 0);
+                let values = values.or_else(|| defined().map(|t| t.components.as_slice()))?;
                 values.get(usize::from(leaf.component)).copied()
             };
             if let Some(bad) = leaves.iter().find(|&&l| !free(scope, l) && value(l).is_none()) {

@@ -77,6 +77,53 @@ pub enum FlowError {
         /// Why.
         reason: NoValue,
     },
+    /// No solution of the constraints near the guesses.
+    #[error("no initial values satisfy the constraints with {near}")]
+    NoStart {
+        /// Where they were looked for.
+        near: String,
+    },
+    /// More solutions than one.
+    #[error("two choices of initial values satisfy the constraints: {first}, and {second}")]
+    SeveralStarts {
+        /// The first.
+        first: String,
+        /// Another one.
+        second: String,
+    },
+    /// A solution that cannot be shown to be the only one, or to be one.
+    #[error(
+        "it is not decided which initial values satisfy the constraints with {near}: near {at} they are no simple solution \
+         (the Jacobian of the constraints is singular there, or a formula is at the edge of its domain)"
+    )]
+    UnclearStart {
+        /// Where they were looked for.
+        near: String,
+        /// Where it is not decided.
+        at: String,
+    },
+    /// A solution at the edge of where it is looked for.
+    #[error("initial values that satisfy the constraints, {at}, lie at the edge of {near}")]
+    StartAtEdge {
+        /// Where they were looked for.
+        near: String,
+        /// The solution.
+        at: String,
+    },
+    /// A guess without a value, or without a size.
+    #[error(
+        "where to look for the initial value of {state} is not clear: its guess is 0 or has no value, or `within` is not positive"
+    )]
+    Guess {
+        /// The state, as a formula writes it.
+        state: String,
+    },
+    /// Initial values that are given by one another.
+    #[error("an initial value needs {leaf}, which needs that value itself")]
+    CircularStart {
+        /// A rate, as a formula writes it.
+        leaf: String,
+    },
     /// The rate of a state has no value at the initial time: a moment of inertia that is 0, for instance.
     #[error("the rate of {state} has no value at t = {time}: {reason}")]
     Singular {
@@ -103,6 +150,36 @@ pub enum FlowError {
         /// The initial time.
         initial_time: f64,
     },
+}
+
+impl FlowError {
+    /// Whether it is about constraints between initial values, and what to do about it.
+    pub fn about_constraints(&self) -> Option<&'static str> {
+        match self {
+            FlowError::NoStart { .. } => {
+                Some("a better guess, or a larger `within`; or the constraints contradict each other")
+            }
+            FlowError::SeveralStarts { .. } => Some("`near` the one that is meant, and a smaller `within`"),
+            FlowError::UnclearStart { .. } => Some(
+                "a smaller `within` leaves such places out; where the solution itself is a double one, give it by a formula",
+            ),
+            FlowError::StartAtEdge { .. } => Some("a larger or a smaller `within`"),
+            FlowError::Guess { .. } => Some("write { near = 1, within = 0.5 }"),
+            FlowError::CircularStart { .. } => Some("give one of them by a number, or by a constraint"),
+            FlowError::Nonlinear { .. }
+            | FlowError::Constraint { .. }
+            | FlowError::NoEquation { .. }
+            | FlowError::Undetermined { .. }
+            | FlowError::OverDetermined { .. }
+            | FlowError::UnknownLeaf { .. }
+            | FlowError::NoDerivative { .. }
+            | FlowError::NoInitial { .. }
+            | FlowError::Undefined { .. }
+            | FlowError::Singular { .. }
+            | FlowError::TooManyUnknowns { .. }
+            | FlowError::Span { .. } => None,
+        }
+    }
 }
 
 /// Why a trajectory ends before the end of its span. What was reached is kept.

@@ -14,12 +14,13 @@ use super::hoist::hoist;
 use super::points::Points;
 use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
+use super::start::{self, Start};
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use super::zeros::{self, Incomplete, Minimum, Zeros};
 use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
-use number::{Bounded, NoValue};
+use number::{Bounded, DoubleDouble, Interval, NoValue, Precise};
 
 /// The values of the prepared leaves at one time, in the order in which they were asked for.
 pub type Point = Vec<Result<Bounded, NoValue>>;
@@ -31,8 +32,10 @@ pub enum Source<'a> {
     Integrated {
         /// The system.
         field: &'a VectorField,
-        /// State leaf and value at the initial time.
+        /// State leaf and value at the initial time, in the parameters, the unknowns of `start`, and rates that the system gives.
         initial: Vec<(Leaf, Expr)>,
+        /// What determines the unknowns.
+        start: Start,
     },
     /// Every state is a formula in parameters and time.
     Formula {
@@ -169,7 +172,7 @@ impl Motion {
                     states.push((leaf, core.resolve(graph, e)?));
                 }
             }
-            Source::Integrated { field, initial } => core.integrate(graph, field, initial)?,
+            Source::Integrated { field, initial, start } => core.integrate(graph, field, initial, start)?,
         }
         core.definitions.extend(states);
         let given = core.definitions.keys().copied().collect();
@@ -415,7 +418,13 @@ impl Motion {
 
 impl Core {
     /// Sets up and runs an integration.
-    fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+    fn integrate(
+        &mut self,
+        graph: &mut Graph,
+        field: &VectorField,
+        initial: &[(Leaf, Expr)],
+        start: &Start,
+    ) -> Result<(), FlowError> {
         let mut states = Vec::new();
         for &leaf in field.states() {
             let basic = fresh(graph, "state");
@@ -461,11 +470,13 @@ impl Core {
         let inputs: Vec<Leaf> = [time].into_iter().chain(states.iter().copied()).chain(used).collect();
         let tape = Tape::compile(graph, &inputs, &rates)
             .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
+        self.determine(graph, field, initial, start)?;
         let mut values = Vec::new();
         for &leaf in field.states() {
             let name = || leaf_name(graph, leaf);
             let given = initial.iter().find(|(l, _)| *l == leaf);
             let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
+            let e = start::at_start(graph, field, initial, e)?;
             let resolved = self.resolve(graph, e)?;
             let value = self.constant_value(graph, resolved);
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));
@@ -473,10 +484,34 @@ impl Core {
         }
         let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
         let flow = Flow::new(tape, field.states(), names);
-        let (start, most) = (self.initial_time, field.most_steps());
-        let trajectory = Trajectory::integrate(&flow, &constants, start, &values, self.span, most)
-            .map_err(|(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: start, reason })?;
+        let (begin, most) = (self.initial_time, field.most_steps());
+        let trajectory = Trajectory::integrate(&flow, &constants, begin, &values, self.span, most)
+            .map_err(|(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: begin, reason })?;
         self.orbit = Some(Arc::new(Orbit { states, rates, flow, constants, trajectory }));
+        Ok(())
+    }
+
+    /// Solves for the initial values that equations determine: each becomes a constant.
+    fn determine(
+        &mut self,
+        graph: &mut Graph,
+        field: &VectorField,
+        initial: &[(Leaf, Expr)],
+        start: &Start,
+    ) -> Result<(), FlowError> {
+        let start = start.resolved(graph, field, initial, |graph, e| self.resolve(graph, e))?;
+        let value = |leaf: Leaf| match leaf == self.time {
+            true => Some(Precise::enclosing(Interval::point(self.initial_time))),
+            false => {
+                let known = self.constants.iter().find(|c| c.leaf == leaf)?.value.ok()?;
+                Some(Precise::new(DoubleDouble::point(known.value), known.error))
+            }
+        };
+        for (leaf, value) in start.solve(graph, value)? {
+            let (centre, error) = (value.centre(), value.error());
+            let error = (centre.low().abs() + error) * (1.0 + f64::EPSILON);
+            self.constants.push(Constant { leaf, value: Ok(Bounded::new(centre.high(), error)) });
+        }
         Ok(())
     }
 

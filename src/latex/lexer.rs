@@ -103,6 +103,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                 push(Kind::Number(text[start..at].to_owned()), at);
             }
             'a'..='z' | 'A'..='Z' => push(Kind::Letter(c), at),
+            ':' if bytes.get(at) == Some(&b'=') => {
+                at += 1;
+                push(Kind::Sign('='), at);
+            }
             '|' => match pending_bar.take() {
                 Some(true) => push(Kind::OpenBar, at),
                 Some(false) => push(Kind::CloseBar, at),

@@ -93,6 +93,11 @@ pub(super) fn is_imaginary_unit(name: &str) -> bool {
     matches!(name, "i" | "rm:i" | "\\imath")
 }
 
+/// Whether a command before a name makes one name of both where that is declared, as `\Delta t`.
+pub(super) fn is_difference(command: &str) -> bool {
+    matches!(command, "Delta" | "delta")
+}
+
 /// The style of a name in square brackets, as `[S]` for a concentration.
 pub(super) const AMOUNT: &str = "amount";
 
@@ -115,6 +120,7 @@ pub(super) fn to_latex(name: &str) -> String {
         Some(switch) if is_switch(switch) && !base.contains([':', '\'']) => format!(r"{{\{switch} {base}}}"),
         Some(switch) if is_switch(switch) => format!(r"\math{switch}{{{}}}", to_latex(base)),
         Some(AMOUNT) => format!("[{}]", to_latex(base)),
+        Some(sign) if is_difference(sign) => format!(r"\{sign} {}", to_latex(base)),
         Some("bb") => format!(r"\mathbb{{{base}}}"),
         Some(accent) => format!(r"\{accent}{{{}}}", to_latex(base)),
     };

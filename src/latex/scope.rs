@@ -583,6 +583,13 @@ impl Scope {
         self.find(name, sub, None).is_some()
     }
 
+    /// Whether any symbol has this name, in any style and with any primes.
+    pub(super) fn has_base(&self, name: &str) -> bool {
+        let base = |name: &str| name::split(name).1.trim_end_matches('\'').to_owned();
+        let own = base(name);
+        self.entries.iter().any(|e| base(&e.name) == own)
+    }
+
     /// Whether any symbol of this name, in any style, depends on time; and whether any is a vector or a matrix. With
     /// `lowered`, only symbols that can have a subscript count, and their components are numbers.
     pub(super) fn kinds_of(&self, base: &str, lowered: bool) -> (bool, bool) {

@@ -295,6 +295,14 @@ impl Text {
         }
         let command = super::parse::spelled(function);
         self.put(&command);
+        let (arguments, base) = match (function, arguments) {
+            ("log", [argument, base]) => (std::slice::from_ref(argument), Some(base)),
+            _ => (arguments, None),
+        };
+        if let Some(base) = base {
+            self.put("_");
+            self.braced(base);
+        }
         if let Some(n) = power {
             self.put(&script('^', &n.to_string()));
         }

@@ -128,7 +128,13 @@ pub fn findings(derivation: &Derivation, account: &Account) -> Vec<Finding> {
         out.push(Finding {
             rule: "verdict::nothing-decided",
             level: Level::Warning,
-            message: "No claim was decided: a run that checks nothing is no success.".to_owned(),
+            message: match derivation.trajectories.is_empty() && account.claims.iter().any(|c| c.region.is_none()) {
+                true => {
+                    "No claim was decided: the file has no motion. Add a [[trajectory]], or give the claims `ranges`."
+                        .to_owned()
+                }
+                false => "No claim was decided: a run that checks nothing is no success.".to_owned(),
+            },
             place: Place { source: Arc::clone(&derivation.file), span: None },
             related: Vec::new(),
             identity: derivation.id.clone(),

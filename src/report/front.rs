@@ -229,6 +229,9 @@ fn consequence(
     }
 }
 
+/// What to do about a file without motions.
+const NO_MOTION: &str = " The file has no motion: add a [[trajectory]], or give the claims `ranges`.";
+
 /// What a reader must not overlook: claims that apply nowhere, premises that are refuted, a file that decides nothing.
 pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
     let mut out = Vec::new();
@@ -241,13 +244,14 @@ pub fn alarms(derivation: &Derivation, account: &Account) -> Vec<String> {
     if summary.holds + summary.fails == 0 {
         out.push("No claim was decided: a run that checks nothing is no success.".to_owned());
     }
-    let nowhere: Vec<String> =
-        account.claims.iter().filter(|c| Standing::of(c) == Standing::Nowhere).map(name).collect();
+    let nowhere = || account.claims.iter().filter(|c| Standing::of(c) == Standing::Nowhere);
+    let without = derivation.trajectories.is_empty() && nowhere().any(|c| c.region.is_none());
+    let nowhere: Vec<String> = nowhere().map(name).collect();
     if !nowhere.is_empty() {
         let verb = if nowhere.len() == 1 { "applies" } else { "apply" };
+        let (claims, why) = (count(nowhere.len(), "claim"), if without { NO_MOTION } else { "" });
         out.push(format!(
-            "{} {verb} to no motion, so that nothing was checked of what they say: {}.",
-            count(nowhere.len(), "claim"),
+            "{claims} {verb} to no motion, so that nothing was checked of what they say: {}.{why}",
             quoted(nowhere)
         ));
     }

@@ -277,8 +277,13 @@ impl<'d> Checker<'d> {
         }
     }
 
-    /// Values that are formulas: a mere number has the unit of what it is given to.
+    /// Values that are formulas: a mere number has the unit of what it is given to. Then the equations that determine others.
     fn trajectories(&mut self) {
+        for trajectory in &self.derivation.trajectories {
+            for equation in trajectory.motion.start().into_iter().flat_map(|start| &start.equations) {
+                self.statement("trajectory", &trajectory.id, equation, false);
+            }
+        }
         for given in &self.derivation.given {
             let graph = self.graph();
             let formulas: Vec<(usize, Expr)> = given.value.value.iter().copied().enumerate().collect();

@@ -52,7 +52,7 @@ impl Case {
             span: (0.0, 1e-3),
             initial_time: 0.0,
             parameters: w.pairs(self.parameters),
-            source: Source::Integrated { field: &field, initial: w.pairs(&zeros) },
+            source: Source::Integrated { field: &field, initial: w.pairs(&zeros), start: Default::default() },
             observables: Vec::new(),
         };
         let any = Enclosure::new(&mut w.graph, &setup, None).expect("a motion");

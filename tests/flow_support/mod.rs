@@ -193,7 +193,7 @@ impl World {
             span,
             initial_time,
             parameters: self.pairs(parameters),
-            source: Source::Integrated { field, initial: self.pairs(initial) },
+            source: Source::Integrated { field, initial: self.pairs(initial), start: Default::default() },
             observables: self.observables(observables),
         };
         Motion::new(&mut self.graph, setup)

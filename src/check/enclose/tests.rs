@@ -23,7 +23,11 @@ fn oscillator() -> (Along, Selection, Selection) {
         span: (0.0, 10.0),
         initial_time: 0.0,
         parameters: Vec::new(),
-        source: Source::Integrated { field: &field, initial: vec![(q_now, one), (p_now, zero)] },
+        source: Source::Integrated {
+            field: &field,
+            initial: vec![(q_now, one), (p_now, zero)],
+            start: Default::default(),
+        },
         observables: Vec::new(),
     };
     let [qq, pp] = [q_value, p_value].map(|x| graph.powi(x, 2));

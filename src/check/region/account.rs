@@ -217,13 +217,21 @@ impl RegionAccount {
 
     /// What the identity test said of equations.
     pub(super) fn identities(&mut self, question: &Question) {
-        for (text, bound) in &question.identities {
+        for (text, bound, given) in &question.identities {
+            if *given {
+                self.remarks.push(format!(
+                    "${text}$ follows from what is assumed and from the signs of the ranges, by random evaluation with an error \
+                     probability of at most 2^{}",
+                    bound.ceil()
+                ));
+                continue;
+            }
             if *bound <= Proof::CERTAIN {
                 self.remarks.push(format!("${text}$ is an identity between algebraic numbers, compared exactly"));
                 continue;
             }
             // Of several components the weakest bound.
-            let same = question.identities.iter().filter(|(other, _)| other == text).map(|(_, bound)| *bound);
+            let same = question.identities.iter().filter(|(other, ..)| other == text).map(|(_, bound, _)| *bound);
             let bound = same.fold(*bound, f64::max);
             self.remarks.push(format!(
                 "${text}$ is an identity, by random evaluation with an error probability of at most 2^{}",

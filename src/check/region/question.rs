@@ -39,8 +39,19 @@ struct Placed {
     group: Group,
     /// Whether it is about having values: then only the left sides of its equations are looked at.
     definedness: bool,
-    /// `[sign][comparison]`: the relations that must hold at once for it, and both sides.
-    relations: Vec<Vec<(Vec<usize>, Expr, Expr)>>,
+    /// `[sign][comparison]`.
+    relations: Vec<Vec<Related>>,
+}
+
+/// A comparison by what is known of it on cells.
+#[derive(Debug)]
+struct Related {
+    /// These must hold at once.
+    relations: Vec<usize>,
+    left: Expr,
+    right: Expr,
+    /// Whether it holds wherever all that is assumed does, and it has values.
+    follows: bool,
 }
 
 /// The two sides of the formula that fails at a point.
@@ -63,8 +74,8 @@ pub(super) struct Question {
     claim: Proposition,
     /// Whether every relation that is said is an identity.
     pub identical: bool,
-    /// Equations that are identities: text, log₂ of the error probability.
-    pub identities: Vec<(String, f64)>,
+    /// Equations that are identities: text, log₂ of the error probability, whether it follows from what is assumed.
+    pub identities: Vec<(String, f64, bool)>,
     /// Equations that are not known to be identities.
     pub equations: Vec<String>,
 }
@@ -164,18 +175,50 @@ impl Question {
             let placed = question.placed(graph, &claim.scope, put, &selector.part)?;
             question.selectors.push(placed);
         }
+        let mut hypotheses = Vec::new();
+        for hypothesis in &denoted.hypotheses {
+            hypotheses.push(question.placed(graph, &claim.scope, put, &hypothesis.part)?);
+        }
+        let given = question.given(graph, question.selectors.iter().chain(&hypotheses));
         let mut identical = !denoted.parts.is_empty();
         for part in &denoted.parts {
-            let placed = question.placed(graph, &claim.scope, put, part)?;
-            identical &= question.prove(graph, &placed);
+            let mut placed = question.placed(graph, &claim.scope, put, part)?;
+            identical &= question.prove(graph, &mut placed, &given);
             question.atoms.push(placed);
         }
-        for hypothesis in &denoted.hypotheses {
-            let placed = question.placed(graph, &claim.scope, put, &hypothesis.part)?;
-            question.atoms.push(placed);
-        }
+        question.atoms.extend(hypotheses);
         question.identical = identical;
         Ok(question)
+    }
+
+    /// What holds at every point at which the claim applies: what it assumes, and the signs of what has a range.
+    fn given<'p>(&self, graph: &mut Graph, assumed: impl Iterator<Item = &'p Placed>) -> Premises {
+        let mut out = Premises::default();
+        for placed in assumed.filter(|p| !p.definedness && !p.group.branching && p.group.formula.is_none()) {
+            for (related, c) in placed.relations.iter().flatten().zip(&placed.group.comparisons) {
+                let (l, r) = (related.left, related.right);
+                match c.kind {
+                    RelationKind::Equal => out.equations.push((l, r)),
+                    RelationKind::NotEqual => out.nonzero.push(graph.sub(l, r)),
+                    RelationKind::Greater => out.positive.push(graph.sub(l, r)),
+                    RelationKind::Less => out.positive.push(graph.sub(r, l)),
+                    RelationKind::GreaterEqual => out.not_negative.push(graph.sub(l, r)),
+                    RelationKind::LessEqual => out.not_negative.push(graph.sub(r, l)),
+                }
+            }
+        }
+        for variable in &self.signs.variables {
+            let own = graph.leaf(variable.leaf);
+            let (low, high) = (variable.outer.lo(), variable.outer.hi());
+            match (low, high) {
+                _ if low > 0.0 => out.positive.push(own),
+                _ if high < 0.0 => out.positive.push(graph.neg(own)),
+                _ if low == 0.0 => out.not_negative.push(own),
+                _ if high == 0.0 => out.not_negative.push(graph.neg(own)),
+                _ => {}
+            }
+        }
+        out
     }
 
     fn placed(&mut self, graph: &mut Graph, scope: &Scope, put: &Insertion, part: &Compared) -> Result<Placed, Leaf> {
@@ -205,23 +248,23 @@ impl Question {
                 for d in terms {
                     of.push(self.signs.add(graph, d, kind)?);
                 }
-                all.push((of, left, right));
+                all.push(Related { relations: of, left, right, follows: false });
             }
             relations.push(all);
         }
         Ok(Placed { group, definedness, relations })
     }
 
-    /// Whether all that is said is equations that are identities, wherever they have values: then no interval has to see it.
-    fn prove(&mut self, graph: &mut Graph, placed: &Placed) -> bool {
-        let mut all = !placed.definedness && placed.group.formula.is_none();
-        for (relations, left, right, label) in placed.relations.iter().flat_map(|of| {
-            of.iter().zip(&placed.group.comparisons).map(|((relations, l, r), c)| (relations, *l, *r, &c.label))
-        }) {
-            if placed.definedness {
-                continue;
-            }
-            let [relation] = relations[..] else {
+    /// Whether all that is said is equations that are identities, or follow from what is `given`, wherever they have values: then
+    /// no interval has to see it.
+    fn prove(&mut self, graph: &mut Graph, placed: &mut Placed, given: &Premises) -> bool {
+        if placed.definedness {
+            return false;
+        }
+        let mut all = placed.group.formula.is_none();
+        let comparisons = &placed.group.comparisons;
+        for (related, c) in placed.relations.iter_mut().flat_map(|of| of.iter_mut().zip(comparisons)) {
+            let [relation] = related.relations[..] else {
                 all = false;
                 continue;
             };
@@ -229,18 +272,26 @@ impl Question {
                 all = false;
                 continue;
             }
-            let text = label.split("   [").next().unwrap_or_default().to_owned();
-            match answer(graph, &[(left, right)], &Premises::default(), None) {
+            let text = c.label.split("   [").next().unwrap_or_default().to_owned();
+            let sides = [(related.left, related.right)];
+            let mut error = |premises: &Premises| match answer(graph, &sides, premises, None) {
                 Ok((Identity::Proved(proof), _))
                     if !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))) =>
                 {
-                    self.signs.vanishes(relation);
-                    self.identities.push((text, proof.log2_error));
+                    Some(proof.log2_error)
                 }
-                _ => {
-                    all = false;
-                    self.equations.push(text);
-                }
+                _ => None,
+            };
+            if let Some(error) = error(&Premises::default()) {
+                self.signs.vanishes(relation);
+                self.identities.push((text, error, false));
+            } else if let Some(error) = error(given) {
+                // The same difference may be among what is assumed, where nothing is proved of it.
+                related.follows = true;
+                self.identities.push((text, error, true));
+            } else {
+                all = false;
+                self.equations.push(text);
             }
         }
         all
@@ -250,21 +301,23 @@ impl Question {
     fn value(&self, placed: &Placed, cell: &Cell, scratch: &mut Scratch) -> Possible {
         let mut signs = Vec::new();
         for of in &placed.relations {
-            let known: Vec<Possible> = of.iter().map(|(r, ..)| self.known(placed, r, cell, scratch)).collect();
+            let known: Vec<Possible> = of.iter().map(|r| self.known(placed, r, cell, scratch)).collect();
             signs.push(placed.group.value(|c| known[c]));
         }
         placed.group.over_signs(signs.into_iter())
     }
 
     /// What is left possible of one comparison on a cell.
-    fn known(&self, placed: &Placed, relations: &[usize], cell: &Cell, scratch: &mut Scratch) -> Possible {
-        let each = relations.iter().map(|r| self.known_of(placed, *r, cell, scratch));
+    fn known(&self, placed: &Placed, related: &Related, cell: &Cell, scratch: &mut Scratch) -> Possible {
+        let settled = placed.definedness || related.follows;
+        let each = related.relations.iter().map(|r| self.known_of(settled, *r, cell, scratch));
         each.fold(Possible::TRUE, Possible::and)
     }
 
-    fn known_of(&self, placed: &Placed, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
+    /// The same of one relation; `settled` where it is true wherever it says something of a point at which the claim applies.
+    fn known_of(&self, settled: bool, relation: usize, cell: &Cell, scratch: &mut Scratch) -> Possible {
         let domain = self.signs.domain(relation, cell, scratch);
-        let truth = if placed.definedness { Truth::True } else { self.signs.truth(relation, cell, scratch) };
+        let truth = if settled { Truth::True } else { self.signs.truth(relation, cell, scratch) };
         match (domain, truth) {
             (Domain::Nowhere, _) => Possible::VOID,
             (Domain::Everywhere, Truth::True) => Possible::TRUE,
@@ -319,15 +372,15 @@ impl Question {
             }
             let each = placed.relations.iter().flat_map(|of| of.iter().zip(&placed.group.comparisons));
             let each: Vec<_> = each.collect();
-            let found = each.iter().find(|((r, ..), _)| {
+            let found = each.iter().find(|(r, _)| {
                 let known = self.known(placed, r, cell, scratch);
                 known == Possible::FALSE || placed.group.asserted && known == Possible::VOID
             });
-            let ((relations, left, right), comparison) = found.or(each.first())?;
-            let void = self.known(placed, relations, cell, scratch) == Possible::VOID;
+            let (related, comparison) = found.or(each.first())?;
+            let void = self.known(placed, related, cell, scratch) == Possible::VOID;
             let label = comparison.label.split("   [").next().unwrap_or_default();
             let formula = label.strip_suffix(" has a value").unwrap_or(label).to_owned();
-            return Some(Failing { formula, sides: (!void).then_some((*left, *right)) });
+            return Some(Failing { formula, sides: (!void).then_some((related.left, related.right)) });
         }
         None
     }

@@ -30,6 +30,7 @@ use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
 use super::hoist::hoist;
 use super::motion::{Setup, Source};
+use super::start::{self, Start};
 use angle::Angle;
 use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
@@ -133,7 +134,7 @@ impl Enclosure {
                     states.push((leaf, new.resolve(graph, e)?));
                 }
             }
-            Source::Integrated { field, initial } => new.integrate(graph, field, initial)?,
+            Source::Integrated { field, initial, start } => new.integrate(graph, field, initial, start)?,
         }
         new.definitions.extend(states);
         new.given = new.definitions.keys().copied().collect();
@@ -145,7 +146,13 @@ impl Enclosure {
         Ok(new)
     }
 
-    fn integrate(&mut self, graph: &mut Graph, field: &VectorField, initial: &[(Leaf, Expr)]) -> Result<(), FlowError> {
+    fn integrate(
+        &mut self,
+        graph: &mut Graph,
+        field: &VectorField,
+        initial: &[(Leaf, Expr)],
+        start: &Start,
+    ) -> Result<(), FlowError> {
         let (unknowns, limit) = (field.states().len(), step::MOST_UNKNOWNS);
         if unknowns > limit {
             return Err(FlowError::TooManyUnknowns { unknowns, limit });
@@ -191,11 +198,23 @@ impl Enclosure {
             constants.push((leaf, self.precise.get(&leaf).copied().unwrap_or(Precise::enclosing(value))));
         }
         let compiled = Field::new(graph, time, &states, &rates, constants)?;
+        let determined = start.resolved(graph, field, initial, |graph, e| self.resolve(graph, e))?;
+        let value = |leaf: Leaf| match leaf == self.time {
+            true => Some(Precise::enclosing(Interval::point(self.initial_time))),
+            false => {
+                let known = self.constants.iter().find(|c| c.0 == leaf)?.1.ok()?;
+                Some(self.precise.get(&leaf).copied().unwrap_or(Precise::enclosing(known)))
+            }
+        };
+        for (leaf, value) in determined.solve(graph, value)? {
+            self.add_constant(leaf, Ok(value));
+        }
         let mut state = Vec::new();
         for &leaf in field.states() {
             let name = || leaf_name(graph, leaf);
             let given = initial.iter().find(|(l, _)| *l == leaf);
             let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
+            let e = start::at_start(graph, field, initial, e)?;
             let resolved = self.resolve(graph, e)?;
             let value = self.precise_value(graph, resolved);
             let what = || format!("the initial value of {}", leaf_name(graph, leaf));

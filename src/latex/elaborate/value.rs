@@ -434,6 +434,14 @@ impl Elaborator<'_> {
                 _ => tensor::trace(self.graph, &t, span),
             };
         }
+        if let ("log", [argument, base]) = (function, arguments) {
+            // The quotient of natural logarithms has a value where the argument and the base are positive, and the base is not 1.
+            let base = self.scalar(base)?;
+            let below = self.graph.unary(Op::Ln, base);
+            let above = self.function("ln", std::slice::from_ref(argument), span)?;
+            let components = above.components.into_iter().map(|e| self.graph.div(e, below)).collect();
+            return Ok(Tensor { shape: above.shape, components });
+        }
         if let [argument] = arguments
             && let Some(value) = self.of_complex(function, argument, span)?
         {

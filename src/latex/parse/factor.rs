@@ -29,6 +29,7 @@ impl Parser<'_> {
                     | "ne"
                     | "neq"
                     | "equiv"
+                    | "coloneqq"
                     | "le"
                     | "leq"
                     | "ge"
@@ -463,6 +464,16 @@ impl Parser<'_> {
                 self.span(),
                 r"write a limit, `\lim_{t\to\infty}`",
             ),
+            "Rightarrow" | "implies" | "Longrightarrow" | "Leftrightarrow" | "iff" | "Longleftrightarrow"
+            | "Leftarrow" => {
+                let hint = "write a claim for what is given, and one for what follows with `follows-from`; or put what is given \
+                            under `assuming`";
+                refuse("latex::unsupported", "an implication is no relation", self.span(), hint)
+            }
+            "ldots" | "dots" | "cdots" | "dotsc" | "dotsb" => {
+                let hint = "write out what is meant; for several values of a symbol a trajectory for each, a `[[family]]`, or `ranges`";
+                refuse("latex::unsupported", "dots stand for something that is not written", self.span(), hint)
+            }
             _ if name::is_switch(c) => {
                 let hint = format!(r"write `{{\{c} …}}` around the name");
                 refuse("latex::ambiguous", format!("`\\{c}` changes all that follows"), self.span(), hint)

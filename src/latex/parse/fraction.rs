@@ -11,7 +11,7 @@ const WIDEST: usize = 32;
 
 impl Parser<'_> {
     /// One TeX argument: a group, or a single token.
-    fn argument(&mut self) -> Parsed<Node> {
+    pub(super) fn argument(&mut self) -> Parsed<Node> {
         if self.eat('{') {
             let outer = std::mem::replace(&mut self.bars, 0);
             let inner = self.sum()?;

@@ -83,9 +83,14 @@ impl Parser<'_> {
     /// After `\sin` and the like: an optional power, then an argument.
     pub(super) fn function(&mut self, name: &str, start: usize) -> Parsed<Node> {
         let mut power = None;
+        let mut base = None;
         if self.is('_') {
-            let hint = if name == "log" { r"write `\ln`, and divide by the logarithm of the base" } else { "" };
-            return refuse("latex::unexpected", format!("a subscript behind `{}`", spelled(name)), self.span(), hint);
+            if name != "log" {
+                let message = format!("a subscript behind `{}`", spelled(name));
+                return refuse("latex::unexpected", message, self.span(), "");
+            }
+            self.bump();
+            base = Some(self.base()?);
         }
         if self.eat('^') {
             let span = self.span();
@@ -111,7 +116,19 @@ impl Parser<'_> {
             }
         }
         let argument = self.function_argument(name)?;
-        Ok(self.node(NodeKind::Function(name.to_owned(), power, vec![argument]), start))
+        let arguments = std::iter::once(argument).chain(base).collect();
+        Ok(self.node(NodeKind::Function(name.to_owned(), power, arguments), start))
+    }
+
+    /// Behind `\log_`: the base, one token or what stands in braces.
+    fn base(&mut self) -> Parsed<Node> {
+        if let Kind::Number(n) = self.kind()
+            && n.len() > 1
+        {
+            let hint = format!("write `_{{{n}}}`");
+            return refuse("latex::ambiguous", "LaTeX lowers only the first digit", self.span(), hint);
+        }
+        self.argument()
     }
 
     /// The argument of a function: in parentheses; or one factor; or a number or π and one factor; or a product of numbers

@@ -20,6 +20,7 @@ use std::ops::Range;
 
 use super::invisible::without_invisible_braces;
 use super::lexer::{Kind, Token, tokens};
+use super::name;
 use super::refusal::{DEEPEST, Parsed, refuse};
 use super::scope::Scope;
 use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
@@ -257,7 +258,7 @@ impl<'a> Parser<'a> {
             Kind::Sign('<') => RelationKind::Less,
             Kind::Sign('>') => RelationKind::Greater,
             Kind::Command(c) => match c.as_str() {
-                "equiv" => RelationKind::Equal,
+                "equiv" | "coloneqq" => RelationKind::Equal,
                 "ne" | "neq" => RelationKind::NotEqual,
                 "lt" => RelationKind::Less,
                 "gt" => RelationKind::Greater,
@@ -287,10 +288,38 @@ impl<'a> Parser<'a> {
                 self.bump();
             }
             relations.push(relation);
+            if relation == RelationKind::Equal {
+                self.is_no_word_for_constant()?;
+            }
             sides.push(self.side()?);
         }
         let time = self.scope.time_name().map(str::to_owned);
         Ok(Chain { sides, relations, span: start..self.last_end(), time })
+    }
+
+    /// Refuses `=\text{const.}`: what is constant is said by another form of claim.
+    fn is_no_word_for_constant(&self) -> Parsed<()> {
+        let upright = |k: &Kind| matches!(k, Kind::Command(c) if name::style(c) == Some("rm") || c == "textrm");
+        let mut begin = 0;
+        while upright(self.kind_after(begin)) || *self.kind_after(begin) == Kind::Sign('{') {
+            begin += 1;
+        }
+        let letter = |i: usize| match self.kind_after(begin + i) {
+            Kind::Letter(c) => Some(*c),
+            _ => None,
+        };
+        let word: String = (0..10).map_while(letter).collect();
+        let declared = match begin {
+            0 => word.chars().all(|c| self.scope.declares(&c.to_string())),
+            _ => self.scope.declares(&format!("rm:{word}")),
+        };
+        if !matches!(word.as_str(), "const" | "constant") || declared {
+            return Ok(());
+        }
+        let span =
+            self.span().start..self.tokens[(self.at + begin + word.len() - 1).min(self.tokens.len() - 1)].span.end;
+        let hint = "claim `first-integral` of what is constant, without an equation";
+        refuse("latex::unsupported", "that something is constant is no equation", span, hint)
     }
 
     fn side(&mut self) -> Parsed<Node> {
@@ -345,13 +374,31 @@ impl<'a> Parser<'a> {
         Some(sign)
     }
 
+    /// At `-` behind a sign: `a+-b` is a − b. Two other signs are hard to tell from one on paper.
+    fn second_sign(&mut self, first: Sign) -> Parsed<Sign> {
+        let span = self.span();
+        if first == Sign::Plus {
+            self.bump();
+            return Ok(Sign::Minus);
+        }
+        refuse(
+            "latex::unexpected",
+            "two signs stand side by side",
+            span,
+            "put parentheses around the term with its sign",
+        )
+    }
+
     fn sum(&mut self) -> Parsed<Node> {
         self.deeper(|p| {
             let start = p.span().start;
             let first = p.sign();
             let term = p.term()?;
             let mut terms = vec![(first.unwrap_or(Sign::Plus), term)];
-            while let Some(sign) = p.sign() {
+            while let Some(mut sign) = p.sign() {
+                if p.is('-') {
+                    sign = p.second_sign(sign)?;
+                }
                 let from = p.at;
                 let term = p.term()?;
                 p.bar_is_clear(from, terms.iter().map(|(_, n)| n))?;
@@ -531,8 +578,15 @@ fn side_by_side(last: &Node, factor: &Node) -> Parsed<()> {
     let span = last.span.start..factor.span.end;
     let number = |n: &Node| matches!(n.kind, NodeKind::Number(_));
     if factor.begins_with_number() {
+        // `r^3 4\pi^2`: the exponent ends where the line goes on. Without a space it could be `r^{34}`.
+        let raised = match &last.kind {
+            NodeKind::Symbol(s) => s.arguments.is_none() && s.sup.as_deref().is_some_and(number),
+            _ => false,
+        };
         return if number(last) {
             refuse("latex::ambiguous", "two numbers stand side by side", span, r"write `\cdot` between them")
+        } else if raised && last.span.end < factor.span.start {
+            Ok(())
         } else {
             let hint = r"write the number first, or `\cdot` before it, or a subscript";
             refuse("latex::ambiguous", "a number stands behind a factor", span, hint)

@@ -39,7 +39,15 @@ impl Parser<'_> {
             let sub = if self.eat('_') { self.subscript()? } else { Vec::new() };
             return Ok((*self.kind() == Kind::End).then_some(WrittenName { name, sub, arguments: None }));
         }
-        let Some((mut name, _)) = self.single_name()? else { return Ok(None) };
+        let difference = match self.kind() {
+            Kind::Command(c) if name::is_difference(c) => self.difference()?,
+            _ => None,
+        };
+        let name = match difference {
+            Some(name) => Some(name),
+            None => self.single_name()?.map(|(name, _)| name),
+        };
+        let Some(mut name) = name else { return Ok(None) };
         // `KE`: letters of one name.
         if let [c] = name.as_bytes()
             && c.is_ascii_alphabetic()
@@ -260,6 +268,9 @@ impl Parser<'_> {
                 self.bump();
                 c.to_string()
             }
+            Kind::Command(c) if name::is_difference(&c) && self.is_difference()? => {
+                self.difference()?.unwrap_or_default()
+            }
             Kind::Command(c) if NAMES.contains(&c.as_str()) => {
                 self.bump();
                 format!("\\{c}")
@@ -285,6 +296,46 @@ impl Parser<'_> {
         };
         self.primes(&mut name);
         Ok(Some((name, start..self.last_end())))
+    }
+
+    /// `\Delta t`, whether it is declared or not; leaves its place where no name follows.
+    fn difference(&mut self) -> Parsed<Option<Name>> {
+        let Kind::Command(sign) = self.kind().clone() else { return Ok(None) };
+        self.deeper(|p| {
+            let back = p.at;
+            p.bump();
+            let of = match p.kind() {
+                Kind::Letter(_) | Kind::Command(_) | Kind::Sign('{') => p.single_name()?,
+                _ => None,
+            };
+            if of.is_none() {
+                p.at = back;
+            }
+            Ok(of.map(|(of, _)| format!("{sign}:{of}")))
+        })
+    }
+
+    /// Whether a declared name as `\Delta t` stands here.
+    fn is_difference(&mut self) -> Parsed<bool> {
+        let (back, span) = (self.at, self.span());
+        let Some(name) = self.difference()? else { return Ok(false) };
+        let end = self.last_end();
+        let raised = self.is('^') && self.prime().is_none();
+        self.at = back;
+        if !self.scope.declares(&name) {
+            return Ok(false);
+        }
+        let (sign, of) = name::split(&name);
+        let shown = name::to_latex(&name);
+        if sign.is_some_and(|sign| self.scope.declares(&format!("\\{sign}"))) && self.scope.declares(of) {
+            let message = format!("is `{shown}` a name, or a product?");
+            return refuse("latex::ambiguous", message, span.start..end, "rename one of the two");
+        }
+        if raised {
+            let message = format!("`{shown}` to a power, or the difference of a power?");
+            return refuse("latex::ambiguous", message, span.start..end, format!("write `({shown})^{{…}}`"));
+        }
+        Ok(true)
     }
 
     /// What stands here in square brackets as a name, and where they are closed: letters and their scripts, as in

@@ -1,6 +1,7 @@
 //! Symbols with what is attached to them: dots, scripts, and parentheses that may or may not be arguments.
 
-use super::super::name::canonical;
+use super::super::lexer::Kind;
+use super::super::name::{self, NAMES, canonical};
 use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, refuse};
 
@@ -73,6 +74,33 @@ impl Parser<'_> {
         primes as u8
     }
 
+    /// Refuses `f(x)` where f is not declared at all, with a hint on how a function is.
+    fn is_no_unknown_function(&self, symbol: &SymbolNode, start: usize, close: usize) -> Parsed<()> {
+        let inside = &self.tokens[self.at + 1..close];
+        let names = !inside.is_empty()
+            && inside.iter().all(|t| match &t.kind {
+                Kind::Letter(_) | Kind::Sign(',' | '_' | '{' | '}') | Kind::Number(_) => true,
+                Kind::Command(c) => NAMES.contains(&c.as_str()),
+                Kind::Sign(_) | Kind::OpenBar | Kind::CloseBar | Kind::OpenFence | Kind::Row | Kind::End => false,
+            })
+            && !matches!(inside[0].kind, Kind::Number(_));
+        let name = &symbol.name;
+        let built_in = matches!(name.as_str(), r"\epsilon" | r"\varepsilon" | r"\delta" | "e" | "rm:e")
+            || name::is_imaginary_unit(name)
+            || name.contains(':');
+        if !names || built_in || symbol.dots > 0 || self.scope.has_base(name) {
+            return Ok(());
+        }
+        let (called, argument) =
+            (self.text[start..self.last_end()].trim(), &self.text[inside[0].span.start..self.tokens[close].span.start]);
+        let message = format!("`{called}` is not declared");
+        let hint = format!(
+            "a function is declared with its formula: '{called}({argument})' = {{ role = \"abbreviation\", arguments = \
+             ['{argument}'], formula = '…' }}; what is no function is declared under [symbols]"
+        );
+        refuse("latex::unknown-symbol", message, start..self.last_end(), hint)
+    }
+
     fn scripted_symbol(&mut self, mut name: Name, dots: u8, under: Option<Vec<SubItem>>, start: usize) -> Parsed<Node> {
         let (sub, mut sup, sup_first) = self.script_pair()?;
         // `y_1''` is printed as `y''_1`.
@@ -92,6 +120,7 @@ impl Parser<'_> {
             && let Some(close) = self.closing()
         {
             let text = canonical(&self.tokens[self.at + 1..close]);
+            self.is_no_unknown_function(&symbol, start, close)?;
             if self.scope.applies(&symbol.name, symbol.sub.as_deref(), &text)
                 || self.is_instant(&symbol, start, close)?
             {

@@ -109,6 +109,16 @@ fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) ->
                 @if t.steps > 0 { ", " (count(t.steps, "step")) }
                 "; error of a state at most " (size(t.error)) "."
             }
+            @if let Some(start) = declared.and_then(|d| d.motion.start()) {
+                p.quiet {
+                    "Initial values are the solution of "
+                    @for (k, w) in start.equations.iter().enumerate() {
+                        @if k > 0 { ", " }
+                        (formula(&w.text, scope))
+                    }
+                    "."
+                }
+            }
             @if let Some(problem) = &t.problem { p.alarm { (problem) } }
             @if !t.given.is_empty() {
                 details { summary { "Parameters and initial values" }
