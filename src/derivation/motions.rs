@@ -74,7 +74,7 @@ impl Loader<'_> {
                 }
             }
         }
-        (!(states.is_empty() && fields.is_empty()) && !equations.is_empty()).then(|| System {
+        (!(equations.is_empty() || states.is_empty() && fields.is_empty())).then(|| System {
             id: id.to_owned(),
             says,
             label,

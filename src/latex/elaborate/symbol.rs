@@ -112,10 +112,8 @@ impl<'a> Elaborator<'a> {
             }
         };
         match s.arguments.as_deref() {
-            Some(places) if role == Role::Field => {
-                if !literal {
-                    base = self.at_place(base, found.coordinates, places, span)?;
-                }
+            Some(places) if role == Role::Field && !literal => {
+                base = self.at_place(base, found.coordinates, places, span)?;
             }
             Some([argument]) if !literal && formal.is_empty() => {
                 let instant = self.scalar(argument)?;
