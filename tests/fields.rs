@@ -31,6 +31,9 @@ fn fields_by_themselves() {
         ),
         ("refuted", r"\nabla\cdot(u{\bf A})=u\nabla\cdot{\bf A}", r"{\bf A}(x,y,z): field, 3; u(x,y,z): field", ""),
         ("refuted", r"\partial_xu=0", "u(x,t): field", ""),
+        ("proved", r"u_{xt}=\partial_t\partial_xu", "u(x,t): field", ""),
+        ("refuted", r"u_x=u_t", "u(x,t): field", ""),
+        ("proved", r"g_x(0,t)=\cos ct", r"g(x,t): field = \sin(x-ct); c", ""),
         ("refuted", r"u=0", "u(x,t): field", ""),
         ("refuted", r"\partial_x(\partial_tu)^2=(\partial_x\partial_tu)^2", "u(x,t): field", ""),
         ("proved", r"\nabla^2\frac1r=0", r"r = \sqrt{x^2+y^2+z^2}; x, y, z: coordinate", ""),
@@ -111,6 +114,12 @@ fn what_follows_from_equations_of_fields() {
             r"\frac{\partial U}{\partial V}=T\frac{\partial p}{\partial T}-p",
             "p(T,V), S(T,V), F(T,V), U(T,V): field",
             r"p=-\frac{\partial F}{\partial V}; S=-\frac{\partial F}{\partial T}; U=F+TS",
+        ),
+        (
+            "proved",
+            r"\left(\frac{\partial S}{\partial V}\right)_T=\left(\frac{\partial p}{\partial T}\right)_V",
+            "p(T,V), S(T,V), F(T,V): field",
+            r"p=-\left(\frac{\partial F}{\partial V}\right)_T; S=-\left(\frac{\partial F}{\partial T}\right)_V",
         ),
         // No theorem says that there is a solution.
         ("undecided", r"u=1", "u(x,t): field", r"\partial_tu=\sqrt{u}"),

@@ -332,7 +332,7 @@ fn derivatives() {
     let w = world().with("d", Role::Parameter, "");
     refused_in(&w, r"\frac{dx}{dt}=0", AMBIGUOUS);
     refused_in(&w, r"\frac{d}{dt}x=0", AMBIGUOUS);
-    refused(r"\partial_tx=0", "latex::unsupported");
+    refused(r"\partial_tx=0", "latex::derivative");
     refused(r"\int x=0", "latex::unsupported");
 }
 

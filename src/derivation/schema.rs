@@ -232,6 +232,7 @@ const TABLES: &[&str] = &[
     "[[trajectory]]",
     "initial",
     "[[family]]",
+    "[[domain]]",
     "vary",
     "[[claim]] and [[claim.reading]]",
     "[[claim]]",

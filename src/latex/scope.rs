@@ -159,6 +159,8 @@ pub(super) struct Found<'s> {
     pub coordinates: &'s [Leaf],
     /// The same as written.
     places_text: &'s str,
+    /// Coordinates in the subscript of a scalar field: by these it is derived, as in `u_{xx}`.
+    pub derivatives: Vec<Leaf>,
     /// Written with a bar: the complex conjugate of what is declared.
     pub conjugate: bool,
 }
@@ -434,6 +436,13 @@ impl Scope {
         symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
     }
 
+    /// The coordinate of this name, if it is one number.
+    pub(super) fn coordinate(&self, letter: &str) -> Option<Leaf> {
+        let is_it = |e: &&Filed| e.name == letter && e.sub.is_empty() && e.rank == 0;
+        let entry = self.entries.iter().rev().find(is_it)?;
+        matches!(entry.role, Role::Coordinate | Role::Time).then(|| Leaf::now(entry.symbol, 0))
+    }
+
     /// Whether there are coordinates of space.
     pub(super) fn has_space(&self) -> bool {
         self.entries.iter().any(|e| e.role == Role::Coordinate && !matches!(e.name.as_str(), "t" | r"\tau"))
@@ -671,6 +680,8 @@ impl Scope {
             }
         }
         let (_, entry, indices) = best?;
+        let derivatives = self.derivatives(entry, &indices);
+        let indices = if derivatives.is_some() { Vec::new() } else { indices };
         let formal: &[(Symbol, Shape)] = match &entry.arguments {
             Arguments::Formal(f) => f,
             _ => &[],
@@ -700,7 +711,24 @@ impl Scope {
                 Arguments::None | Arguments::Literal(_) | Arguments::Formal(_) => "",
             },
             conjugate: false,
+            derivatives: derivatives.unwrap_or_default(),
         })
+    }
+
+    /// The coordinates that a subscript of a scalar field names, if it names nothing else: it has no components, and a label would
+    /// be declared.
+    fn derivatives(&self, entry: &Entry, subscript: &[SubItem]) -> Option<Vec<Leaf>> {
+        let Arguments::Coordinates(_, coordinates) = &entry.arguments else { return None };
+        if subscript.is_empty() || entry.rank > 0 {
+            return None;
+        }
+        let named = |letter: &Name| {
+            let is_it =
+                |leaf: &&Leaf| self.by_symbol(leaf.symbol).is_some_and(|e| e.name == *letter && e.sub.is_empty());
+            coordinates.iter().find(is_it).copied()
+        };
+        let one = |item: &SubItem| if let SubItem::Name(letter) = item { named(letter) } else { None };
+        subscript.iter().map(one).collect()
     }
 
     /// The declared key that is most like a name, for hints.

@@ -121,7 +121,7 @@ impl Elaborator<'_> {
             NodeKind::Group(inner, _) => self.piece(inner),
             NodeKind::Scripted { base, sub, sup, .. } => {
                 let mut usage = self.piece(base)?;
-                if let Some(items) = sub {
+                if let Some(items) = sub.as_deref().filter(|_| self.held(base, sub.as_deref()).is_none()) {
                     usage.join(Usage {
                         open: self.lowered(base, &usage.open, items, &node.span)?,
                         closed: BTreeSet::new(),

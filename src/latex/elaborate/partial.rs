@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use super::super::scope::Role;
-use super::super::syntax::{Nabla, Node, NodeKind};
+use super::super::syntax::{Nabla, Node, NodeKind, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, refuse};
 use expr::{Expr, Leaf, NoDerivative, Shape, Tensor};
@@ -51,7 +51,7 @@ impl Elaborator<'_> {
         Ok(Tensor { shape: t.shape, components })
     }
 
-    fn by_coordinate(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
+    pub(super) fn by_coordinate(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
         self.derived(t, span, |this, e| this.graph.derivative_by(e, at))
     }
 
@@ -166,6 +166,42 @@ impl Elaborator<'_> {
             value = self.derived(value, span, |this, e| this.graph.partial_derivative(e, leaf))?;
         }
         Ok(value)
+    }
+
+    /// In `\left(\frac{\partial U}{\partial T}\right)_V`: the coordinates in the subscript, if these are what it holds.
+    pub(super) fn held(&self, base: &Node, sub: Option<&[SubItem]>) -> Option<Vec<Leaf>> {
+        let NodeKind::Group(inner, _) = &base.kind else { return None };
+        let one = |item: &SubItem| match item {
+            SubItem::Name(letter) => self.scope.coordinate(letter),
+            SubItem::Digit(_) | SubItem::Other(_) => None,
+        };
+        matches!(inner.kind, NodeKind::Partial { .. }).then(|| sub?.iter().map(one).collect())?
+    }
+
+    /// A partial derivative that says what is held fixed: all else on which it depends, and nothing else.
+    pub(super) fn holding(&mut self, base: &Node, held: &[Leaf], span: &Range<usize>) -> Elaborated<Tensor> {
+        let NodeKind::Group(inner, _) = &base.kind else { return self.tensor(base) };
+        let NodeKind::Partial { of, by, .. } = &inner.kind else { return self.tensor(base) };
+        let mut moved = Vec::new();
+        for by in by {
+            moved.extend(self.coordinate(by)?);
+        }
+        let value = self.tensor(of)?;
+        let leaves = self.graph.leaves(value.components.iter().copied());
+        let all = self.graph.coordinates().enumerate();
+        let wrong = all.into_iter().find(|(at, c)| {
+            let depends = leaves.iter().any(|l| l == c || self.graph.depends(l.symbol, *at));
+            (depends && !moved.contains(at)) != held.contains(c) || moved.contains(at) && held.contains(c)
+        });
+        match wrong {
+            None => self.tensor(base),
+            Some((_, leaf)) => {
+                let name = self.graph.leaf_latex(leaf);
+                let message = format!("whether `{name}` is held fixed is not as its declaration has it");
+                let hint = "let the field depend on what varies and what is held fixed, and on nothing else";
+                refuse("latex::derivative", message, span, hint)
+            }
+        }
     }
 
     /// Refuses the derivative of something by what it does not name, unless it is defined by a formula that shows it.

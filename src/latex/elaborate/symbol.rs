@@ -79,7 +79,7 @@ impl<'a> Elaborator<'a> {
         }
         let found = self.resolve(s, span)?;
         let (symbol, role, conjugate) = (found.symbol, found.role, found.conjugate);
-        let (items, formal) = (found.indices, found.formal);
+        let (items, formal, derivatives) = (found.indices, found.formal, found.derivatives);
         let literal = found.literal_arguments;
         // What is not applied to anything is the same wherever it stands: with indices it is asked for very often.
         let known = self.bases.get(&(symbol, s.dots)).filter(|_| formal.is_empty()).cloned();
@@ -111,6 +111,11 @@ impl<'a> Elaborator<'a> {
                 base
             }
         };
+        for leaf in derivatives {
+            if let Some(at) = self.graph.coordinate(leaf) {
+                base = self.by_coordinate(base, at, span)?;
+            }
+        }
         match s.arguments.as_deref() {
             Some(places) if role == Role::Field && !literal => {
                 base = self.at_place(base, found.coordinates, places, span)?;

@@ -173,6 +173,10 @@ impl Elaborator<'_> {
                 self.squared_size(base, sup).map(Value::scalar)
             }
             NodeKind::Scripted { base, sub, sup, sup_first } => {
+                if let Some(held) = self.held(base, sub.as_deref()) {
+                    let value = Value::Tensor(self.holding(base, &held, &node.span)?);
+                    return self.scripted(value, None, sup.as_deref(), *sup_first, &node.span);
+                }
                 let base_value = self.value(base)?;
                 self.scripted(base_value, sub.as_deref(), sup.as_deref(), *sup_first, &node.span)
             }
