@@ -52,6 +52,27 @@ def test_a_pendulum_in_latex() -> None:
         Derivation("t").reading("x", "y")
 
 
+def test_fields() -> None:
+    wave = r"\frac{\partial^2u}{\partial t^2}=c^2\frac{\partial^2u}{\partial x^2}"
+    made = (
+        Derivation("A string", "A textbook")
+        .symbol("t", "time")
+        .symbol("x", "coordinate")
+        .symbol("c", positive=True)
+        .symbol("u(x,t)", "field")
+        .system("string", None, wave, fields=["u"])
+        .table("domain", id="runs", ranges={"x": [-1, 1], "t": [0, 1], "c": 2, "u": r"\sin(x-ct)"})
+        .claim("runs", "It runs", domain="runs", always=wave)
+        .claim("slope", "So does its slope", follows_from=["string"], always=r"u_{xtt}=c^2u_{xxx}")
+        .claim("wrong", "It rests", follows_from=["string"], always="u_t=0", expect="fails")
+    )
+    found = {r.claim: (r.verdict, r.strength) for r in rederive.check(made).results}
+    assert found["runs"] == found["slope"] == (Verdict.HOLDS, Strength.PROVED)
+    assert found["wrong"][0] is Verdict.FAILS and found["wrong"][1] is not Strength.SAMPLED
+    assert rederive.prove("u_{xt}=u_{tx}", symbols=["u(x,t): field"]).verdict.value == "proved"
+    assert Derivation.from_toml(made.to_toml()) == made
+
+
 def test_a_pendulum_in_sympy() -> None:
     sympy = pytest.importorskip("sympy")
     t = sympy.Symbol("t")

@@ -482,7 +482,7 @@ fn strengthen(
     for (claim, &at) in claims.iter_mut().zip(claimed) {
         let declared = &derivation.claims[at];
         if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
-            claim.region = Some(region::RegionAccount::of_step(region, claim.identity.as_ref()));
+            claim.region = Some(region::RegionAccount::of_step(declared, region, claim.identity.as_ref()));
         }
     }
     by_formula::settle(derivation, claims, claimed, tried);

@@ -70,8 +70,9 @@ class Derivation:
         return self
 
     def system(self, id: str, states: Any, equations: Any, **keys: Any) -> Derivation:
-        """A system of differential equations."""
-        keys = self._keys({**keys, "states": _several(states), "equations": _several(equations)})
+        """A system of differential equations; ``states`` is ``None`` where it has ``fields``."""
+        unknowns = {} if states is None else {"states": _several(states)}
+        keys = self._keys({**keys, **unknowns, "equations": _several(equations)})
         self._data.setdefault("system", {})[id] = keys
         return self
 

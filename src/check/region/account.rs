@@ -102,18 +102,19 @@ fn percent(share: f64, whole: bool) -> String {
 
 impl RegionAccount {
     /// The account of a claim about fields, by what was decided of it as a step: over all of them, not over ranges.
-    pub(crate) fn of_step(region: &Region, step: Option<&IdentityAccount>) -> RegionAccount {
+    pub(crate) fn of_step(claim: &Claim, region: &Region, step: Option<&IdentityAccount>) -> RegionAccount {
         let (known, reason) = match step {
             None => (Possible::ANY, "it is no equation that could follow from others".to_owned()),
-            Some(step) if step.is_proved() => {
-                let given = if step.from.is_empty() {
-                    "for all fields"
-                } else {
-                    "for all fields that satisfy what it follows from"
-                };
-                (Possible::TRUE, given.to_owned())
-            }
             Some(step) => match (step.finding.decision(), &step.witness) {
+                // What is given may assume more than this does, or say less.
+                (Decision::Proved, _) if !step.presupposed.is_empty() => {
+                    let assumed: Vec<String> = step.presupposed.iter().map(|text| format!("${text}$")).collect();
+                    let assumed = assumed.join(", ");
+                    (Possible::ANY, format!("what it follows from assumes {assumed}, and it does not say so itself"))
+                }
+                (Decision::Proved, _) if step.is_proved() && step.lends_strength() => {
+                    (Possible::TRUE, for_all(claim, step))
+                }
                 (Decision::Refuted, Some(point)) => {
                     (Possible::FALSE, format!("a solution near a point contradicts it: {point}"))
                 }
@@ -305,6 +306,17 @@ impl RegionAccount {
             out = format!("{out}: {}, by {cells}", said.join(", "));
         }
         out
+    }
+}
+
+/// For which fields something is proved.
+fn for_all(claim: &Claim, step: &IdentityAccount) -> String {
+    let given = (!step.from.is_empty()).then_some("what it follows from");
+    let assumed = (!claim.assuming.is_empty()).then_some("what it assumes");
+    let both: Vec<&str> = given.into_iter().chain(assumed).collect();
+    match both.is_empty() {
+        true => "for all fields".to_owned(),
+        false => format!("for all fields that satisfy {}", both.join(" and ")),
     }
 }
 
