@@ -121,6 +121,20 @@ fn what_follows_from_equations_of_fields() {
             "p(T,V), S(T,V), F(T,V): field",
             r"p=-\left(\frac{\partial F}{\partial V}\right)_T; S=-\left(\frac{\partial F}{\partial T}\right)_V",
         ),
+        // Inequalities that hold at a point need not hold around it.
+        ("unrefuted", r"\partial_xu=0", "u(x): field", r"u\ge 0; u\le 0"),
+        ("unrefuted", r"\partial_xu=0", "u(x): field", r"u^2\le 0"),
+        ("unrefuted", r"\partial_xu=0", "u(x): field", r"\sqrt{-u^2}\ge 0"),
+        ("unrefuted", r"\partial_xu=0", "u(x): field", r"\arcsin(1+u^2)\ge 0"),
+        ("unrefuted", r"\partial_xu=0", "u(x), v(x): field", r"u^2+v^2=1; v\ge 1"),
+        ("unrefuted", r"\partial_xu+\sqrt{-u}=0", "u(x): field", r"u\ge 0"),
+        ("unrefuted", r"\dot q=0", "q: state", r"q\ge 1; q\le 1"),
+        ("unrefuted", r"\dot x=\dot y", "x, y: state", r"x\le y\le x"),
+        ("refuted", r"\partial_xu=0", "u(x): field", r"u\ge 0"),
+        ("refuted", r"\dot q=0", "q: state", r"q\ge 0; q\le 1"),
+        // What moves is nowhere tied to a place.
+        ("unproved", r"\dot q=0", "t: time; x: coordinate; q: state", "q=x"),
+        ("unrefuted", r"q=0", "t: time; x: coordinate; q: state", "q=x"),
         // No theorem says that there is a solution.
         ("undecided", r"u=1", "u(x,t): field", r"\partial_tu=\sqrt{u}"),
         // A field that is defined by another.
@@ -165,6 +179,33 @@ fn what_follows_from_equations_of_fields() {
             r"\mathrm ih\partial_t\psi=-\frac{h^2}{2m}\partial_x^2\psi+V\psi",
         ),
     ]);
+}
+
+#[test]
+fn what_says_too_little_is_refused() {
+    for (text, symbols) in [
+        // On which coordinate, or along which way?
+        (r"\dot V=0", "t: time; V(x): field"),
+        (r"\frac{dV}{dt}=0", "t: time; V(x): field"),
+        (r"\frac{dV}{dt}=0", "V(x,t): field"),
+        // A parameter that a field's formula may name.
+        (r"\frac{\partial S}{\partial b}=0", "S(q,t): field; b"),
+        (r"\frac{\partial u}{\partial s}=0", "u(x): field; s: state"),
+        // At the place, or of the value there?
+        (r"\partial_xg(0,t)=0", r"g(x,t): field = \sin(x-t)"),
+        (r"\frac{\partial g(0,t)}{\partial x}=0", r"g(x,t): field = \sin(x-t)"),
+        (r"\nabla g(0,t)=0", r"g(x,t): field = \sin(x-t)"),
+        (r"\frac{d}{dx}h(1)=0", "h(x): field = x^2"),
+        // Not Cartesian by its name.
+        (r"\nabla^2f=f''", "f(r): field"),
+    ] {
+        let mut derivation = rederive::derivation::Derivation::blank();
+        let typed: Vec<(String, String)> = symbols.split("; ").map(|s| (s.to_owned(), s.to_owned())).collect();
+        derivation.declare_typed(&typed).unwrap_or_else(|e| panic!("{symbols}: {e:?}"));
+        let proposition =
+            rederive::check::Proposition { formula: text.to_owned(), given: Vec::new(), throughout: false };
+        assert!(rederive::check::prove(&mut derivation, &proposition).is_err(), "{text} is read");
+    }
 }
 
 #[test]

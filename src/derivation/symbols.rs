@@ -112,6 +112,11 @@ impl Loader<'_> {
             problems.note("derivation::bad-role", span, message).hint("leave one of the two out");
             return None;
         }
+        if role == Role::Field && table.boolean(problems, "positive") == Some(true) {
+            let message = format!("`{name}`: a field is not declared positive");
+            problems.note("derivation::bad-role", span, message).hint("assume it in the claim, `assuming = ['u>0']`");
+            return None;
+        }
         let formula = match table.get("formula") {
             Some(value) => Some(literal_of(problems, value, "formula")?),
             None => None,

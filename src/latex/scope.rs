@@ -559,6 +559,11 @@ impl Scope {
         self.find(name, sub, None).is_some_and(|f| f.role == Role::Field)
     }
 
+    /// Whether a symbol, as it is written, is a field at another place.
+    pub(super) fn is_elsewhere(&self, name: &str, sub: Option<&[SubItem]>, text: &str) -> bool {
+        self.find(name, sub, Some(text)).is_some_and(|f| f.role == Role::Field && !f.literal_arguments)
+    }
+
     /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
     pub(super) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)

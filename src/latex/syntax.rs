@@ -34,8 +34,10 @@ pub enum SubItem {
 pub struct SymbolNode {
     /// Its name.
     pub name: Name,
-    /// Number of dots.
+    /// Number of dots, or of primes that are derivatives.
     pub dots: u8,
+    /// Whether these are primes.
+    pub primed: bool,
     /// Its subscript.
     pub sub: Option<Vec<SubItem>>,
     /// Its superscript.

@@ -333,10 +333,13 @@ impl Text {
     }
 
     fn symbol(&mut self, s: &SymbolNode) {
-        if s.dots > 0 {
+        if s.dots > 0 && !s.primed {
             self.put(&format!(r"\{}ot", "d".repeat(usize::from(s.dots))));
         }
         self.put(&name::to_latex(&s.name));
+        if s.primed {
+            self.put(&"'".repeat(usize::from(s.dots)));
+        }
         self.scripts(s.sub.as_deref(), s.sup.as_deref(), s.sup_first);
         if let Some(arguments) = &s.arguments {
             self.put("(");

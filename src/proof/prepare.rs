@@ -4,6 +4,7 @@ use super::closing::Dynamics;
 use super::insertion::put_in;
 use super::jets::{Jets, names_fields};
 use super::outcome::{Point, Premises, Reason};
+use super::witness::{decimals, values_at};
 use expr::{Expr, Graph, Leaf, Node, Op};
 use expr::{FastMap, FastSet};
 
@@ -21,12 +22,20 @@ pub(super) struct Premise {
 pub(super) struct Solutions {
     dynamics: Dynamics,
     jets: Jets,
+    /// These are positive at a point that refutes: what is given holds around it then, not at it alone.
+    inside: Vec<Expr>,
+    /// Whether something that moves is tied to a place: then no theorem says that there is a solution.
+    tied: bool,
 }
 
 impl Solutions {
     /// Whether motions, and fields, pass through a point at which the premises and their derivatives hold.
     pub(super) fn extend(&self, graph: &Graph, point: &Point) -> bool {
-        self.dynamics.extends(graph, point) && self.jets.extends(graph, point)
+        let inside = decimals(graph, &self.inside, &values_at(point));
+        !self.tied
+            && inside.into_iter().all(|v| v.is_some_and(|v| v.value > v.error))
+            && self.dynamics.extends(graph, point)
+            && self.jets.extends(graph, point)
     }
 }
 
@@ -42,14 +51,21 @@ pub(super) fn with_rates(
     let moves = |leaf: Leaf| premises.moving.contains(&leaf.symbol);
     let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
     let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
+    let inside = strictly(graph, premises, &moves);
     let jets = Jets::of(graph, &premises.equations, &asked, (premises.time, &premises.moving))?;
     all.extend(jets.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
     let Some(time) = premises.time else {
         all.extend(premises.only_now.iter().map(plain));
-        return Ok((all, Solutions { dynamics: Dynamics::default(), jets }));
+        return Ok((all, Solutions { jets, inside, ..Solutions::default() }));
     };
-    let of_motions: Vec<(Expr, Expr)> =
-        premises.equations.iter().copied().filter(|&pair| !names_fields(graph, pair)).collect();
+    let place = |graph: &Graph, leaf: Leaf| leaf != time && graph.coordinate(leaf).is_some();
+    let is_tied = |graph: &Graph, &(l, r): &(Expr, Expr)| {
+        let leaves = graph.leaves([l, r]);
+        leaves.iter().any(|&l| moves(l)) && leaves.iter().any(|&l| place(graph, l))
+    };
+    let tied = premises.equations.iter().any(|pair| is_tied(graph, pair));
+    let of_motions = premises.equations.iter().filter(|pair| !names_fields(graph, **pair) && !is_tied(graph, pair));
+    let of_motions: Vec<(Expr, Expr)> = of_motions.copied().collect();
     let dynamics = Dynamics::of(graph, &of_motions, &asked, time, &moves)?;
     for &pair in &dynamics.parts {
         if !premises.equations.contains(&pair) {
@@ -81,7 +97,30 @@ pub(super) fn with_rates(
         }
     }
     all.extend(premises.only_now.iter().map(plain));
-    Ok((all, Solutions { dynamics, jets }))
+    Ok((all, Solutions { dynamics, jets, inside, tied }))
+}
+
+/// What must be positive at a point so that what is given besides equations holds around it, as far as it is about what moves, or
+/// fields: 0 ≤ u and u ≤ 0 hold at many points, and for one field.
+fn strictly(graph: &mut Graph, premises: &Premises, moves: &impl Fn(Leaf) -> bool) -> Vec<Expr> {
+    let changes = |graph: &Graph, e: Expr| {
+        let leaves = graph.leaves([e]);
+        leaves.into_iter().any(|l| l.instant.is_none() && moves(l) || graph.is_field(l.symbol))
+    };
+    let mut out: Vec<Expr> = premises.not_negative.iter().copied().filter(|&e| changes(graph, e)).collect();
+    let facts = premises.not_negative.iter().chain(&premises.positive).chain(&premises.nonzero);
+    let facts: Vec<Expr> = facts.copied().filter(|&e| changes(graph, e)).collect();
+    for e in graph.reachable(facts) {
+        match *graph.node(e) {
+            Node::Unary(Op::Sqrt | Op::Ln, a) | Node::Binary(Op::Pow, a, _) => out.push(a),
+            Node::Unary(Op::Arcsin | Op::Arccos, a) => {
+                let (one, square) = (graph.integer(1), graph.powi(a, 2));
+                out.push(graph.sub(one, square));
+            }
+            _ => {}
+        }
+    }
+    out
 }
 
 /// Leaves that stand in arguments of transcendental functions.

@@ -392,7 +392,9 @@ impl Markup {
     fn symbol(&mut self, s: &SymbolNode) {
         let mut base = Markup(String::new());
         base.name(&s.name);
-        if s.dots > 0 {
+        if s.primed {
+            base.0 = format!("<msup>{}<mo>{}</mo></msup>", base.0, "′".repeat(usize::from(s.dots)));
+        } else if s.dots > 0 {
             let dots = ["˙", "¨", "\u{20db}", "\u{20dc}"][usize::from(s.dots - 1).min(3)];
             base.0 = format!("<mover accent=\"true\">{}<mo stretchy=\"false\">{dots}</mo></mover>", base.0);
         }

@@ -165,6 +165,7 @@ pub(super) fn transpose(span: &Range<usize>) -> Node {
     let symbol = SymbolNode {
         name: "T".into(),
         dots: 0,
+        primed: false,
         sub: None,
         sup: None,
         sup_first: false,

@@ -253,6 +253,7 @@ impl Word {
         SymbolNode {
             name: self.name.clone(),
             dots: 0,
+            primed: false,
             sub: (!self.sub.is_empty()).then(|| self.sub.clone()),
             sup: None,
             sup_first: false,

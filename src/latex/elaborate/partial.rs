@@ -13,6 +13,9 @@ use super::super::tensor;
 use super::{Elaborated, Elaborator, refuse};
 use expr::{Expr, Leaf, NoDerivative, Shape, Tensor};
 
+/// Names of coordinates that nobody takes for Cartesian.
+const POLAR: &[&str] = &["r", "R", r"\rho", r"\theta", r"\vartheta", r"\phi", r"\varphi"];
+
 /// How often observables are written out that stand in the formulas of others.
 const DEEPEST_FORMULAS: usize = 64;
 
@@ -57,37 +60,31 @@ impl Elaborator<'_> {
 
     /// `\frac{du}{dx}` by a coordinate: of what depends on this one only, so that nothing else could change with it.
     pub(super) fn total(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
-        self.is_total(&t, at, span)?;
+        self.is_total(&t, Some(at), span)?;
         self.by_coordinate(t, at, span)
     }
 
     /// Refuses a total derivative of a field of several coordinates.
-    pub(super) fn is_total(&mut self, t: &Tensor, at: usize, span: &Range<usize>) -> Elaborated<()> {
+    pub(super) fn is_total(&mut self, t: &Tensor, at: Option<usize>, span: &Range<usize>) -> Elaborated<()> {
         let others = self.graph.coordinates().count();
         let fields = self.graph.fields(t.components.iter().copied());
-        let other = |l: &Leaf| (0..others).any(|o| o != at && self.graph.depends(l.symbol, o));
-        match fields.into_iter().find(other) {
-            None => Ok(()),
-            Some(leaf) => {
-                let message = format!("`{}` depends on several coordinates", self.graph.name(leaf.symbol));
-                let hint =
-                    r"write `\partial` where the others are held fixed; what changes along a motion is written out";
-                refuse("latex::derivative", message, span, hint)
-            }
-        }
+        let other = |l: &Leaf| (0..others).any(|o| Some(o) != at && self.graph.depends(l.symbol, o));
+        let Some(leaf) = fields.into_iter().find(other) else { return Ok(()) };
+        let message = format!("`{}` depends on other coordinates", self.graph.name(leaf.symbol));
+        let hint = r"write `\partial` where they are held fixed; what changes along a motion is written out";
+        refuse("latex::derivative", message, span, hint)
     }
 
     /// `\dot u` and `f'`: by the time, or by the only coordinate.
     pub(super) fn derivative_of_field(
         &mut self,
         t: Tensor,
-        coordinates: &[Leaf],
+        (coordinates, primed): (&[Leaf], bool),
         span: &Range<usize>,
     ) -> Elaborated<Tensor> {
-        let time = self.scope.time().filter(|time| coordinates.contains(time));
         let by = match coordinates {
-            [only] => Some(*only),
-            _ => time,
+            [only] if primed => Some(*only),
+            _ => self.scope.time().filter(|time| coordinates.contains(time)),
         };
         match by.and_then(|leaf| self.graph.coordinate(leaf)) {
             Some(at) => self.by_coordinate(t, at, span),
@@ -155,6 +152,11 @@ impl Elaborator<'_> {
                 continue;
             }
             value = self.spelled_out(value, span)?;
+            if let Some(field) = self.graph.fields(value.components.iter().copied()).first() {
+                let message = format!("whether `{}` depends on it is not said", self.graph.name(field.symbol));
+                let hint = "give the field a `formula` where it is declared, or make this a coordinate of it";
+                return refuse("latex::derivative", message, &by.span, hint);
+            }
             match self.scope.role(leaf.symbol) {
                 Some(Role::State | Role::Parameter | Role::Time | Role::Argument) if leaf.instant.is_none() => {}
                 _ => {
@@ -252,6 +254,13 @@ impl Elaborator<'_> {
         if space.is_empty() {
             let hint = "declare `x`, `y`, `z` with the role `coordinate`";
             return refuse("latex::derivative", "there are no coordinates of space", span, hint);
+        }
+        for leaf in self.scope.space(self.graph) {
+            let name = self.graph.name(leaf.symbol);
+            if self.graph.component_count(leaf.symbol) == 1 && POLAR.contains(&name) {
+                let message = format!(r"`\nabla` is Cartesian, and `{name}` is no such coordinate by its name");
+                return refuse("latex::unsupported", message, span, "write the derivatives out");
+            }
         }
         let value = self.tensor(of)?;
         for leaf in self.graph.leaves(value.components.iter().copied()) {

@@ -82,7 +82,8 @@ impl<'a> Elaborator<'a> {
         let (items, formal, derivatives) = (found.indices, found.formal, found.derivatives);
         let literal = found.literal_arguments;
         // What is not applied to anything is the same wherever it stands: with indices it is asked for very often.
-        let known = self.bases.get(&(symbol, s.dots)).filter(|_| formal.is_empty()).cloned();
+        let keeps = formal.is_empty() && role != Role::Field;
+        let known = self.bases.get(&(symbol, s.dots)).filter(|_| keeps).cloned();
         let mut base = match known {
             Some(base) => base,
             None => {
@@ -101,11 +102,11 @@ impl<'a> Elaborator<'a> {
                 }
                 for _ in 0..s.dots {
                     base = match role {
-                        Role::Field => self.derivative_of_field(base, found.coordinates, span)?,
+                        Role::Field => self.derivative_of_field(base, (found.coordinates, s.primed), span)?,
                         _ => self.time_derivative(base, span)?,
                     };
                 }
-                if formal.is_empty() {
+                if keeps {
                     self.bases.insert((symbol, s.dots), base.clone());
                 }
                 base

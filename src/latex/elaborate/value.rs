@@ -613,9 +613,7 @@ impl Elaborator<'_> {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
         };
-        if let Some(at) = self.graph.coordinate(time) {
-            self.is_total(&t, at, span)?;
-        }
+        self.is_total(&t, self.graph.coordinate(time), span)?;
         let mut components = Vec::new();
         for e in t.components {
             let scope = self.scope;

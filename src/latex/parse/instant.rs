@@ -204,7 +204,9 @@ impl Parser<'_> {
         let taken = match &of.kind {
             NodeKind::Symbol(s) => {
                 let applied = self.scope.applies(&s.name, s.sub.as_deref(), &s.arguments_text);
+                let elsewhere = self.scope.is_elsewhere(&s.name, s.sub.as_deref(), &s.arguments_text);
                 !applied && s.arguments.as_ref().is_some_and(|a| !a.iter().all(|a| self.is_time(a)))
+                    || s.arguments.is_some() && elsewhere
             }
             NodeKind::Scripted { base, .. } => return self.rate_is_clear(base),
             NodeKind::At { .. } => true,
@@ -213,8 +215,9 @@ impl Parser<'_> {
         if !taken {
             return Ok(());
         }
-        let message = "is this the derivative at a time, or that of a value?";
-        refuse("latex::ambiguous", message, of.span.clone(), r"write `\dot x(0)`, or `\frac{dx}{dt}(0)`")
+        let message = "is this the derivative at a time or place, or that of a value?";
+        let hint = r"write `\dot x(0)`, or `\frac{dx}{dt}(0)`; of a field, `u_x(0,t)` or `f'(0)`";
+        refuse("latex::ambiguous", message, of.span.clone(), hint)
     }
 
     /// Whether something depends on time by the time itself alone, as `e^{-\gamma t}` does.

@@ -534,5 +534,14 @@ fn restyle(style: &str, name: Name) -> Name {
 
 /// A symbol without anything attached to it.
 pub(super) fn plain(name: Name) -> SymbolNode {
-    SymbolNode { name, dots: 0, sub: None, sup: None, sup_first: false, arguments: None, arguments_text: String::new() }
+    SymbolNode {
+        name,
+        dots: 0,
+        primed: false,
+        sub: None,
+        sup: None,
+        sup_first: false,
+        arguments: None,
+        arguments_text: String::new(),
+    }
 }

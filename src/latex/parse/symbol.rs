@@ -114,8 +114,11 @@ impl Parser<'_> {
             sup = raised;
         }
         let sub = under.or(sub);
+        let before = dots;
         let dots = self.primed_rate(&mut name, dots, sub.as_deref());
-        let mut symbol = SymbolNode { name, dots, sub, sup, sup_first, arguments: None, arguments_text: String::new() };
+        let primed = dots > before;
+        let mut symbol =
+            SymbolNode { name, dots, primed, sub, sup, sup_first, arguments: None, arguments_text: String::new() };
         if self.is('(')
             && let Some(close) = self.closing()
         {
