@@ -116,7 +116,7 @@ impl RegionAccount {
                     (Possible::TRUE, for_all(claim, step))
                 }
                 (Decision::Refuted, Some(point)) => {
-                    (Possible::FALSE, format!("a solution near a point contradicts it: {point}"))
+                    (Possible::FALSE, format!("a solution near a point contradicts it: {}", marked(point)))
                 }
                 _ => (Possible::ANY, step.sentence()),
             },
@@ -307,6 +307,19 @@ impl RegionAccount {
         }
         out
     }
+}
+
+/// A point in words, with its names between dollars: `left 1, right 0 at u = 1; v = 2 — and left 2, right 0 at u = 2`.
+fn marked(point: &str) -> String {
+    let one = |part: &str| match part.split_once(" = ") {
+        None => part.to_owned(),
+        Some((head, value)) => {
+            let (before, name) = head.split_at(head.rfind(" at ").map_or(0, |at| at + " at ".len()));
+            format!("{before}${name}$ = {value}")
+        }
+    };
+    let half = |half: &str| half.split("; ").map(one).collect::<Vec<_>>().join("; ");
+    point.split(" — and ").map(half).collect::<Vec<_>>().join(" — and ")
 }
 
 /// For which fields something is proved.
