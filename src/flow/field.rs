@@ -203,13 +203,6 @@ fn affine(graph: &mut Graph, e: Expr, unknowns: &BTreeMap<Leaf, usize>) -> Resul
                     let x = x.clone();
                     map(graph, x, |g, c| g.div(c, b))
                 }
-                // What it is restricted to, its constant term is.
-                (Op::Restrict, x, y) if free(y) => {
-                    let mut x = x.clone();
-                    let rest = x.rest.unwrap_or_else(|| graph.integer(0));
-                    x.rest = Some(graph.binary(Op::Restrict, rest, b));
-                    x
-                }
                 (_, x, y) => return Err(if free(y) { first(x) } else { first(y) }),
             },
         };
