@@ -157,8 +157,7 @@ impl Loader<'_> {
         out
     }
 
-    /// Refuses a field without a formula, and what names coordinates on which it does not depend: a derivative by one of
-    /// them would be wrong.
+    /// Refuses what names coordinates on which it does not depend: a derivative by one of them would be wrong.
     fn depends_as_declared(&mut self, symbol: Symbol, values: &Values, name: &str, span: Range<usize>) -> bool {
         let graph = &self.out.graph;
         let (message, hint) = match values {

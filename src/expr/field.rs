@@ -9,7 +9,7 @@
 //! **Why a multi-index and not new symbols:** what is known of a field, its shape, its unit, its formula, is known of its
 //! derivatives, too.
 
-use super::{Expr, Graph, Leaf, NoDerivative, Node, Symbol};
+use super::{Expr, Graph, Leaf, NoDerivative, Symbol};
 
 /// Most coordinates of one graph.
 pub const MOST_COORDINATES: usize = 5;
@@ -167,10 +167,5 @@ impl Graph {
     /// The leaves of fields below some expressions.
     pub fn fields(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Leaf> {
         self.leaves(roots).into_iter().filter(|l| self.is_field(l.symbol)).collect()
-    }
-
-    /// Whether a node is a coordinate.
-    pub fn is_coordinate(&self, e: Expr) -> bool {
-        matches!(self.node(e), Node::Leaf(leaf) if self.coordinate(*leaf).is_some())
     }
 }

@@ -431,8 +431,7 @@ impl Scope {
 
     /// The coordinates of space: all but the time, and but `t`.
     pub(super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
-        let in_space = |e: &&Filed| e.role == Role::Coordinate && !matches!(e.name.as_str(), "t" | r"\tau");
-        let symbols = self.entries.iter().filter(in_space).map(|e| e.symbol);
+        let symbols = self.entries.iter().filter(|e| is_of_space(e)).map(|e| e.symbol);
         symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
     }
 
@@ -445,7 +444,7 @@ impl Scope {
 
     /// Whether there are coordinates of space.
     pub(super) fn has_space(&self) -> bool {
-        self.entries.iter().any(|e| e.role == Role::Coordinate && !matches!(e.name.as_str(), "t" | r"\tau"))
+        self.entries.iter().any(|e| is_of_space(e))
     }
 
     /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
@@ -744,6 +743,11 @@ impl Scope {
         let near = distance(best) <= 2 || name::split(name).1.eq_ignore_ascii_case(name::split(best).1);
         near.then_some(best)
     }
+}
+
+/// Whether ∇ acts on a coordinate: it is not that of the time by its name.
+fn is_of_space(entry: &Entry) -> bool {
+    entry.role == Role::Coordinate && !matches!(entry.name.as_str(), "t" | r"\tau")
 }
 
 /// Number of parts that commas outside of brackets separate.
