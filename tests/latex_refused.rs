@@ -444,7 +444,8 @@ fn what_is_said_in_other_ways_has_a_hint() {
         (r"x=\ln‹_›2a", "latex::unexpected", ""),
         (r"x=a-‹-›b", "latex::unexpected", "parentheses"),
         (r"x=a\pm‹-›b", "latex::unexpected", "parentheses"),
-        (r"x=\lfloor a\rfloor", "latex::unsupported", "parameter"),
+        (r"x=\lfloor a‹)›", "latex::unbalanced", ""),
+        (r"x=a‹\rfloor›", "latex::unexpected", ""),
     ];
     for (marked, code, hint) in hints {
         let found = refused(marked, code);

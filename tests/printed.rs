@@ -89,7 +89,7 @@ fn arguments_and_factors() {
         ("latex::ambiguous", r"\sin30^\circ x=1", "x"),
         ("latex::double-script", r"x=(30^\circ^2)", "x"),
         ("refuted", r"\sqrt{(1-\pi)^2}=1-\pi", "a"),
-        ("latex::unsupported", r"\left\lfloor x\right\rfloor=x", "x"),
+        ("refuted", r"\left\lfloor x\right\rfloor=x", "x"),
     ]);
 }
 
@@ -249,5 +249,33 @@ fn names_in_square_brackets() {
         ("proved", r"[A_{12}]-[A_{12}]=0", "[A_{12}]"),
         ("latex::ambiguous", r"[A_12]=0", "[A_{12}]"),
         ("latex::ambiguous", r"[S]=1", "[S]; S"),
+    ]);
+}
+
+/// A whole part is its number at a whole number, and leaps there.
+#[test]
+fn whole_parts() {
+    all(&[
+        ("proved", r"\lfloor\frac72\rfloor+\lceil-\frac72\rceil=0", "x"),
+        ("proved", r"\left\lceil{2}\right\rceil^2=4", "x"),
+        ("proved", r"\operatorname{floor}(x)=-\operatorname{ceiling}{\left(- x \right)}", "x"),
+        ("proved", r"\lfloor x\rfloor y=y\lfloor x\rfloor", "x, y"),
+        ("proved", r"\sin(\lfloor x\rfloor)y=y\sin(\left\lfloor x\right\rfloor)", "x: state; y: state"),
+        ("refuted", r"\lfloor x\rfloor^2=\lfloor x^2\rfloor", "x"),
+        ("refuted", r"\lfloor x\rfloor=x", "x"),
+        ("latex::unbalanced", r"\lfloor x\rceil=x", "x"),
+        ("latex::unbalanced", r"\lfloor x=x", "x"),
+        ("latex::unbalanced", r"\left|\lfloor x\right|\rfloor=x", "x"),
+    ]);
+}
+
+/// What has no value equals nothing, and is not said to differ from anything.
+#[test]
+fn a_number_without_a_value() {
+    all(&[
+        ("undecided", r"\sqrt{-4}=2i", "z: complex"),
+        ("undecided", r"\sqrt{-1}=i", "z: complex"),
+        ("undecided", r"\frac{i}{0}=2", "z: complex"),
+        ("refuted", r"\sqrt3=1+i", "z: complex"),
     ]);
 }

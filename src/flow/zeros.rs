@@ -576,18 +576,19 @@ impl Zeros {
             (Some(a), Some(b)) => (b - a).abs() / (after - before),
             _ => 0.0,
         };
-        // At a zero of order 3 or more the speed grows like the square of the distance, or faster, and the time is known less
-        // well than it says.
-        let far = 10.0 * step;
-        let (ahead, behind) = ((time + far).min(to), (time - far).max(from));
-        let steeper = match (value(behind), value(ahead)) {
-            (Some(a), Some(b)) => (b - a).abs() / (ahead - behind) > 50.0 * speed,
-            _ => false,
-        };
         let floor = 4.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE);
         self.times.push(time);
         let slack = if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor };
-        self.slack.push(if steeper { slack.max(step) } else { slack });
+        // Where the expression leaves its zero more slowly than that, like y|y| or y⁵, the zero may lie as far away as the
+        // value is not beyond its error.
+        let clear = |explorer: &mut Explorer, t: f64| {
+            let beyond = |x: Bounded| !x.contains_zero();
+            t <= from || t >= to || explorer.values(t).first().copied().and_then(Result::ok).is_some_and(beyond)
+        };
+        let far = |slack: &f64| *slack >= to - from;
+        let mut wider = std::iter::successors(Some(slack), |slack| Some(2.0 * slack));
+        let known = wider.find(|s| far(s) || [-2.0, 2.0].iter().all(|side| clear(explorer, time + side * s)));
+        self.slack.push(known.unwrap_or(slack));
     }
 
     /// Records the change of sign between two nodes: a zero, unless the expression jumps there.

@@ -155,7 +155,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                         };
                         let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil"];
                         if whole.iter().any(|w| next.starts_with(w)) {
-                            // Refused where it stands, with a hint.
+                            // A bracket that says by itself which side it is on.
                         } else if !next.starts_with(signs) && !next.starts_with(bar) {
                             problems.push(problem(
                                 "latex::unexpected",

@@ -27,6 +27,7 @@ mod write;
 
 use std::ops::Range;
 
+pub use parse::whole_part;
 pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope};
 pub use syntax::RelationKind;

@@ -293,6 +293,12 @@ impl Text {
             self.braced(k);
             return;
         }
+        if let ("floor" | "ceil", None, [inner]) = (function, power, arguments) {
+            self.put(&format!(r"\left\l{function} "));
+            self.node(inner, Least::Sum);
+            self.put(&format!(r"\right\r{function} "));
+            return;
+        }
         let command = super::parse::spelled(function);
         self.put(&command);
         let (arguments, base) = match (function, arguments) {

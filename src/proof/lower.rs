@@ -15,6 +15,7 @@
 //! the same for the same argument.
 
 use super::linear::{Combination, Combinations, Monomial, expression};
+use super::sign::Facts;
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Shape, Symbol};
 
 /// What a generator stands for.
@@ -135,6 +136,8 @@ pub(super) struct Lowering<'g> {
     exponentials: FastMap<Monomial, Expr>,
     opaque: FastMap<(Op, Vec<Expr>), Expr>,
     image: FastMap<Expr, Expr>,
+    /// What is given of signs, of expressions as they are before they are lowered.
+    given: Facts,
 }
 
 /// Too many generators, or a coefficient out of range: the problem is outside the class.
@@ -154,7 +157,7 @@ fn integer(r: &Rational) -> Result<i32, TooLarge> {
 
 impl<'g> Lowering<'g> {
     /// Prepares for the given roots: whatever is lowered later must be part of them.
-    pub(super) fn new(graph: &'g mut Graph, roots: &[Expr]) -> Lowering<'g> {
+    pub(super) fn new(graph: &'g mut Graph, roots: &[Expr], given: Facts) -> Lowering<'g> {
         let generators = Generators::new(graph);
         let mut combinations = Combinations::default();
         let (mut circle, mut exp) = (FastMap::default(), FastMap::default());
@@ -184,6 +187,7 @@ impl<'g> Lowering<'g> {
             exponentials: FastMap::default(),
             opaque: FastMap::default(),
             image: FastMap::default(),
+            given,
         }
     }
 
@@ -402,7 +406,14 @@ impl<'g> Lowering<'g> {
         }
         let Ok(halves) = i64::try_from(q * Rational::from(2)) else { return Ok(None) };
         // All principal values lie in [−π, π], so the cosine of the half is not negative; its sine has the sign of the
-        // sine of the whole, and for arccos, in [0, π], it is a root itself.
+        // sine of the whole, and for arccos, in [0, π], it is a root itself. The value π is also attained by atan2, where
+        // y = 0 and x < 0: there the cosine of the half is 0, and divides nothing.
+        if let Node::Binary(Op::Arctan2, y, x) = *g.node(base) {
+            let sign = |e: Expr| self.given.sign(g, &self.generators, e);
+            if !sign(y).nonzero && !sign(x).not_negative {
+                return Ok(None);
+            }
+        }
         let two = g.integer(2);
         let more = g.add(one, pair.0);
         let over = g.div(more, two);

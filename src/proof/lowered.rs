@@ -75,7 +75,11 @@ pub(super) fn lower(
     let mut roots = claimed.clone();
     let lists = [&residuals, &nonzero, &positive, &not_negative, &definitions, &radicands, &implied];
     roots.extend(lists.into_iter().flatten());
-    let mut lowering = Lowering::new(graph, &roots);
+    let mut given = Facts::default();
+    positive.iter().for_each(|&e| given.note_positive(graph, e));
+    not_negative.iter().for_each(|&e| given.note_not_negative(graph, e));
+    given.nonzero.extend(&nonzero);
+    let mut lowering = Lowering::new(graph, &roots, given);
     let mut images = Vec::new();
     for (&e, premise) in residuals.iter().zip(premises) {
         images.push((lowering.lower(e)?, premise.derived));

@@ -87,7 +87,7 @@ pub(super) fn settle(
     // Where they have values is asked of them as they are.
     let whole = equations;
     let equations: Pairs = equations.iter().map(|&(l, r)| (graph.unrestricted(l), graph.unrestricted(r))).collect();
-    if let Some(found) = numbers(graph, &equations, given) {
+    if let Some(found) = numbers(graph, &equations, whole, given) {
         return Some(found);
     }
     // What else could be solved for is, now.
@@ -159,8 +159,13 @@ fn finished(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises, mut
     proof
 }
 
-/// Numbers without premises.
-fn numbers(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> Option<Identity> {
+/// Numbers without premises; `whole` are the equations with what their sides are restricted to, which must have values.
+fn numbers(
+    graph: &mut Graph,
+    equations: &[(Expr, Expr)],
+    whole: &[(Expr, Expr)],
+    given: &Premises,
+) -> Option<Identity> {
     let sides: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
     let leaf = |&e: &Expr| matches!(graph.node(e), Node::Leaf(_));
     let free = given.equations.is_empty() && given.only_now.is_empty() && given.nonzero.is_empty();
@@ -172,7 +177,11 @@ fn numbers(graph: &mut Graph, equations: &[(Expr, Expr)], given: &Premises) -> O
         return None;
     }
     let mut open = false;
-    for (at, &(l, r)) in equations.iter().enumerate() {
+    for (at, (&(l, r), &(left, right))) in equations.iter().zip(whole).enumerate() {
+        if decimals(graph, &[left, right], &FastMap::default()).iter().any(Option::is_none) {
+            open = true;
+            continue;
+        }
         let difference = graph.sub(l, r);
         match algebraic::sign(graph, difference) {
             Some(Ordering::Equal) => {}

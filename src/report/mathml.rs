@@ -355,6 +355,9 @@ impl Markup {
             inner.put("</mfrac>");
             return self.fenced("(", &inner.0, ")");
         }
+        if let (Some([open, close]), None, [inner]) = (latex::whole_part(function), power, arguments) {
+            return self.enclosed(open, inner, close);
+        }
         let name = format!("<mi>{}</mi>", escaped(function));
         match power {
             None => self.put(&name),

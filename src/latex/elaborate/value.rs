@@ -525,6 +525,25 @@ impl Elaborator<'_> {
                 let logarithm = g.unary(Op::Ln, ratio);
                 g.div(logarithm, two)
             }
+            // x − ½ + atan2(sin 2πx, −cos 2πx)/2π: atan2 has the value π at its cut, so a whole number is its own whole part.
+            "floor" | "ceil" => {
+                let up = function == "ceil";
+                if let Some(r) = g.as_constant(x) {
+                    let whole = if up { r.ceil() } else { r.floor() };
+                    return Ok(Some(g.constant(whole.into())));
+                }
+                let x = if up { g.neg(x) } else { x };
+                let (two, pi) = (g.integer(2), g.pi());
+                let turn = g.mul(two, pi);
+                let angle = g.mul(turn, x);
+                let (sine, cosine) = (g.unary(Op::Sin, angle), g.unary(Op::Cos, angle));
+                let opposite = g.neg(cosine);
+                let phase = g.binary(Op::Arctan2, sine, opposite);
+                let (half, part) = (g.div(one, two), g.div(phase, turn));
+                let middle = g.sub(x, half);
+                let whole = g.add(middle, part);
+                if up { g.neg(whole) } else { whole }
+            }
             "sgn" => {
                 let size = g.unary(Op::Abs, x);
                 g.div(x, size)

@@ -40,6 +40,8 @@ impl Parser<'_> {
                     | "geqslant"
                     | "end"
                     | "infty"
+                    | "rfloor"
+                    | "rceil"
             ),
             _ => false,
         }
@@ -117,6 +119,7 @@ impl Parser<'_> {
             NodeKind::Cross { bracket, .. } => *bracket,
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
             NodeKind::Conjugate(_) => true,
+            NodeKind::Function(..) => self.follows_whole_part(),
             // Behind its arguments, or behind braces as in `{\dot x}_1`.
             NodeKind::Symbol(s) => s.sup.is_none() && (s.arguments.is_some() || s.sub.is_none() || self.is('^')),
             _ => false,
@@ -443,6 +446,8 @@ impl Parser<'_> {
                 self.bump();
                 self.function(c, start).map(Some)
             }
+            "lfloor" => self.whole_part("floor", "rfloor", start).map(Some),
+            "lceil" => self.whole_part("ceil", "rceil", start).map(Some),
             "partial" => self.partial(start).map(Some),
             "nabla" => self.nabla(start).map(Some),
             "Delta" if self.begins_laplacian() => {
@@ -487,10 +492,6 @@ impl Parser<'_> {
                 None if name::style(c).is_some() => {
                     let hint = "write one name in the braces, and scripts or dots outside";
                     refuse("latex::unexpected", format!("`\\{c}` stands before one name"), self.span(), hint)
-                }
-                None if matches!(c, "lfloor" | "lceil") => {
-                    let hint = r"declare a parameter `n` for it, and assume `n\le x<n+1`";
-                    refuse("latex::unsupported", "whole parts are not part of the formula language", self.span(), hint)
                 }
                 None => refuse("latex::unknown-command", format!("`\\{c}` is not known"), self.span(), ""),
             },

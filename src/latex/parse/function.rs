@@ -12,7 +12,7 @@ pub(super) const FUNCTIONS: &[&str] = &[
 ];
 
 /// Functions of one argument that have no command of their own.
-const NAMED: &[&str] = &["asinh", "acosh", "atanh", "sech", "csch", "sgn", "Re", "Im", "arg"];
+const NAMED: &[&str] = &["asinh", "acosh", "atanh", "sech", "csch", "sgn", "floor", "ceil", "Re", "Im", "arg"];
 
 /// Other words for functions, behind `\operatorname` or in upright type.
 const SYNONYMS: &[(&str, &str)] = &[
@@ -26,6 +26,7 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("artanh", "atanh"),
     ("arctanh", "atanh"),
     ("sign", "sgn"),
+    ("ceiling", "ceil"),
 ];
 
 /// The function of one argument that a word stands for.
@@ -40,6 +41,15 @@ pub(super) const OPERATORS: &[(&str, usize)] = &[("atan2", 2), ("agm", 2), ("tr"
 /// Operators that papers also write as plain words.
 pub(super) const WORDS: &[&str] = &["diag", "diagonal"];
 
+/// The brackets of a whole part, on a page; `None` for other functions.
+pub fn whole_part(function: &str) -> Option<[&'static str; 2]> {
+    match function {
+        "floor" => Some(["⌊", "⌋"]),
+        "ceil" => Some(["⌈", "⌉"]),
+        _ => None,
+    }
+}
+
 /// A function as a formula writes it.
 pub(in super::super) fn spelled(name: &str) -> String {
     if FUNCTIONS.contains(&name) { format!(r"\{name}") } else { format!(r"\operatorname{{{name}}}") }
@@ -51,6 +61,26 @@ pub(in super::super) fn takes_bare_argument(name: &str) -> bool {
 }
 
 impl Parser<'_> {
+    /// At `\lfloor` or `\lceil`: a whole part.
+    pub(super) fn whole_part(&mut self, name: &str, closing: &str, start: usize) -> Parsed<Node> {
+        self.bump();
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let inner = self.sum()?;
+        self.bars = outer;
+        if !matches!(self.kind(), Kind::Command(c) if c == closing) {
+            let message = format!("a whole part is not closed by `\\{closing}`");
+            return refuse("latex::unbalanced", message, self.span(), "");
+        }
+        self.bump();
+        Ok(self.node(NodeKind::Function(name.to_owned(), None, vec![inner]), start))
+    }
+
+    /// Whether the bracket of a whole part was just closed.
+    pub(super) fn follows_whole_part(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
+        before.is_some_and(|t| matches!(&t.kind, Kind::Command(c) if c == "rfloor" || c == "rceil"))
+    }
+
     /// After an operator's name: its arguments in parentheses.
     pub(super) fn operator(&mut self, word: String, start: usize) -> Parsed<Node> {
         let arity = OPERATORS.iter().find(|(name, _)| *name == word).map_or(0, |(_, n)| *n);

@@ -27,6 +27,7 @@ use super::syntax::{Chain, Node, NodeKind, RelationKind, Sign, Target};
 use diag::Problem;
 use expr::Rational;
 
+pub use function::whole_part;
 pub(super) use function::{spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
 
