@@ -60,8 +60,37 @@ fn separates(kind: &Kind) -> bool {
     matches!(kind, Kind::Sign(',' | ';' | '&' | '.') | Kind::Row)
 }
 
+/// `\vec\nabla`, `\boldsymbol{\nabla}` and `{\bf\nabla}` are ∇, which is a vector without a mark.
+fn unmarked_nabla(tokens: Vec<Token>) -> Vec<Token> {
+    let nabla = |t: Option<&Token>| matches!(t.map(|t| &t.kind), Some(Kind::Command(c)) if c == "nabla");
+    if !tokens.iter().any(|t| nabla(Some(t))) {
+        return tokens;
+    }
+    let sign = |t: Option<&Token>, c: char| t.is_some_and(|t| t.kind == Kind::Sign(c));
+    let marks = |t: &Token, switch: bool| match &t.kind {
+        Kind::Command(c) => name::is_switch(c) == switch && name::style(c).is_some_and(name::marks_tensor),
+        _ => false,
+    };
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut rest = tokens.as_slice();
+    while let [first, after @ ..] = rest {
+        let (at, length) = match first.kind {
+            Kind::Sign('{') if after.first().is_some_and(|t| marks(t, true)) => (2, 4),
+            _ if marks(first, false) && sign(after.first(), '{') => (2, 4),
+            _ if marks(first, false) => (1, 2),
+            _ => (0, 1),
+        };
+        let marked = at > 0 && nabla(rest.get(at)) && (length == 2 || sign(rest.get(3), '}'));
+        let (at, length) = if marked { (at, length) } else { (0, 1) };
+        out.push(rest[at].clone());
+        rest = &rest[length..];
+    }
+    out
+}
+
 /// The tokens without braces that are not printed.
 pub(super) fn without_invisible_braces(tokens: Vec<Token>) -> Parsed<Vec<Token>> {
+    let tokens = unmarked_nabla(tokens);
     if !tokens.iter().any(|t| t.kind == Kind::Sign('{')) && !numbers_touch(&tokens) {
         return Ok(tokens);
     }

@@ -117,7 +117,13 @@ for (const id of fs.readdirSync(reports).sort()) {
     const told = await page.locator("#\\/findings .whole, #\\/findings .stands > li").count();
     check(told === new Set(json.claims.map(c => c.id)).size, `${id}: the summary tells of ${told} claims`);
     // What is about fields and ranges alone has no pairs.
-    if (json.trajectories.length === 0) return;
+    if (json.trajectories.length === 0) {
+      for (const empty of ["matrix", "trajectories"]) {
+        check(!await page.locator(`#\\/${empty}`).isVisible(), `${id}: no empty section on ${empty}`);
+        check(await page.locator(`nav a[href="#/${empty}"]`).count() === 0, `${id}: no link to an empty section on ${empty}`);
+      }
+      return;
+    }
 
     // A cell leads to its pair, by click and by Enter, and back.
     const cell = page.locator(".matrix td.h").first();

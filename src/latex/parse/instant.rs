@@ -34,6 +34,8 @@ struct Content {
     quotient: bool,
     /// One symbol, perhaps with a subscript.
     lone: bool,
+    /// It begins with a quotient of differentials, `\frac{d…}{d…}`.
+    rate: bool,
 }
 
 /// What parentheses are.
@@ -87,6 +89,10 @@ impl Parser<'_> {
                 };
             }
             if content.joined && content.tensor || content.indexed && content.moving {
+                return Ok(false);
+            }
+            // No function is ever given a rate written out: `r\left(\frac{d\varphi}{dt}\right)^2`.
+            if content.rate && content.moving {
                 return Ok(false);
             }
             if content.moving {
@@ -324,6 +330,8 @@ impl Parser<'_> {
             indexed: false,
             quotient: false,
             lone: false,
+            rate: matches!(tokens, [Token { kind: Kind::Command(c), .. }, Token { kind: Kind::Sign('{'), .. },
+                Token { kind: Kind::Letter('d'), .. }, ..] if matches!(c.as_str(), "frac" | "tfrac" | "dfrac")),
         };
         let mut names = 0;
         let mut others = 0;

@@ -72,10 +72,15 @@ fn letters(pair: &PairAccount) -> &'static str {
     }
 }
 
-/// The matrix with its legend and filters.
+/// Whether any claim was tried on a motion; a file about fields and ranges alone has none.
+pub(super) fn has_pairs(account: &Account) -> bool {
+    account.claims.iter().any(|claim| !claim.results.is_empty())
+}
+
+/// The matrix with its legend and filters; unseen where it would be empty.
 pub(super) fn section(account: &Account) -> Markup {
     html! {
-        section id="/matrix" {
+        section id="/matrix" hidden[!has_pairs(account)] {
             h2 { "Claims and trajectories" }
             p.quiet { "Each cell leads to the verdict of a claim on a trajectory, with its evidence; so does each name to its claim." }
             (legend())

@@ -141,9 +141,9 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
             ul {
                 li { a href="#/findings" { "What was found" } }
                 @if graph::is_drawn(derivation, account) { li { a href="#/graph" { "What follows from what" } } }
-                li { a href="#/matrix" { "Claims and trajectories" } }
+                @if matrix::has_pairs(account) { li { a href="#/matrix" { "Claims and trajectories" } } }
                 li { a href="#/claims" { "Claims" } }
-                li { a href="#/trajectories" { "Trajectories" } }
+                @if !account.trajectories.is_empty() { li { a href="#/trajectories" { "Trajectories" } } }
                 @if !derivation.conventions.is_empty() { li { a href="#/conventions" { "Conventions" } } }
                 li { a href="#/symbols" { "Symbols" } }
                 @if !derivation.systems.is_empty() { li { a href="#/systems" { "Systems" } } }

@@ -13,7 +13,7 @@ use crate::expr::Expr;
 /// All trajectories.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
     html! {
-        section id="/trajectories" {
+        section id="/trajectories" hidden[account.trajectories.is_empty()] {
             h2 { "Trajectories" }
             (what_is_drawn(derivation))
             @for t in &account.trajectories { (article(derivation, account, t)) }
@@ -25,7 +25,7 @@ pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
 pub(super) fn listed(derivation: &Derivation, account: &Account) -> Markup {
     let scope = &derivation.scope;
     html! {
-        section id="/trajectories" {
+        section id="/trajectories" hidden[account.trajectories.is_empty()] {
             h2 { "Trajectories" }
             table {
                 thead { tr { th { "no." } th { "id" } th { "what it is" } th { "t" } th { "error at most" } } }
