@@ -239,3 +239,88 @@ fn derivatives_by_what_a_formula_names() {
         ),
     ]);
 }
+
+/// Orthogonal coordinates by their scale factors. The formulas of the right sides are those of textbooks (Jackson, Classical
+/// Electrodynamics, inside of the back cover); the Cartesian rows above are the other route to the same theorems.
+#[test]
+fn orthogonal_coordinates() {
+    let s = r"r: coordinate; \theta: coordinate = r; \varphi: coordinate = r\sin\theta; f(r,\theta,\varphi), g(r,\theta,\varphi): field; {\bf A}(r,\theta,\varphi): field, 3";
+    let cylindrical = r"\rho: coordinate; \varphi: coordinate = \rho; z: coordinate; f(\rho,\varphi,z): field";
+    // The catenoid: a surface with ds² = dσ² + (σ² + 1)dη².
+    let catenoid = r"\sigma: coordinate; \eta: coordinate = \sqrt{\sigma^2+1}";
+    all(&[
+        (
+            "proved",
+            r"\nabla^2f=\frac{1}{r^2}\frac{\partial}{\partial r}\left(r^2\frac{\partial f}{\partial r}\right)+\frac{1}{r^2\sin\theta}\frac{\partial}{\partial\theta}\left(\sin(\theta)\frac{\partial f}{\partial\theta}\right)+\frac{1}{r^2\sin^2\theta}\frac{\partial^2f}{\partial\varphi^2}",
+            s,
+            "",
+        ),
+        (
+            "proved",
+            r"\nabla\cdot{\bf A}=\frac{1}{r^2}\frac{\partial(r^2{\bf A}_1)}{\partial r}+\frac{1}{r\sin\theta}\frac{\partial(\sin(\theta){\bf A}_2)}{\partial\theta}+\frac{1}{r\sin\theta}\frac{\partial {\bf A}_3}{\partial\varphi}",
+            s,
+            "",
+        ),
+        (
+            "proved",
+            r"(\nabla\times{\bf A})_1=\frac{1}{r\sin\theta}\left(\frac{\partial(\sin(\theta){\bf A}_3)}{\partial\theta}-\frac{\partial {\bf A}_2}{\partial\varphi}\right)",
+            s,
+            "",
+        ),
+        (
+            "proved",
+            r"(\nabla\times{\bf A})_3=\frac1r\left(\frac{\partial(r{\bf A}_2)}{\partial r}-\frac{\partial {\bf A}_1}{\partial\theta}\right)",
+            s,
+            "",
+        ),
+        ("proved", r"\nabla\times\nabla f=0", s, ""),
+        ("proved", r"\nabla\cdot(\nabla\times{\bf A})=0", s, ""),
+        ("proved", r"\nabla\cdot(f{\bf A})=f\nabla\cdot{\bf A}+{\bf A}\cdot(\nabla f)", s, ""),
+        ("proved", r"\nabla^2(fg)=f\nabla^2g+g\nabla^2f+2(\nabla f)\cdot(\nabla g)", s, ""),
+        ("proved", r"\nabla^2\frac1r=0", s, ""),
+        ("proved", r"\nabla^2(r\cos\theta)=0", s, ""),
+        ("proved", r"\nabla^2(r^2)=6", s, ""),
+        ("proved", r"\nabla^2\left(r^2\sin^2\theta\cos2\varphi\right)=0", s, ""),
+        ("refuted", r"\nabla^2(r^2)=2", s, ""),
+        ("refuted", r"\nabla^2\frac{1}{r^2}=0", s, ""),
+        (
+            "refuted",
+            r"\nabla\cdot{\bf A}=\partial_r{\bf A}_1+\partial_\theta{\bf A}_2+\partial_\varphi{\bf A}_3",
+            s,
+            "",
+        ),
+        ("proved", r"\nabla^2\ln\rho=0", cylindrical, ""),
+        ("proved", r"\nabla\times(0,\rho,0)=(0,0,2)", cylindrical, ""),
+        ("refuted", r"\nabla\times(0,\frac1\rho,0)=(0,0,1)", cylindrical, ""),
+        ("proved", r"\nabla^2\operatorname{asinh}(\sigma)=0", catenoid, ""),
+        ("proved", r"\nabla^2(\eta^2)=\frac{2}{\sigma^2+1}", catenoid, ""),
+        ("refuted", r"\nabla^2(\eta^2)=2", catenoid, ""),
+        (
+            "proved",
+            r"\nabla^2f=\frac1\rho\partial_\rho(\rho\partial_\rho f)+\frac{1}{\rho^2}\frac{\partial^2f}{\partial\varphi^2}+\frac{\partial^2f}{\partial z^2}",
+            cylindrical,
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn coordinates_that_are_refused() {
+    let refused = |symbols: &[&str]| {
+        let texts: Vec<(String, String)> = symbols.iter().map(|s| (s.to_string(), s.to_string())).collect();
+        let found = rederive::derivation::Derivation::blank().declare_typed(&texts).expect_err("it is refused");
+        found[0].message.clone()
+    };
+    let rows: [(&[&str], &str); 5] = [
+        (&["q: state", "s: coordinate = q"], "does not depend on `q`"),
+        (&["t: coordinate = 2"], "no coordinate of space"),
+        (&["s: coordinate, 3 = 2"], "one coordinate"),
+        (&[r"\theta: coordinate = r", "r: coordinate"], "`r` is not declared"),
+        // In which order unnamed ones come is not said, and the curl depends on it.
+        (&[r"\varphi: coordinate = 2", r"f(\rho,\varphi,z): field"], "not declared as a coordinate"),
+    ];
+    for (symbols, message) in rows {
+        let found = refused(symbols);
+        assert!(found.contains(message), "{symbols:?}: {found}");
+    }
+}

@@ -45,7 +45,7 @@ fn world(symbols: &[(usize, String)]) -> World {
                 "field" => Role::Field,
                 _ => Role::Abbreviation,
             };
-            let by_formula = role == Role::Field && !matches!(more, "" | "3" | "complex");
+            let by_formula = matches!(role, Role::Field | Role::Coordinate) && !matches!(more, "" | "3" | "complex");
             if role == Role::Abbreviation || by_formula {
                 let arguments: &[&str] = if key.contains(r"(\alpha)") { &[r"\alpha"] } else { &[] };
                 w.define(key, role, more, arguments);

@@ -211,6 +211,7 @@ impl Loader<'_> {
         let known = formula.span == span;
         let positive = known || self.out.graph.as_constant(value).is_some_and(|r| *r > Rational::ZERO);
         Some(SymbolEntry {
+            scale: None,
             name: as_printed(name),
             role: Role::Parameter,
             unit,

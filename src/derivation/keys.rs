@@ -17,7 +17,8 @@ pub const FILE: &[&str] = &[
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.
-pub const SYMBOL: &[&str] = &["role", "shape", "unit", "positive", "angle", "complex", "formula", "arguments", "says"];
+pub const SYMBOL: &[&str] =
+    &["role", "shape", "unit", "positive", "angle", "complex", "formula", "scale", "arguments", "says"];
 /// Keys of `[system.…]`.
 pub const SYSTEM: &[&str] = &["says", "label", "states", "fields", "equations"];
 /// Keys of `[[trajectory]]`.

@@ -93,6 +93,8 @@ pub struct SymbolEntry {
     pub complex: bool,
     /// Its definition as written.
     pub formula: Option<String>,
+    /// The scale factor of a coordinate that is not Cartesian, as written.
+    pub scale: Option<String>,
     /// Names of the arguments of a function.
     pub arguments: Vec<String>,
     /// What it stands for, in the file's words.

@@ -121,6 +121,15 @@ impl Loader<'_> {
             Some(value) => Some(literal_of(problems, value, "formula")?),
             None => None,
         };
+        let scale = match table.get("scale") {
+            Some(value) if role != Role::Coordinate => {
+                let message = format!("`{name}` is no coordinate, and has no scale factor");
+                problems.note("derivation::bad-role", value.span(), message).hint("leave `scale` out");
+                return None;
+            }
+            Some(value) => Some(literal_of(problems, value, "scale")?),
+            None => None,
+        };
         let defined = matches!(role, Role::Observable | Role::Abbreviation);
         if defined != formula.is_some() && role != Role::Field {
             let role = ROLES.iter().find(|(_, r)| *r == role).map_or("", |(word, _)| word);
@@ -147,16 +156,18 @@ impl Loader<'_> {
             angle: table.boolean(problems, "angle").unwrap_or(false),
             complex,
             formula: formula.as_ref().map(Literal::printed),
+            scale: scale.as_ref().map(Literal::printed),
             arguments: names.iter().map(|&n| n.to_owned()).collect(),
             says: table.text(problems, "says"),
             span: span.clone(),
             symbol: {
-                let text = formula.as_ref().map(|f| f.text);
+                let formula = formula.as_ref().or(scale.as_ref());
+                let text = formula.map(|f| f.text);
                 let declaration = Declaration { role, shape, diagonal, formula: text, arguments: &names, complex };
                 match scope.declare(&mut self.out.graph, name, declaration) {
                     Ok(symbol) => symbol,
                     Err(error) => {
-                        self.note_declaration(name, span, formula.as_ref(), error);
+                        self.note_declaration(name, span, formula, error);
                         return None;
                     }
                 }

@@ -2,7 +2,8 @@
 //!
 //! A declaration is `NAMES`, `NAMES: WORDS`, `NAME = FORMULA` or `NAME: WORDS = FORMULA`. Names are separated by commas; words,
 //! too: a role, a shape, `positive`, `angle`, or `constant` for a parameter with a fixed value. Without a role a symbol is a parameter, with a formula an abbreviation. For
-//! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`.
+//! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`. The formula of a coordinate
+//! is its scale factor, `\theta: coordinate = r`.
 //!
 //! Where a state or an observable is declared, and no time, `t` is the time. What stands in the parentheses of a field,
 //! `u(x,t): field`, and is not declared, is a coordinate.
@@ -76,7 +77,18 @@ impl Derivation {
             }
         }
         // What depends on others comes behind them: fields on coordinates, formulas on anything.
-        all.sort_by_key(|(_, typed)| (typed.formula.is_some(), typed.role == Role::Field));
+        all.sort_by_key(|(_, t)| match (t.role, &t.formula) {
+            (Role::Coordinate, _) => 1,
+            (Role::Field, None) => 2,
+            (Role::Field, Some(_)) => 4,
+            (_, formula) => {
+                if formula.is_some() {
+                    3
+                } else {
+                    0
+                }
+            }
+        });
         let coordinates = self.unnamed_coordinates(&all);
         all.splice(0..0, coordinates);
         for (source, typed) in &all {
@@ -92,6 +104,10 @@ impl Derivation {
     /// What stands in the parentheses of fields and is not declared: coordinates, and `t` is the time.
     fn unnamed_coordinates(&self, all: &[(Arc<Source>, Typed)]) -> Vec<(Arc<Source>, Typed)> {
         let mut out: Vec<(Arc<Source>, Typed)> = Vec::new();
+        // The order of coordinates with scale factors is said by whoever declares them: a curl depends on it.
+        if all.iter().any(|(_, t)| t.role == Role::Coordinate && t.formula.is_some()) {
+            return out;
+        }
         for (_, field) in all.iter().filter(|(_, t)| t.role == Role::Field) {
             for (name, _) in &field.names {
                 for one in inside(name) {
@@ -159,7 +175,8 @@ impl Derivation {
             positive: typed.positive || typed.constant && typed.formula.is_none(),
             angle: typed.angle,
             complex: typed.complex,
-            formula: formula.map(as_printed),
+            formula: formula.filter(|_| typed.role != Role::Coordinate).map(as_printed),
+            scale: formula.filter(|_| typed.role == Role::Coordinate).map(as_printed),
             arguments,
             says: None,
             span: span.clone(),
@@ -268,7 +285,7 @@ impl Typed {
             let message = "a constant is one real number, and nothing else".to_owned();
             return Err(problem(head, "derivation::bad-role", message, "write 'c: constant', or 'g: constant = 9.81'"));
         }
-        if !out.constant && defined != out.formula.is_some() && out.role != Role::Field {
+        if !out.constant && defined != out.formula.is_some() && !matches!(out.role, Role::Field | Role::Coordinate) {
             let message =
                 if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
             let hint = "observables and abbreviations are defined by a formula, fields may be, nothing else is";

@@ -579,15 +579,25 @@ impl Zeros {
         let floor = 4.0 * f64::EPSILON * time.abs().max(f64::MIN_POSITIVE);
         self.times.push(time);
         let slack = if speed > 0.0 { (here.value.abs() + here.error) / speed + floor } else { floor };
-        // Where the expression leaves its zero more slowly than that, like y|y| or y⁵, the zero may lie as far away as the
-        // value is not beyond its error.
-        let clear = |explorer: &mut Explorer, t: f64| {
-            let beyond = |x: Bounded| !x.contains_zero();
-            t <= from || t >= to || explorer.values(t).first().copied().and_then(Result::ok).is_some_and(beyond)
+        // The zero lies where the sign changes: where the expression leaves it more slowly than its speed says, like y|y| or
+        // y⁵, or was found beside it, that is as far away as the signs on both sides are not known, and not opposite.
+        let sign = |explorer: &mut Explorer, t: f64| {
+            let value = explorer.values(t).first().copied().and_then(Result::ok);
+            value.filter(|x| !x.contains_zero()).map(|x| x.value > 0.0)
         };
-        let far = |slack: &f64| *slack >= to - from;
+        let between = |explorer: &mut Explorer, slack: f64| {
+            let (before, after) = (time - 2.0 * slack, time + 2.0 * slack);
+            let beyond = [before <= from, after >= to];
+            let [left, right] = [before, after].map(|t| sign(explorer, t));
+            match beyond {
+                [true, true] => true,
+                [true, false] => right.is_some(),
+                [false, true] => left.is_some(),
+                [false, false] => left.is_some() && right.is_some() && left != right,
+            }
+        };
         let mut wider = std::iter::successors(Some(slack), |slack| Some(2.0 * slack));
-        let known = wider.find(|s| far(s) || [-2.0, 2.0].iter().all(|side| clear(explorer, time + side * s)));
+        let known = wider.find(|s| *s >= to - from || between(explorer, *s));
         self.slack.push(known.unwrap_or(slack));
     }
 

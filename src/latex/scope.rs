@@ -1,5 +1,7 @@
 //! Which symbols there are, and what a written symbol refers to.
 
+mod field;
+
 use std::sync::Arc;
 
 use super::elaborate::Elaborator;
@@ -7,7 +9,7 @@ use super::name;
 use super::parse::{WrittenName, read_name};
 use super::syntax::{Name, SubItem};
 use diag::Problem;
-use expr::{Graph, Leaf, MOST_COORDINATES, Shape, Symbol, Tensor};
+use expr::{Expr, Graph, Leaf, MOST_COORDINATES, Shape, Symbol, Tensor};
 
 /// What a symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,7 +41,7 @@ pub struct Declaration<'a> {
     pub shape: Option<Shape>,
     /// Only the diagonal of a square matrix is stored.
     pub diagonal: bool,
-    /// Its formula.
+    /// Its formula; of a coordinate, its scale factor: how long a step of it is, per its change.
     pub formula: Option<&'a str>,
     /// Names of the arguments, for a function.
     pub arguments: &'a [&'a str],
@@ -87,6 +89,8 @@ struct Entry {
     moving: bool,
     rank: usize,
     complex: bool,
+    /// Of a coordinate that is not Cartesian.
+    scale: Option<Expr>,
 }
 
 /// A declaration with what it is looked for by: scopes are copied often, and asked very often.
@@ -277,7 +281,7 @@ impl Scope {
         }
         let coordinates = match d.role {
             Role::Field => self.coordinates_of(graph, key, arguments.as_deref())?,
-            Role::Coordinate if d.formula.is_some() || d.complex || arguments.is_some() => {
+            Role::Coordinate if d.complex || arguments.is_some() => {
                 return Err(bad_key("a coordinate is a real number, and nothing else", key, ""));
             }
             _ => Vec::new(),
@@ -285,7 +289,11 @@ impl Scope {
         let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
         let mut definition = None;
         let declared = d.shape.as_ref().map(|s| if d.complex { s.complexified() } else { s.clone() });
-        if let Some(text) = d.formula {
+        let scale = match (d.role, d.formula) {
+            (Role::Coordinate, Some(text)) => Some(self.scale_factor(graph, &name, (d.shape.as_ref(), text))?),
+            _ => None,
+        };
+        if let Some(text) = d.formula.filter(|_| scale.is_none()) {
             let letters: Vec<Name> =
                 sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
             let elaborator = Elaborator::new(&inner, graph);
@@ -375,6 +383,7 @@ impl Scope {
             moving,
             rank,
             complex: d.complex,
+            scale,
         };
         // The same name again hides the earlier one.
         let same =
@@ -383,68 +392,6 @@ impl Scope {
         self.hidden.extend(hidden);
         self.entries.push(Filed { digest: digest(&[&entry.name]), symbol, entry: Arc::new(entry) });
         Ok(symbol)
-    }
-
-    /// The coordinates that stand in the parentheses of a field's name.
-    fn coordinates_of(&self, graph: &Graph, key: &str, arguments: Option<&str>) -> Result<Vec<Leaf>, DeclareError> {
-        let Some(text) = arguments else {
-            return Err(bad_key("a field shows its coordinates", key, "for instance `u(x,t)`"));
-        };
-        let mut out: Vec<Leaf> = Vec::new();
-        for name in text.split(',') {
-            let spelled = |e: &&Filed| e.name == name && e.sub.is_empty();
-            let named = self.symbol(name).or_else(|| self.entries.iter().rev().find(spelled).map(|e| e.symbol));
-            let symbol = named.filter(|s| matches!(self.role(*s), Some(Role::Coordinate | Role::Time)));
-            let Some(symbol) = symbol else {
-                let message = format!("`{name}` is not declared as a coordinate");
-                return Err(bad_key(message, key, "declare it before the field, with the role `coordinate`"));
-            };
-            for component in 0..graph.component_count(symbol) as u16 {
-                let leaf = Leaf::now(symbol, component);
-                if out.contains(&leaf) {
-                    return Err(bad_key(format!("`{name}` stands twice"), key, ""));
-                }
-                out.push(leaf);
-            }
-        }
-        Ok(out)
-    }
-
-    /// Refuses a field's formula that names something that changes and is not among its coordinates.
-    fn depends_on(&self, graph: &Graph, t: &Tensor, allowed: &[Leaf], text: &str) -> Result<(), DeclareError> {
-        let fixed = |l: &Leaf| match self.role(l.symbol) {
-            Some(Role::Coordinate | Role::Time) => allowed.contains(l),
-            Some(Role::State | Role::Observable) => false,
-            // What it names must not depend on more than it does itself.
-            Some(Role::Field) => {
-                graph.coordinates().enumerate().all(|(at, c)| !graph.depends(l.symbol, at) || allowed.contains(&c))
-            }
-            Some(Role::Parameter | Role::Abbreviation | Role::Argument) | None => true,
-        };
-        let Some(leaf) = graph.leaves(t.components.iter().copied()).into_iter().find(|l| !fixed(l)) else {
-            return Ok(());
-        };
-        let message = format!("`{}` is not among the coordinates of this field", graph.name(leaf.symbol));
-        let hint = Some("name it in the parentheses of the field".to_owned());
-        Err(DeclareError::Formula(vec![Problem { code: "latex::derivative", message, span: 0..text.len(), hint }]))
-    }
-
-    /// The coordinates of space: all but the time, and but `t`.
-    pub(super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
-        let symbols = self.entries.iter().filter(|e| is_of_space(e)).map(|e| e.symbol);
-        symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
-    }
-
-    /// The coordinate of this name, if it is one number.
-    pub(super) fn coordinate(&self, letter: &str) -> Option<Leaf> {
-        let is_it = |e: &&Filed| e.name == letter && e.sub.is_empty() && e.rank == 0;
-        let entry = self.entries.iter().rev().find(is_it)?;
-        matches!(entry.role, Role::Coordinate | Role::Time).then(|| Leaf::now(entry.symbol, 0))
-    }
-
-    /// Whether there are coordinates of space.
-    pub(super) fn has_space(&self) -> bool {
-        self.entries.iter().any(|e| is_of_space(e))
     }
 
     /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
@@ -561,11 +508,6 @@ impl Scope {
     /// Whether a symbol, as it is written, is a field at another place.
     pub(super) fn is_elsewhere(&self, name: &str, sub: Option<&[SubItem]>, text: &str) -> bool {
         self.find(name, sub, Some(text)).is_some_and(|f| f.role == Role::Field && !f.literal_arguments)
-    }
-
-    /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
-    pub(super) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
-        self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)
     }
 
     /// Whether a symbol, as it is written, is a matrix.
@@ -719,22 +661,6 @@ impl Scope {
         })
     }
 
-    /// The coordinates that a subscript of a scalar field names, if it names nothing else: it has no components, and a label would
-    /// be declared.
-    fn derivatives(&self, entry: &Entry, subscript: &[SubItem]) -> Option<Vec<Leaf>> {
-        let Arguments::Coordinates(_, coordinates) = &entry.arguments else { return None };
-        if subscript.is_empty() || entry.rank > 0 {
-            return None;
-        }
-        let named = |letter: &Name| {
-            let is_it =
-                |leaf: &&Leaf| self.by_symbol(leaf.symbol).is_some_and(|e| e.name == *letter && e.sub.is_empty());
-            coordinates.iter().find(is_it).copied()
-        };
-        let one = |item: &SubItem| if let SubItem::Name(letter) = item { named(letter) } else { None };
-        subscript.iter().map(one).collect()
-    }
-
     /// The declared key that is most like a name, for hints.
     pub(super) fn nearest(&self, name: &str) -> Option<&str> {
         let spelled = name::to_latex(name);
@@ -743,11 +669,6 @@ impl Scope {
         let near = distance(best) <= 2 || name::split(name).1.eq_ignore_ascii_case(name::split(best).1);
         near.then_some(best)
     }
-}
-
-/// Whether ∇ acts on a coordinate: it is not that of the time by its name.
-fn is_of_space(entry: &Entry) -> bool {
-    entry.role == Role::Coordinate && !matches!(entry.name.as_str(), "t" | r"\tau")
 }
 
 /// Number of parts that commas outside of brackets separate.

@@ -11,7 +11,7 @@ use super::super::scope::Role;
 use super::super::syntax::{Nabla, Node, NodeKind, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, refuse};
-use expr::{Expr, Leaf, NoDerivative, Shape, Tensor};
+use expr::{Expr, Graph, Leaf, NoDerivative, Shape, Tensor};
 
 /// Names of coordinates that nobody takes for Cartesian.
 const POLAR: &[&str] = &["r", "R", r"\rho", r"\theta", r"\vartheta", r"\phi", r"\varphi"];
@@ -245,23 +245,31 @@ impl Elaborator<'_> {
         refuse("latex::derivative", "this hides what it depends on", span, "write it out")
     }
 
-    /// ∇ before something, in Cartesian coordinates.
+    /// ∇ before something, in Cartesian coordinates, or in orthogonal ones with scale factors hᵢ; components are along the unit
+    /// vectors of the coordinates.
+    ///
+    /// With h = h₁h₂h₃: (∇f)ᵢ = ∂ᵢf/hᵢ, ∇·A = (1/h) Σ ∂ᵢ(hAᵢ/hᵢ), (∇×A)₁ = (∂₂(h₃A₃) − ∂₃(h₂A₂))/h₂h₃ and so on, and
+    /// ∇²f = ∇·∇f (Morse and Feshbach, Methods of Theoretical Physics, §1.3).
     pub(super) fn nabla(&mut self, of: &Node, action: &Nabla, span: &Range<usize>) -> Elaborated<Tensor> {
-        let mut space = Vec::new();
-        for leaf in self.scope.space(self.graph) {
-            space.extend(self.graph.coordinate(leaf));
-        }
-        if space.is_empty() {
+        let leaves = self.scope.space(self.graph);
+        if leaves.is_empty() {
             let hint = "declare `x`, `y`, `z` with the role `coordinate`";
             return refuse("latex::derivative", "there are no coordinates of space", span, hint);
         }
-        for leaf in self.scope.space(self.graph) {
+        let scales = self.scope.scale_factors(self.graph);
+        for leaf in leaves.iter().filter(|_| scales.is_none()) {
             let name = self.graph.name(leaf.symbol);
             if self.graph.component_count(leaf.symbol) == 1 && POLAR.contains(&name) {
                 let message = format!(r"`\nabla` is Cartesian, and `{name}` is no such coordinate by its name");
-                return refuse("latex::unsupported", message, span, "write the derivatives out");
+                let hint = "declare its scale factors, `scale = 'r'` for θ, or write the derivatives out";
+                return refuse("latex::unsupported", message, span, hint);
             }
         }
+        let places: Vec<usize> = leaves.iter().filter_map(|&leaf| self.graph.coordinate(leaf)).collect();
+        let one = self.graph.integer(1);
+        let scales = scales.unwrap_or_else(|| vec![one; places.len()]);
+        let space: Vec<(usize, Expr)> = places.into_iter().zip(scales).collect();
+        let curved = space.iter().any(|(_, h)| *h != one);
         let value = self.tensor(of)?;
         for leaf in self.graph.leaves(value.components.iter().copied()) {
             if matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Observable)) {
@@ -270,36 +278,33 @@ impl Elaborator<'_> {
             }
         }
         let n = space.len();
+        let number = value.shape.real_extents().is_empty();
         let vector = |t: &Tensor| matches!(*t.shape.real_extents(), [m] if usize::from(m) == n);
         let vectors = format!("a vector of {n} components is needed here, as there are coordinates of space");
+        let turning = "the unit vectors of these coordinates turn, and what that adds is not known here";
         match action {
             Nabla::Gradient => {
-                if !value.shape.real_extents().is_empty() {
+                if !number {
                     let hint = r"write `({\bf v}\cdot\nabla){\bf A}`, or components";
                     return refuse("latex::shape", "the gradient of something that is no number", &of.span, hint);
                 }
-                let parts = self.slopes(&value, &space, span)?;
+                let parts = self.gradient(&value, &space, span)?;
                 Ok(tensor::of_numbers(self.graph, Shape::vector(n as u16), &parts))
             }
             Nabla::Laplacian { .. } => {
-                let mut sum: Option<Tensor> = None;
-                for &at in &space {
-                    let once = self.by_coordinate(value.clone(), at, span)?;
-                    let twice = self.by_coordinate(once, at, span)?;
-                    sum = Some(self.plus_each(sum, twice));
+                if curved && !number {
+                    let hint = r"write `\nabla(\nabla\cdot{\bf A})-\nabla\times(\nabla\times{\bf A})`";
+                    return refuse("latex::unsupported", turning, &of.span, hint);
                 }
-                Ok(sum.unwrap_or(value))
+                let slopes = self.gradient(&value, &space, span)?;
+                self.divergence(slopes, &space, span)
             }
             Nabla::Divergence => {
                 if !vector(&value) {
                     return refuse("latex::shape", vectors, &of.span, "");
                 }
-                let mut sum: Option<Tensor> = None;
-                for (i, &at) in space.iter().enumerate() {
-                    let slope = self.by_coordinate(component(&value, i), at, span)?;
-                    sum = Some(self.plus_each(sum, slope));
-                }
-                Ok(sum.unwrap_or(value))
+                let parts = (0..n).map(|i| component(&value, i)).collect();
+                self.divergence(parts, &space, span)
             }
             Nabla::Curl => {
                 if n != 3 || !vector(&value) {
@@ -308,12 +313,16 @@ impl Elaborator<'_> {
                 }
                 let mut parts = Vec::new();
                 for i in 0..3 {
-                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                    let forth = self.by_coordinate(component(&value, k), space[j], span)?;
-                    let back = self.by_coordinate(component(&value, j), space[k], span)?;
+                    let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+                    let [(at_j, h_j), (at_k, h_k)] = [space[j], space[k]];
+                    let [along_j, along_k] =
+                        [(j, h_j), (k, h_k)].map(|(i, h)| self.each(component(&value, i), |g, e| g.mul(h, e)));
+                    let forth = self.by_coordinate(along_k, at_j, span)?;
+                    let back = self.by_coordinate(along_j, at_k, span)?;
                     let pairs = forth.components.iter().zip(&back.components);
                     let components = pairs.map(|(&a, &b)| self.graph.sub(a, b)).collect();
-                    parts.push(Tensor { shape: forth.shape, components });
+                    let area = self.graph.mul(h_j, h_k);
+                    parts.push(self.each(Tensor { shape: forth.shape, components }, |g, e| g.div(e, area)));
                 }
                 Ok(tensor::of_numbers(self.graph, Shape::vector(3), &parts))
             }
@@ -322,26 +331,55 @@ impl Elaborator<'_> {
                 if along.shape.is_complex() || !vector(&along) {
                     return refuse("latex::shape", vectors, &direction.span, "");
                 }
-                let mut sum: Option<Tensor> = None;
-                for (i, &at) in space.iter().enumerate() {
-                    let slope = self.by_coordinate(value.clone(), at, span)?;
-                    let components = slope.components.iter().map(|&d| self.graph.mul(along.components[i], d)).collect();
-                    sum = Some(self.plus_each(sum, Tensor { shape: slope.shape, components }));
+                if curved && !number {
+                    return refuse("latex::unsupported", turning, &of.span, "write the components out");
                 }
-                Ok(sum.unwrap_or(value))
+                let slopes = self.gradient(&value, &space, span)?;
+                let each = slopes.into_iter().zip(&along.components);
+                let terms = each.map(|(slope, &by)| self.each(slope, |g, e| g.mul(by, e))).collect();
+                Ok(self.sum_of(terms).unwrap_or(value))
             }
         }
     }
 
-    fn slopes(&mut self, t: &Tensor, space: &[usize], span: &Range<usize>) -> Elaborated<Vec<Tensor>> {
-        space.iter().map(|&at| self.by_coordinate(t.clone(), at, span)).collect()
+    /// Every component by a formula.
+    fn each(&mut self, t: Tensor, mut by: impl FnMut(&mut Graph, Expr) -> Expr) -> Tensor {
+        let components = t.components.into_iter().map(|e| by(self.graph, e)).collect();
+        Tensor { shape: t.shape, components }
     }
 
-    fn plus_each(&mut self, sum: Option<Tensor>, term: Tensor) -> Tensor {
-        let Some(sum) = sum else { return term };
-        let pairs = sum.components.iter().zip(&term.components);
-        let components = pairs.map(|(&a, &b)| self.graph.add(a, b)).collect();
-        Tensor { shape: sum.shape, components }
+    /// ∂ᵢf/hᵢ for each coordinate.
+    fn gradient(&mut self, t: &Tensor, space: &[(usize, Expr)], span: &Range<usize>) -> Elaborated<Vec<Tensor>> {
+        let mut parts = Vec::with_capacity(space.len());
+        for &(at, h) in space {
+            let slope = self.by_coordinate(t.clone(), at, span)?;
+            parts.push(self.each(slope, |g, e| g.div(e, h)));
+        }
+        Ok(parts)
+    }
+
+    /// (1/h) Σ ∂ᵢ(hAᵢ/hᵢ), h being the product of all scale factors.
+    fn divergence(&mut self, parts: Vec<Tensor>, space: &[(usize, Expr)], span: &Range<usize>) -> Elaborated<Tensor> {
+        let volume = space.iter().fold(self.graph.integer(1), |volume, &(_, h)| self.graph.mul(volume, h));
+        let mut terms = Vec::with_capacity(parts.len());
+        for (i, (part, &(at, _))) in parts.into_iter().zip(space).enumerate() {
+            let others = space.iter().enumerate().filter(|(j, _)| *j != i);
+            let area = others.fold(self.graph.integer(1), |area, (_, &(_, h))| self.graph.mul(area, h));
+            let flux = self.each(part, |g, e| g.mul(area, e));
+            terms.push(self.by_coordinate(flux, at, span)?);
+        }
+        let Some(sum) = self.sum_of(terms) else {
+            return refuse("latex::derivative", "there are no coordinates of space", span, "");
+        };
+        Ok(self.each(sum, |g, e| g.div(e, volume)))
+    }
+
+    fn sum_of(&mut self, terms: Vec<Tensor>) -> Option<Tensor> {
+        terms.into_iter().reduce(|sum, term| {
+            let pairs = sum.components.iter().zip(&term.components);
+            let components = pairs.map(|(&a, &b)| self.graph.add(a, b)).collect();
+            Tensor { shape: sum.shape, components }
+        })
     }
 }
 

@@ -193,6 +193,7 @@ fn symbols(derivation: &Derivation) -> Markup {
                                 td { @if let Some(f) = &s.formula { (formula(f, scope)) } }
                                 td {
                                     @if let Some(says) = &s.says { (prose(says, scope)) }
+                                    @if let Some(scale) = &s.scale { " (scale factor " (formula(scale, scope)) ")" }
                                     @if s.positive { " (positive)" }
                                     @if s.angle { " (angle, continued without jumps)" }
                                 }

@@ -1,0 +1,151 @@
+//! Coordinates, and the fields that depend on them: what their declarations say.
+//!
+//! **In:** the key of a field, `u(x,t)`; the scale factor of a coordinate. **Out:** the coordinates that a name shows, those of
+//! space with their scale factors, and what a subscript such as that of `u_{xx}` names. **Guaranteed:** a field's formula names
+//! nothing that changes but its coordinates; a scale factor names coordinates and parameters only.
+
+use super::super::elaborate::Elaborator;
+use super::super::syntax::{Name, SubItem};
+use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key};
+use diag::Problem;
+use expr::{Expr, Graph, Leaf, Shape, Tensor};
+
+impl Scope {
+    /// The coordinates that stand in the parentheses of a field's name.
+    pub(super) fn coordinates_of(
+        &self,
+        graph: &Graph,
+        key: &str,
+        arguments: Option<&str>,
+    ) -> Result<Vec<Leaf>, DeclareError> {
+        let Some(text) = arguments else {
+            return Err(bad_key("a field shows its coordinates", key, "for instance `u(x,t)`"));
+        };
+        let mut out: Vec<Leaf> = Vec::new();
+        for name in text.split(',') {
+            let spelled = |e: &&Filed| e.name == name && e.sub.is_empty();
+            let named = self.symbol(name).or_else(|| self.entries.iter().rev().find(spelled).map(|e| e.symbol));
+            let symbol = named.filter(|s| matches!(self.role(*s), Some(Role::Coordinate | Role::Time)));
+            let Some(symbol) = symbol else {
+                let message = format!("`{name}` is not declared as a coordinate");
+                return Err(bad_key(message, key, "declare it before the field, with the role `coordinate`"));
+            };
+            for component in 0..graph.component_count(symbol) as u16 {
+                let leaf = Leaf::now(symbol, component);
+                if out.contains(&leaf) {
+                    return Err(bad_key(format!("`{name}` stands twice"), key, ""));
+                }
+                out.push(leaf);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Refuses a field's formula that names something that changes and is not among its coordinates.
+    pub(super) fn depends_on(
+        &self,
+        graph: &Graph,
+        t: &Tensor,
+        allowed: &[Leaf],
+        text: &str,
+    ) -> Result<(), DeclareError> {
+        let fixed = |l: &Leaf| match self.role(l.symbol) {
+            Some(Role::Coordinate | Role::Time) => allowed.contains(l),
+            Some(Role::State | Role::Observable) => false,
+            // What it names must not depend on more than it does itself.
+            Some(Role::Field) => {
+                graph.coordinates().enumerate().all(|(at, c)| !graph.depends(l.symbol, at) || allowed.contains(&c))
+            }
+            Some(Role::Parameter | Role::Abbreviation | Role::Argument) | None => true,
+        };
+        let Some(leaf) = graph.leaves(t.components.iter().copied()).into_iter().find(|l| !fixed(l)) else {
+            return Ok(());
+        };
+        let message = format!("`{}` is not among the coordinates of this field", graph.name(leaf.symbol));
+        let hint = Some("name it in the parentheses of the field".to_owned());
+        Err(DeclareError::Formula(vec![Problem { code: "latex::derivative", message, span: 0..text.len(), hint }]))
+    }
+
+    /// The scale factor of a coordinate: a number that names coordinates, parameters and nothing else.
+    pub(super) fn scale_factor(
+        &self,
+        graph: &mut Graph,
+        name: &str,
+        (shape, text): (Option<&Shape>, &str),
+    ) -> Result<Expr, DeclareError> {
+        let wrong = |message: String, hint: &str| {
+            let hint = Some(hint.to_owned());
+            DeclareError::Formula(vec![Problem { code: "latex::shape", message, span: 0..text.len(), hint }])
+        };
+        if !is_of_space(name, Role::Coordinate) {
+            return Err(wrong(format!("`{name}` is no coordinate of space"), "leave its scale factor out"));
+        }
+        let (tensor, _) = Elaborator::new(self, graph).definition(text, &[]).map_err(DeclareError::Formula)?;
+        let Some(factor) = tensor.as_scalar().filter(|_| shape.is_none_or(|s| s.rank() == 0)) else {
+            return Err(wrong(
+                "a scale factor is that of one coordinate, a real number".to_owned(),
+                "declare r, θ, φ one by one",
+            ));
+        };
+        let still = |l: &&Leaf| !matches!(self.role(l.symbol), Some(Role::Coordinate | Role::Parameter)) || l.rate > 0;
+        match graph.leaves([factor]).iter().find(still) {
+            None => Ok(factor),
+            Some(leaf) => {
+                let message = format!("a scale factor does not depend on `{}`", graph.name(leaf.symbol));
+                Err(wrong(message, "it names coordinates that are declared before, and parameters"))
+            }
+        }
+    }
+
+    /// The scale factors of the coordinates of space, 1 unless another is declared; `None` where all are Cartesian.
+    pub(in super::super) fn scale_factors(&self, graph: &mut Graph) -> Option<Vec<Expr>> {
+        let one = graph.integer(1);
+        let space = || self.entries.iter().filter(|e| is_of_space(&e.name, e.role));
+        let factors = space().flat_map(|e| vec![e.scale.unwrap_or(one); graph.component_count(e.symbol)]).collect();
+        space().any(|e| e.scale.is_some()).then_some(factors)
+    }
+
+    /// The coordinates of space: all but the time, and but `t`.
+    pub(in super::super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
+        let symbols = self.entries.iter().filter(|e| is_of_space(&e.name, e.role)).map(|e| e.symbol);
+        symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
+    }
+
+    /// The coordinate of this name, if it is one number.
+    pub(in super::super) fn coordinate(&self, letter: &str) -> Option<Leaf> {
+        let is_it = |e: &&Filed| e.name == letter && e.sub.is_empty() && e.rank == 0;
+        let entry = self.entries.iter().rev().find(is_it)?;
+        matches!(entry.role, Role::Coordinate | Role::Time).then(|| Leaf::now(entry.symbol, 0))
+    }
+
+    /// Whether there are coordinates of space.
+    pub(in super::super) fn has_space(&self) -> bool {
+        self.entries.iter().any(|e| is_of_space(&e.name, e.role))
+    }
+
+    /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
+    pub(in super::super) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+        self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)
+    }
+
+    /// The coordinates that a subscript of a scalar field names, if it names nothing else: it has no components, and a label would
+    /// be declared.
+    pub(super) fn derivatives(&self, entry: &Entry, subscript: &[SubItem]) -> Option<Vec<Leaf>> {
+        let Arguments::Coordinates(_, coordinates) = &entry.arguments else { return None };
+        if subscript.is_empty() || entry.rank > 0 {
+            return None;
+        }
+        let named = |letter: &Name| {
+            let is_it =
+                |leaf: &&Leaf| self.by_symbol(leaf.symbol).is_some_and(|e| e.name == *letter && e.sub.is_empty());
+            coordinates.iter().find(is_it).copied()
+        };
+        let one = |item: &SubItem| if let SubItem::Name(letter) = item { named(letter) } else { None };
+        subscript.iter().map(one).collect()
+    }
+}
+
+/// Whether ∇ acts on a symbol: on a coordinate that is not that of the time by its name.
+fn is_of_space(name: &str, role: Role) -> bool {
+    role == Role::Coordinate && !matches!(name, "t" | r"\tau")
+}
