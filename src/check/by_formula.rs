@@ -12,6 +12,7 @@ use super::account::ClaimAccount;
 use super::comparison::{Comparison, may_leap};
 use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, Refuted, along};
+use super::limits::Limits;
 use super::program::{Assumption, Part, What};
 use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::domain::Sign;
@@ -23,8 +24,14 @@ use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
-/// Settles what can be settled; `tried` are the motions of the results.
-pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claimed: &[usize], tried: &[usize]) {
+/// Settles what can be settled; `tried` are the motions of the results. What a limit of the run is reached before stays as it is.
+pub(super) fn settle(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    claimed: &[usize],
+    tried: &[usize],
+    limits: &Limits,
+) {
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
         let mut setting = Setting::of(derivation, t, None);
         let mut start: Option<Option<Setting>> = None;
@@ -41,6 +48,9 @@ pub(super) fn settle(derivation: &Derivation, claims: &mut [ClaimAccount], claim
             };
             if !asked {
                 continue;
+            }
+            if limits.reached().is_some() {
+                break;
             }
             let mut verdict = found.clone();
             let (claim, motion) = (&derivation.claims[c], &derivation.trajectories[t]);

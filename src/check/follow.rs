@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use super::memory::Recall;
-use super::{ClaimAccount, Column, IdentityAccount, Step, counterexample, strengthen};
+use super::{ClaimAccount, Column, IdentityAccount, Limits, Step, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
 
 /// What becomes of claims whose premises have changed.
@@ -83,7 +83,8 @@ pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
     let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
-    strengthen(derivation, claims, &claimed, known, &tried);
+    // Who follows a file sets no limits.
+    strengthen(derivation, claims, &claimed, known, &tried, &Limits::default());
 }
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that

@@ -291,9 +291,13 @@ fn check_and(
         programs: &compiled,
         start_of: &start_of,
         measures: &measures,
+        limits: &options.limits,
     };
     unless_cancelled()?;
     let stage = Stage::build(derivation, &fields, &requests, recall)?;
+    unless_cancelled()?;
+    // What is said of all motions together is not said where some are missing.
+    let complete = tried.iter().all(|&t| stage.motion(t).is_some());
     let mut prepared: Vec<Vec<Prepared>> = Vec::new();
     for (k, per_start) in programs.into_iter().enumerate() {
         let claim = &derivation.claims[claimed[k]];
@@ -309,6 +313,11 @@ fn check_and(
     let column = |t: usize| -> Result<Tried, String> {
         if options.limits.is_cancelled() {
             return Err(CANCELLED.to_owned());
+        }
+        if let (None, Some(reached)) = (stage.motion(t), options.limits.reached()) {
+            let open = |k: &usize| derivation.claims[*k].trajectories.contains(&t);
+            let open = claimed.iter().map(|k| open(k).then(|| Verdict::of(Finding::open(reached)))).collect();
+            return Ok(((open, Shown::default()), (Vec::new(), (None, None))));
         }
         // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
         let (mut course, contradiction) = stage.course(&derivation.graph, t, &wanted)?;
@@ -380,8 +389,10 @@ fn check_and(
         claim.identity = identity.transpose().map_err(CheckError::Defect)?;
     }
     unless_cancelled()?;
-    probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
-    strengthen(derivation, &mut account.claims, &claimed, known, &tried);
+    if complete {
+        probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
+    }
+    strengthen(derivation, &mut account.claims, &claimed, known, &tried, &options.limits);
     if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let (fields, stage, limits) = (&fields, &stage, &options.limits);
@@ -390,6 +401,7 @@ fn check_and(
     }
     unless_cancelled()?;
     let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
+    let altered = altered.filter(|_| complete);
     let points = witness::Points { derivation, stage: &stage, prepared, start_of, tried: tried_on, wanted: &wanted };
     witness::complete(&points, &mut account.claims);
     unless_cancelled()?;
@@ -477,6 +489,7 @@ fn strengthen(
     claimed: &[usize],
     known: &[ClaimAccount],
     tried: &[usize],
+    limits: &Limits,
 ) {
     standing::conditional(derivation, claims, known);
     for (claim, &at) in claims.iter_mut().zip(claimed) {
@@ -485,7 +498,7 @@ fn strengthen(
             claim.region = Some(region::RegionAccount::of_step(declared, region, claim.identity.as_ref()));
         }
     }
-    by_formula::settle(derivation, claims, claimed, tried);
+    by_formula::settle(derivation, claims, claimed, tried, limits);
     let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
     // The motions of the results of each claim.
     let on: Vec<HashMap<usize, usize>> = claims

@@ -51,13 +51,18 @@ impl Limits {
         if self.is_cancelled() {
             return Some("the run was cancelled before this was begun");
         }
-        if self.deadline.is_some_and(|deadline| Instant::now() >= deadline) {
+        if self.is_over() {
             return Some("work limit: the time of the run was over before this was begun");
         }
         if self.memory.is_some_and(|most| resident().is_some_and(|now| now > most)) {
             return Some("work limit: the memory of the run was used up before this was begun");
         }
         None
+    }
+
+    /// Whether the run is over: its time, or since it was ended from outside. What is so stays so, unlike the use of memory.
+    pub fn is_over(&self) -> bool {
+        self.is_cancelled() || self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Whether it was ended from outside.

@@ -13,6 +13,7 @@ use super::CheckError;
 use super::account::TrajectoryAccount;
 use super::comparison::traced_now;
 use super::kept::Family;
+use super::limits::Limits;
 use super::measure::Compiled;
 use super::memory::Recall;
 use super::program::Program;
@@ -20,7 +21,9 @@ use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
-use crate::flow::{FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros};
+use crate::flow::{
+    Draft, FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros,
+};
 use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
@@ -30,6 +33,9 @@ const DENSITY: usize = 6;
 const MOST_SAMPLES: usize = 1_500;
 /// Every how many samples dual numbers are compared with the bounds.
 const CROSS_CHECK: usize = 8;
+
+/// So many motions are integrated together: as many as there are lanes.
+const TOGETHER: usize = 8;
 
 /// The motions of a derivation, by the position of their trajectories; only those that are needed are there.
 pub(super) struct Stage {
@@ -136,6 +142,8 @@ pub(super) struct Requests<'a> {
     pub start_of: &'a [usize],
     /// What is measured.
     pub measures: &'a [Compiled],
+    /// When the run must end: looked at between steps of integration.
+    pub limits: &'a Limits,
 }
 
 /// A motion with everything that was asked of it.
@@ -159,10 +167,49 @@ pub(super) struct Built {
     pub samples: Arc<OnceLock<(Vec<f64>, Points)>>,
 }
 
+/// The trajectories that are tried, and those that they are derived from or compared with: each motion that is not derived, with
+/// those that come from it.
+fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usize>> {
+    let count = derivation.trajectories.len();
+    let source = |t: usize| match derivation.trajectories[t].motion {
+        Given::Derived { from, .. } => Some(from),
+        _ => None,
+    };
+    let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
+    for form in requests.claims.iter().flat_map(|c| &c.forms) {
+        if let Form::SameMotion { other, .. } = form {
+            needed[*other] = true;
+        }
+    }
+    for t in 0..count {
+        let mut at = t;
+        while let (true, Some(from)) = (needed[at], source(at)) {
+            if std::mem::replace(&mut needed[from], true) {
+                break;
+            }
+            at = from;
+        }
+    }
+    let root = |t: usize| {
+        let mut at = t;
+        // No motion comes from itself; the loader has seen to that.
+        while let Some(from) = source(at) {
+            at = from;
+        }
+        at
+    };
+    let mut families: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for t in (0..count).filter(|&t| needed[t]) {
+        families.entry(root(t)).or_default().push(t);
+    }
+    families.into_values().collect()
+}
+
 impl Stage {
     /// Builds the motions that are tried, and those that they are derived from or compared with.
     ///
-    /// A motion and those derived from it share a copy of the graph, so that families can be built in parallel.
+    /// A motion and those derived from it share a copy of the graph, so that families can be built in parallel. Motions that are
+    /// not built before a limit of the run is reached are not there.
     ///
     /// # Errors
     /// A diagnostic for every trajectory that cannot be built.
@@ -172,39 +219,7 @@ impl Stage {
         requests: &Requests,
         recall: Recall,
     ) -> Result<Stage, CheckError> {
-        let count = derivation.trajectories.len();
-        let source = |t: usize| match derivation.trajectories[t].motion {
-            Given::Derived { from, .. } => Some(from),
-            _ => None,
-        };
-        let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
-        for form in requests.claims.iter().flat_map(|c| &c.forms) {
-            if let Form::SameMotion { other, .. } = form {
-                needed[*other] = true;
-            }
-        }
-        for t in 0..count {
-            let mut at = t;
-            while let (true, Some(from)) = (needed[at], source(at)) {
-                if std::mem::replace(&mut needed[from], true) {
-                    break;
-                }
-                at = from;
-            }
-        }
-        let root = |t: usize| {
-            let mut at = t;
-            // No motion comes from itself; the loader has seen to that.
-            while let Some(from) = source(at) {
-                at = from;
-            }
-            at
-        };
-        let mut families: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for t in (0..count).filter(|&t| needed[t]) {
-            families.entry(root(t)).or_default().push(t);
-        }
-        let mut families: Vec<Vec<usize>> = families.into_values().collect();
+        let mut families = needed_families(derivation, requests);
         // Long motions first: what is left at the end is short.
         let length = |&t: &usize| {
             let (from, to) = derivation.trajectories[t].span;
@@ -212,14 +227,18 @@ impl Stage {
         };
         let longest = |members: &Vec<usize>| members.iter().map(length).fold(0.0, f64::max);
         families.sort_by(|a, b| longest(b).total_cmp(&longest(a)));
-        let one = |members: &Vec<usize>| family(derivation, fields, requests, members, recall);
-        let results: Vec<Result<Vec<(usize, Built)>, CheckError>> =
-            families.par_iter().with_max_len(1).map(one).collect();
-        let mut motions: Vec<Option<Built>> = (0..count).map(|_| None).collect();
+        // Some of them are integrated together, each task with long ones and short ones.
+        let tasks = families.len().div_ceil(TOGETHER).max(families.len().min(4 * rayon::current_num_threads()));
+        let mut dealt: Vec<Vec<&[usize]>> = vec![Vec::new(); tasks];
+        families.iter().enumerate().for_each(|(i, members)| dealt[i % tasks].push(members));
+        let one = |task: &Vec<&[usize]>| together(task.iter().map(|of| (derivation, *of)), fields, requests, recall);
+        let results: Vec<_> = dealt.par_iter().with_max_len(1).map(one).collect();
+        let results = results.into_iter().flatten();
+        let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
         let mut problems = Vec::new();
         for result in results {
             match result {
-                Ok(built) => built.into_iter().for_each(|(t, b)| motions[t] = Some(b)),
+                Ok(built) => built.into_iter().flatten().for_each(|(t, b)| motions[t] = Some(b)),
                 Err(CheckError::Problems(found)) => problems.extend(found),
                 Err(defect) => return Err(defect),
             }
@@ -229,6 +248,31 @@ impl Stage {
             return Err(CheckError::Problems(problems));
         }
         Ok(Stage { motions, keeping: recall.is_known() })
+    }
+
+    /// A stage for each of several derivations that differ in a trajectory; nothing where a limit of the run was reached before.
+    ///
+    /// # Errors
+    /// As [`Stage::build`], for each of them.
+    pub fn build_each(
+        derivations: &[Derivation],
+        fields: &Fields,
+        requests: &Requests,
+    ) -> Vec<Result<Option<Stage>, CheckError>> {
+        let families: Vec<_> = derivations.iter().map(|d| needed_families(d, requests)).collect();
+        let tasks = derivations.iter().zip(&families);
+        let tasks = tasks.flat_map(|(d, families)| families.iter().map(move |members| (d, members.as_slice())));
+        let mut built = together(tasks, fields, requests, Recall::default()).into_iter();
+        let mut stage = |(derivation, families): (&Derivation, &Vec<Vec<usize>>)| {
+            let own: Vec<_> = built.by_ref().take(families.len()).collect();
+            let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
+            for of_family in own {
+                let Some(of_family) = of_family? else { return Ok(None) };
+                of_family.into_iter().for_each(|(t, b)| motions[t] = Some(b));
+            }
+            Ok(Some(Stage { motions, keeping: false }))
+        };
+        derivations.iter().zip(&families).map(&mut stage).collect()
     }
 
     fn built(&self, trajectory: usize) -> Option<&Built> {
@@ -357,8 +401,19 @@ impl Stage {
 
     /// A trajectory for the reports.
     pub fn account(&self, derivation: &Derivation, trajectory: usize) -> Option<TrajectoryAccount> {
-        let given = &derivation.trajectories[trajectory];
-        let built = self.built(trajectory)?;
+        let given = derivation.trajectories.get(trajectory)?;
+        let Some(built) = self.built(trajectory) else {
+            return Some(TrajectoryAccount {
+                id: given.id.clone(),
+                title: given.title.clone(),
+                span: given.span,
+                source: given.source(),
+                given: Vec::new(),
+                steps: 0,
+                error: 0.0,
+                problem: Some("the run was over before the motion was known".to_owned()),
+            });
+        };
         let motion = &built.motion;
         let mut values = Vec::new();
         for (symbol, numbers) in &built.given {
@@ -391,60 +446,115 @@ impl Stage {
     }
 }
 
-/// Builds a motion and those derived from it, in the order of the file as far as sources come first.
-fn family(
-    derivation: &Derivation,
+/// A motion and those derived from it, of which the first is set up.
+struct Begun<'a> {
+    derivation: &'a Derivation,
+    members: &'a [usize],
+    graph: Graph,
+    /// Which it is, and the symbols that it knows.
+    first: usize,
+    known: Vec<Symbol>,
+    draft: Draft,
+}
+
+/// The motions of a family, by the positions of their trajectories.
+type Together = Vec<(usize, Built)>;
+
+/// How far the building of a family has come.
+enum Progress<'a> {
+    Begun(Box<Begun<'a>>),
+    /// It is known from an earlier state of the file, or cannot be built.
+    Done(Result<Together, CheckError>),
+}
+
+/// Builds several families, whose integrations are carried out together; nothing where a limit of the run was reached before.
+fn together<'a>(
+    families: impl Iterator<Item = (&'a Derivation, &'a [usize])>,
     fields: &Fields,
     requests: &Requests,
-    members: &[usize],
     recall: Recall,
-) -> Result<Vec<(usize, Built)>, CheckError> {
+) -> Vec<Result<Option<Together>, CheckError>> {
+    let late = || requests.limits.is_over();
+    let begin = |(derivation, members)| begin(derivation, fields, requests, members, recall);
+    let mut begun: Vec<Progress> = families.map(begin).collect();
+    let drafts = begun.iter_mut().filter_map(|progress| match progress {
+        Progress::Begun(begun) => Some(&mut begun.draft),
+        Progress::Done(_) => None,
+    });
+    let integrated = Draft::integrate(drafts, &late);
+    let finish = |progress| match progress {
+        Progress::Done(done) => done.map(Some),
+        Progress::Begun(_) if !integrated || late() => Ok(None),
+        Progress::Begun(begun) => begun.finish(fields, requests, recall).map(Some),
+    };
+    begun.into_iter().map(finish).collect()
+}
+
+/// Sets up the motion that the others of a family come from.
+fn begin<'a>(
+    derivation: &'a Derivation,
+    fields: &Fields,
+    requests: &Requests,
+    members: &'a [usize],
+    recall: Recall,
+) -> Progress<'a> {
     if let Some(known) = recall.family(derivation, members, |kept| kept.again(derivation, requests, members)) {
-        return Ok(known);
+        return Progress::Done(Ok(known));
     }
+    let is_first = |t: &&usize| !matches!(derivation.trajectories[**t].motion, Given::Derived { .. });
+    let Some(&first) = members.iter().find(is_first) else { return Progress::Done(Ok(Vec::new())) };
     let mut graph = derivation.graph.clone();
-    let mut done: Vec<(usize, Built)> = Vec::new();
-    let mut problems = Vec::new();
-    let mut left: Vec<usize> = members.to_vec();
-    // Each round builds those whose source is there.
-    while !left.is_empty() {
-        let before = left.len();
-        let mut later = Vec::new();
-        for &t in &left {
-            let trajectory = &derivation.trajectories[t];
-            let from = match &trajectory.motion {
-                Given::Derived { from, .. } => match done.iter().find(|(s, _)| s == from) {
-                    Some((_, source)) => Some(source),
-                    None => {
-                        later.push(t);
-                        continue;
-                    }
-                },
-                _ => None,
-            };
-            let from = from.map(|b| (Arc::clone(&b.motion), b.known.as_slice()));
-            let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false);
-            match Motion::new(&mut graph, setup) {
-                Ok(motion) => {
-                    let built = prepare(derivation, requests, &mut graph, t, motion, known)?;
-                    done.push((t, built));
+    let trajectory = &derivation.trajectories[first];
+    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false);
+    match Draft::new(&mut graph, setup) {
+        Ok(draft) => Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, draft })),
+        Err(error) => Progress::Done(Err(CheckError::Problems(vec![unbuilt(derivation, trajectory, &error)]))),
+    }
+}
+
+impl Begun<'_> {
+    /// The motions, in the order of the file as far as sources come first.
+    fn finish(self, fields: &Fields, requests: &Requests, recall: Recall) -> Result<Vec<(usize, Built)>, CheckError> {
+        let Begun { derivation, members, mut graph, first, known, draft } = self;
+        let told = |t: usize, error: &FlowError| {
+            CheckError::Problems(vec![unbuilt(derivation, &derivation.trajectories[t], error)])
+        };
+        let motion = draft.finish(&mut graph).map_err(|error| told(first, &error))?;
+        let mut done = vec![(first, prepare(derivation, requests, &mut graph, first, motion, known)?)];
+        let mut problems = Vec::new();
+        let mut left: Vec<usize> = members.iter().copied().filter(|&t| t != first).collect();
+        // Each round builds those whose source is there.
+        while !left.is_empty() {
+            let before = left.len();
+            let mut later = Vec::new();
+            for &t in &left {
+                let trajectory = &derivation.trajectories[t];
+                let Given::Derived { from, .. } = &trajectory.motion else { continue };
+                let Some((_, source)) = done.iter().find(|(s, _)| s == from) else {
+                    later.push(t);
+                    continue;
+                };
+                let from = Some((Arc::clone(&source.motion), source.known.as_slice()));
+                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false);
+                match Motion::new(&mut graph, setup) {
+                    Ok(motion) => done.push((t, prepare(derivation, requests, &mut graph, t, motion, known)?)),
+                    Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),
                 }
-                Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),
             }
+            if later.len() == before || !problems.is_empty() {
+                break;
+            }
+            left = later;
         }
-        if later.len() == before || !problems.is_empty() {
-            break;
+        if !problems.is_empty() {
+            return Err(CheckError::Problems(problems));
         }
-        left = later;
+        if requests.part {
+            recall.builds_for_a_part();
+        }
+        recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
+        Ok(done)
     }
-    if !problems.is_empty() {
-        return Err(CheckError::Problems(problems));
-    }
-    if requests.part {
-        recall.builds_for_a_part();
-    }
-    recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
-    Ok(done)
 }
 
 /// Why a motion cannot be built, at its place.

@@ -26,7 +26,9 @@ use ::{expr, number};
 #[path = "../../tests/flow_support/mod.rs"]
 mod flow_support;
 
+mod abreast;
 mod angle;
+mod begun;
 mod core;
 mod cover;
 mod enclosure;
@@ -34,6 +36,7 @@ mod error;
 mod expansion;
 mod field;
 mod hoist;
+mod kinks;
 mod motion;
 mod narrow;
 mod points;
@@ -45,10 +48,11 @@ mod taylor;
 mod trajectory;
 mod zeros;
 
+pub use abreast::Halt;
 pub use enclosure::{Compiled, Enclosure, Reach, Reaches, Sharp, Stop, Stretch};
 pub use error::{FlowError, Problem};
 pub use field::VectorField;
-pub use motion::{Motion, Observable, Point, Setup, Source};
+pub use motion::{Draft, Motion, Observable, Point, Setup, Source};
 pub use points::{Points, Sample};
 pub use search::Search;
 pub use start::{Guess, Start};

@@ -5,22 +5,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use num_dual::Dual64;
 
+use super::abreast::Halt;
 use super::angle::{Angle, AngleBenches};
-use super::core::{Constant, Core, Orbit, fresh};
-use super::error::{FlowError, Problem, leaf_name};
+use super::begun::Begun;
+use super::core::{Core, fresh};
+use super::error::{FlowError, Problem};
 use super::expansion::{Expansion, Memory};
 use super::field::VectorField;
-use super::hoist::hoist;
 use super::points::Points;
 use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
-use super::start::{self, Start};
-use super::taylor::Flow;
-use super::trajectory::Trajectory;
+use super::start::Start;
 use super::zeros::{self, Incomplete, Minimum, Zeros};
-use expr::tape::Tape;
 use expr::{Expr, Graph, Leaf};
-use number::{Bounded, DoubleDouble, Interval, NoValue, Precise};
+use number::{Bounded, NoValue};
 
 /// The values of the prepared leaves at one time, in the order in which they were asked for.
 pub type Point = Vec<Result<Bounded, NoValue>>;
@@ -120,17 +118,21 @@ impl Clone for Motion {
     }
 }
 
-impl Motion {
-    /// Integrates, or sets up, a motion.
-    ///
-    /// A parameter without a value is no error; what depends on it has no value either. A trajectory that ends early is
-    /// kept, see [`Motion::problem`].
+/// A motion that is set up, but not integrated.
+#[derive(Debug)]
+pub struct Draft {
+    core: Core,
+    states: Vec<(Leaf, Expr)>,
+    observables: Vec<Observable>,
+    orbit: Option<Begun>,
+}
+
+impl Draft {
+    /// Sets a motion up.
     ///
     /// # Errors
-    /// [`FlowError::Span`]; [`FlowError::UnknownLeaf`] and [`FlowError::NoDerivative`] for definitions that cannot be traced
-    /// back to states, parameters and time; [`FlowError::NoInitial`], [`FlowError::Undefined`] (an initial value or a
-    /// coefficient of the system without a value) and [`FlowError::Singular`] for a system that cannot start.
-    pub fn new(graph: &mut Graph, setup: Setup) -> Result<Motion, FlowError> {
+    /// As [`Motion::new`].
+    pub fn new(graph: &mut Graph, setup: Setup) -> Result<Draft, FlowError> {
         let derived = matches!(setup.source, Source::Derived { .. });
         let (from, to) = setup.span;
         let inside = from <= setup.initial_time && setup.initial_time <= to;
@@ -165,6 +167,7 @@ impl Motion {
             let constant = core.constant(graph, value);
             core.definitions.insert(leaf, constant);
         }
+        let mut orbit = None;
         match &setup.source {
             Source::Derived { .. } => {}
             Source::Formula { states: formulas } => {
@@ -172,8 +175,29 @@ impl Motion {
                     states.push((leaf, core.resolve(graph, e)?));
                 }
             }
-            Source::Integrated { field, initial, start } => core.integrate(graph, field, initial, start)?,
+            Source::Integrated { field, initial, start } => {
+                orbit = Some(core.set_up(graph, field, initial, start)?);
+            }
         }
+        Ok(Draft { core, states, observables: setup.observables, orbit })
+    }
+
+    /// Integrates several motions, as far as there is something to integrate: those of one field side by side, each as it is alone,
+    /// bit for bit. `halt` is asked between steps whether to stop; `false` if it said so: then they are of no use.
+    pub fn integrate<'d>(drafts: impl IntoIterator<Item = &'d mut Draft>, halt: Halt) -> bool {
+        Begun::integrate(drafts.into_iter().filter_map(|d| d.orbit.as_mut()).collect(), halt)
+    }
+
+    /// The motion; integrates it, if that was not done.
+    ///
+    /// # Errors
+    /// As [`Motion::new`].
+    pub fn finish(self, graph: &mut Graph) -> Result<Motion, FlowError> {
+        let Draft { mut core, states, observables, orbit } = self;
+        core.orbit = match orbit {
+            Some(begun) => Some(Arc::new(begun.finish()?)),
+            None => core.orbit,
+        };
         core.definitions.extend(states);
         let given = core.definitions.keys().copied().collect();
         match core.orbit {
@@ -184,7 +208,7 @@ impl Motion {
                 core.resolution = resolve(&core, &formulas);
             }
         }
-        for &Observable { leaf, definition, angle } in &setup.observables {
+        for Observable { leaf, definition, angle } in observables {
             let mut resolved = core.resolve(graph, definition)?;
             if angle {
                 let raw = core.compile(graph, &[resolved])?;
@@ -197,6 +221,21 @@ impl Motion {
             core.definitions.insert(leaf, resolved);
         }
         Ok(Motion { core, given, prepared: None, pool: Mutex::default() })
+    }
+}
+
+impl Motion {
+    /// Integrates, or sets up, a motion.
+    ///
+    /// A parameter without a value is no error; what depends on it has no value either. A trajectory that ends early is
+    /// kept, see [`Motion::problem`].
+    ///
+    /// # Errors
+    /// [`FlowError::Span`]; [`FlowError::UnknownLeaf`] and [`FlowError::NoDerivative`] for definitions that cannot be traced
+    /// back to states, parameters and time; [`FlowError::NoInitial`], [`FlowError::Undefined`] (an initial value or a
+    /// coefficient of the system without a value) and [`FlowError::Singular`] for a system that cannot start.
+    pub fn new(graph: &mut Graph, setup: Setup) -> Result<Motion, FlowError> {
+        Draft::new(graph, setup)?.finish(graph)
     }
 
     /// Compiles everything that [`Motion::at`] and [`Motion::dual_at`] shall yield: values now and at fixed times, and
@@ -413,113 +452,5 @@ impl Motion {
         times.sort_by(f64::total_cmp);
         times.dedup();
         times
-    }
-}
-
-impl Core {
-    /// Sets up and runs an integration.
-    fn integrate(
-        &mut self,
-        graph: &mut Graph,
-        field: &VectorField,
-        initial: &[(Leaf, Expr)],
-        start: &Start,
-    ) -> Result<(), FlowError> {
-        let mut states = Vec::new();
-        for &leaf in field.states() {
-            let basic = fresh(graph, "state");
-            let e = graph.leaf(basic);
-            self.definitions.insert(leaf, e);
-            states.push(basic);
-        }
-        // The states are basic, so their rates can be resolved before the orbit exists.
-        let mut image: BTreeMap<Leaf, Expr> = BTreeMap::new();
-        for leaf in graph.leaves(field.rates().iter().copied()) {
-            let known = self.definition(graph, leaf)?;
-            image.insert(leaf, known);
-        }
-        let rates: Vec<Expr> =
-            field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
-        let time = self.time;
-        let mut found = Vec::new();
-        let rates = hoist(
-            graph,
-            &rates,
-            |l| l == time || states.contains(&l),
-            |graph, e| {
-                let leaf = fresh(graph, "constant");
-                found.push((leaf, e));
-                leaf
-            },
-        );
-        for (leaf, e) in found {
-            let value = self.constant_value(graph, e);
-            self.constants.push(Constant { leaf, value });
-        }
-        let used: Vec<Leaf> =
-            graph.leaves(rates.iter().copied()).into_iter().filter(|l| *l != time && !states.contains(l)).collect();
-        let mut constants = Vec::new();
-        for leaf in &used {
-            let value = self.constants.iter().find(|c| c.leaf == *leaf).map_or(Err(NoValue::Unsupported), |c| c.value);
-            // A coefficient without a value shows in the rates that need it.
-            match value {
-                Ok(x) => constants.push(x),
-                Err(reason) => return Err(self.singular(graph, field, &rates, *leaf, reason)),
-            }
-        }
-        let inputs: Vec<Leaf> = [time].into_iter().chain(states.iter().copied()).chain(used).collect();
-        let tape = Tape::compile(graph, &inputs, &rates)
-            .map_err(|leaf| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) })?;
-        self.determine(graph, field, initial, start)?;
-        let mut values = Vec::new();
-        for &leaf in field.states() {
-            let name = || leaf_name(graph, leaf);
-            let given = initial.iter().find(|(l, _)| *l == leaf);
-            let Some(&(_, e)) = given else { return Err(FlowError::NoInitial { state: name() }) };
-            let e = start::at_start(graph, field, initial, e)?;
-            let resolved = self.resolve(graph, e)?;
-            let value = self.constant_value(graph, resolved);
-            let what = || format!("the initial value of {}", leaf_name(graph, leaf));
-            values.push(value.map_err(|reason| FlowError::Undefined { what: what(), reason })?);
-        }
-        let names: Vec<String> = field.states().iter().map(|&l| leaf_name(graph, l)).collect();
-        let flow = Flow::new(tape, field.states(), names);
-        let (begin, most) = (self.initial_time, field.most_steps());
-        let trajectory = Trajectory::integrate(&flow, &constants, begin, &values, self.span, most)
-            .map_err(|(i, reason)| FlowError::Singular { state: flow.names[i].clone(), time: begin, reason })?;
-        self.orbit = Some(Arc::new(Orbit { states, rates, flow, constants, trajectory }));
-        Ok(())
-    }
-
-    /// Solves for the initial values that equations determine: each becomes a constant.
-    fn determine(
-        &mut self,
-        graph: &mut Graph,
-        field: &VectorField,
-        initial: &[(Leaf, Expr)],
-        start: &Start,
-    ) -> Result<(), FlowError> {
-        let start = start.resolved(graph, field, initial, |graph, e| self.resolve(graph, e))?;
-        let value = |leaf: Leaf| match leaf == self.time {
-            true => Some(Precise::enclosing(Interval::point(self.initial_time))),
-            false => {
-                let known = self.constants.iter().find(|c| c.leaf == leaf)?.value.ok()?;
-                Some(Precise::new(DoubleDouble::point(known.value), known.error))
-            }
-        };
-        for (leaf, value) in start.solve(graph, value)? {
-            let (centre, error) = (value.centre(), value.error());
-            let error = (centre.low().abs() + error) * (1.0 + f64::EPSILON);
-            self.constants.push(Constant { leaf, value: Ok(Bounded::new(centre.high(), error)) });
-        }
-        Ok(())
-    }
-
-    /// The first state whose rate needs a coefficient without a value.
-    fn singular(&self, graph: &Graph, field: &VectorField, rates: &[Expr], leaf: Leaf, reason: NoValue) -> FlowError {
-        let needs = |e: &Expr| graph.leaves([*e]).contains(&leaf);
-        let state = rates.iter().position(needs).and_then(|i| field.states().get(i));
-        let state = state.map_or_else(String::new, |&l| leaf_name(graph, l));
-        FlowError::Singular { state, time: self.initial_time, reason }
     }
 }

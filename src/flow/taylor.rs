@@ -6,14 +6,14 @@
 //! ρ = min over the last two orders of (‖x₀‖/‖xₖ‖)^(1/k), the step ρ·e⁻²·exp(−0.7/(p − 1)) makes the last term about
 //! e⁻²ᵖ of the first.
 
+use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
-use expr::domain::{Change, Place, Term, row};
 use expr::tape::{Slots, Tape};
 use number::{Bounded, Interval, Jet, NoValue, Orders, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Flow {
     pub(super) tape: Tape,
     pub(super) dimension: usize,
@@ -21,23 +21,36 @@ pub(super) struct Flow {
     /// States of one symbol and one rate share a scale: group number of every state, and their count.
     groups: Vec<usize>,
     group_count: usize,
+    /// Where the right sides are not smooth.
+    pub(super) edges: Edges,
+    /// Whether the right sides name the time.
+    driven: bool,
 }
 
-/// Order, caution and limits of one integration.
+/// Order and caution of one integration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Control {
     /// Order of the Taylor polynomials.
     pub(super) order: usize,
     /// Factor on the step size, at most 1.
     pub(super) caution: f64,
-    /// Largest number of steps.
-    pub(super) max_steps: usize,
 }
 
 /// Longest step, as a part of the span.
 const LONGEST: f64 = 0.125;
 /// Longest step where the time enters the right sides, as a part of the span.
 const LONGEST_DRIVEN: f64 = 1.0 / 2048.0;
+
+/// A rate that changes by more than this share of itself at a kink jumps there.
+const JUMP: f64 = 1e-6;
+/// An edge that is nearer than this share of the span is met at a kink.
+const NEAR: f64 = 1e-6;
+/// A step that is to end before a jump ends at this share of the way.
+const BEFORE: f64 = 1.0 - 1e-9;
+/// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
+const MOST_KINKS: usize = 4_000;
+/// Slopes that differ by so many rounding errors of a rate are one.
+const ROUNDING: f64 = 4.0;
 
 /// Why a step cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,16 +63,17 @@ pub(super) enum Stop {
     Undetermined,
 }
 
-/// An integration under way: state at the present time, and its expansion there.
+/// An integration under way: the state at the present time, its expansion there, and the step that is tried.
+///
+/// A walker does not grow series itself: it says at which time and state it needs one ([`Walker::asks`]), and is told
+/// ([`Walker::begin`], [`Walker::judge`]). So several of them can have their series grown together, and none can tell.
 pub(super) struct Walker<'a> {
     flow: &'a Flow,
     control: Control,
-    slots: Slots<Jet<f64>>,
-    /// How many constants the slots hold, behind the time and the states.
-    constants: usize,
+    constants: Vec<f64>,
     /// Present time, direction and end.
     pub(super) time: f64,
-    end: f64,
+    pub(super) end: f64,
     length: f64,
     /// State and the part of it that binary64 cannot hold.
     pub(super) state: Vec<f64>,
@@ -76,108 +90,25 @@ pub(super) struct Walker<'a> {
     narrow: Option<Narrow>,
     /// What the states may be off for steps that end a little behind a kink.
     pub(super) late: Vec<f64>,
+    trial: Trial,
 }
 
-/// The edges of the right sides, by the table of domains. Where the argument of a kink, as |·| has one, changes its sign, no
-/// series goes on, and a step ends there. Where a right side is steep or jumps, the motion is not determined.
-#[derive(Clone, Debug, Default)]
-struct Kinks {
-    /// The slots of what vanishes at kinks and jumps.
-    slots: Vec<usize>,
-    /// For each of these, what must be negative for a jump; nothing for a kink.
-    jumps: Vec<Option<usize>>,
-    /// What vanishes where a right side is steep in a state: a term of the value in a slot.
-    steep: Vec<(Term, usize)>,
-    /// Their coefficients around the present time, `order + 1` for each.
-    series: Vec<f64>,
-    /// How many were crossed.
-    crossed: usize,
-}
-
-/// A rate that changes by more than this share of itself at a kink jumps there.
-const JUMP: f64 = 1e-6;
-/// An edge that is nearer than this share of the span is met at a kink.
-const NEAR: f64 = 1e-6;
-/// A step that is to end before a jump ends at this share of the way.
-const BEFORE: f64 = 1.0 - 1e-9;
-/// Most kinks that a motion may cross: one that slides along a kink crosses it without end.
-const MOST_KINKS: usize = 4_000;
-/// Times within a step at which the argument of |·| is looked at.
-const LOOKS: usize = 8;
-/// Slopes that differ by so many rounding errors of a rate are one.
-const ROUNDING: f64 = 4.0;
-
-impl Kinks {
-    fn new(flow: &Flow) -> Kinks {
-        let moving = flow.moving(false);
-        let mut out = Kinks::default();
-        for step in flow.tape.instructions() {
-            let (a, b) = (step.a as usize, step.b as usize);
-            for edge in row(step.op).edges {
-                match (edge.change, edge.place) {
-                    (Change::Kink, Place::Zero(Term::First)) => {
-                        out.slots.push(a);
-                        out.jumps.push(None);
-                    }
-                    (Change::Jump(_), Place::ZeroWhile(Term::First, Term::Opposite)) if moving[a] || moving[b] => {
-                        out.slots.push(a);
-                        out.jumps.push(Some(b));
-                    }
-                    // In the time alone it does no harm.
-                    (Change::Steep, Place::Zero(Term::Second)) if moving[b] => out.steep.push((Term::First, b)),
-                    (Change::Steep, Place::Zero(term)) if moving[a] => out.steep.push((term, a)),
-                    // Other edges are where there is no value, which ends the motion anyway.
-                    (Change::Kink | Change::Jump(_) | Change::Steep | Change::Pole(..) | Change::Log, _) => {}
-                }
-            }
-        }
-        out
-    }
-
-    /// Whether a right side is steep at the present state: exactly at an edge.
-    fn is_steep(&self, slots: &Slots<Jet<f64>>) -> bool {
-        self.steep
-            .iter()
-            .any(|&(term, slot)| slots.missing(slot).is_none() && term.vanishes(slots.value(slot).coefficient(0)))
-    }
-
-    /// Whether an edge at which a right side is steep is nearer than a moment.
-    fn is_near_steep(&self, slots: &Slots<Jet<f64>>, moment: f64) -> bool {
-        self.steep.iter().any(|&(term, slot)| {
-            let argument = slots.value(slot);
-            let (x, speed) = (argument.coefficient(0), argument.coefficient(1).abs());
-            let off = match term {
-                Term::Unit => (1.0 - x.abs()).abs(),
-                _ => x.abs(),
-            };
-            slots.missing(slot).is_none() && off <= moment * speed
-        })
-    }
-
-    /// Keeps the series of the arguments around the present time.
-    fn keep(&mut self, slots: &Slots<Jet<f64>>, order: usize) {
-        self.series.clear();
-        for &slot in &self.slots {
-            self.series.extend((0..=order).map(|k| slots.value(slot).coefficient(k)));
-        }
-    }
-
-    /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
-    fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
-        let changes = |(at, c): (usize, &[f64])| {
-            let now = c[0] > 0.0;
-            let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
-            let hit = (1..=LOOKS).find(|&j| changed(size * j as f64 / LOOKS as f64))?;
-            let (mut low, mut high) = (size * (hit - 1) as f64 / LOOKS as f64, size * hit as f64 / LOOKS as f64);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if changed(middle) { high = middle } else { low = middle }
-            }
-            Some((high, at))
-        };
-        // An argument without a change is a constant as far as this step goes.
-        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
-    }
+/// A step that is tried.
+#[derive(Clone, Copy)]
+struct Trial {
+    /// Where it ends, and how far that is.
+    target: f64,
+    h: f64,
+    /// Its size, the smallest that there is, and what is left of the span.
+    size: f64,
+    smallest: f64,
+    remaining: f64,
+    /// A kink within it: how far, and which argument.
+    kink: Option<(f64, usize)>,
+    /// How far behind a kink it ends.
+    behind: f64,
+    /// Why the last try was none.
+    why: Stop,
 }
 
 /// A finished step, as far as its owner wants to keep it.
@@ -201,7 +132,10 @@ impl Flow {
                 })
             })
             .collect();
-        Flow { tape, dimension: states.len(), names, groups, group_count: kinds.len() }
+        let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
+        let (dimension, group_count, edges) = (states.len(), kinds.len(), Edges::default());
+        let flow = Flow { tape, dimension, names, groups, group_count, edges, driven };
+        Flow { edges: Edges::of(&flow), ..flow }
     }
 
     /// Slots for series up to `order`, with constants in place.
@@ -261,28 +195,24 @@ impl Flow {
         }
         out
     }
-
-    /// Whether the right sides name the time.
-    fn depends_on_time(&self) -> bool {
-        self.tape.instructions().iter().any(|i| i.a == 0 || i.b == 0)
-    }
 }
 
 impl<'a> Walker<'a> {
+    /// An integration from `time` to `end` that has not begun.
     pub(super) fn new(
         flow: &'a Flow,
         control: Control,
         constants: &[f64],
         (time, end): (f64, f64),
         state: &[f64],
-    ) -> Result<Walker<'a>, Stop> {
+    ) -> Walker<'a> {
         let n = flow.dimension;
         let row = control.order + 1;
-        let mut walker = Walker {
+        let why = Stop::Collapsed;
+        Walker {
             flow,
             control,
-            slots: flow.slots(control.order, constants),
-            constants: constants.len(),
+            constants: constants.to_vec(),
             time,
             end,
             length: (end - time).abs(),
@@ -290,56 +220,90 @@ impl<'a> Walker<'a> {
             low: vec![0.0; n],
             now: vec![0.0; n * row],
             next: vec![0.0; n * row],
-            next_state: vec![0.0; n],
+            next_state: state.to_vec(),
             next_low: vec![0.0; n],
             scale: vec![0.0; flow.group_count],
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
-            kinks: Kinks::new(flow),
+            kinks: Kinks::default(),
             narrow: Narrow::new(&flow.tape, &flow.moving(true), flow.dimension, |order| {
                 let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
                 flow.slots(order, &constants)
             }),
             late: vec![0.0; n],
-        };
-        flow.expand(&mut walker.slots, control.order, time, state, &mut walker.now)
-            .map_err(|(i, r)| Stop::NoRate(i, r))?;
-        walker.kinks.keep(&walker.slots, control.order);
-        if walker.kinks.is_steep(&walker.slots) {
-            return Err(Stop::Undetermined);
+            trial: Trial {
+                target: time,
+                h: 0.0,
+                size: 0.0,
+                smallest: 0.0,
+                remaining: 0.0,
+                kink: None,
+                behind: 0.0,
+                why,
+            },
         }
-        Ok(walker)
     }
 
     pub(super) fn finished(&self) -> bool {
         self.time == self.end
     }
 
-    /// Makes one step, not beyond the end.
-    pub(super) fn step(&mut self) -> Result<Step<'_>, Stop> {
-        let n = self.flow.dimension;
-        let row = self.control.order + 1;
+    /// The constants of the field.
+    pub(super) fn constants(&self) -> &[f64] {
+        &self.constants
+    }
+
+    /// The order up to which series are wanted.
+    pub(super) fn order(&self) -> usize {
+        self.control.order
+    }
+
+    /// Where a series is wanted: time and state; with room for it, `order + 1` coefficients for every state.
+    pub(super) fn asks(&mut self) -> (f64, &[f64], &mut [f64]) {
+        (self.trial.target, &self.next_state, &mut self.next)
+    }
+
+    /// The last step that was made.
+    pub(super) fn made(&self) -> Step<'_> {
+        Step { coefficients: &self.next, low: &self.next_low }
+    }
+
+    /// Takes the series at the initial time.
+    ///
+    /// # Errors
+    /// Why no motion begins here.
+    pub(super) fn begin(&mut self, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> Result<(), Stop> {
+        grown.map_err(|(i, reason)| Stop::NoRate(i, reason))?;
+        std::mem::swap(&mut self.now, &mut self.next);
+        self.kinks.keep(self.flow, series, self.control.order);
+        if self.flow.edges.is_steep(series) { Err(Stop::Undetermined) } else { Ok(()) }
+    }
+
+    /// Chooses the next step, not beyond the end; `series` is that at the present time.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(super) fn propose(&mut self, series: &impl Series) -> Result<(), Stop> {
         let direction = if self.end > self.time { 1.0 } else { -1.0 };
         let remaining = (self.end - self.time).abs();
         // What moves a state from outside may come as a pulse that no expansion before it sees: short steps, each of which
         // starts with a look at the time.
-        let longest = if self.flow.depends_on_time() { LONGEST_DRIVEN } else { LONGEST };
+        let longest = if self.flow.driven { LONGEST_DRIVEN } else { LONGEST };
         let mut size = self.step_size().min(longest * self.length);
         // Never leave a last step that is a sliver.
         if size > 0.6 * remaining {
             size = if size >= remaining { remaining } else { 0.6 * remaining };
         }
         let smallest = (4.0 * f64::EPSILON * self.time.abs()).max(1e-18 * self.length);
-        // The slots hold the series at the present time: of what was tried, the last was accepted.
-        if self.kinks.is_near_steep(&self.slots, 4.0 * smallest) {
+        let edges = &self.flow.edges;
+        if edges.is_near_steep(series, 4.0 * smallest) {
             return Err(Stop::Undetermined);
         }
-        let mut why = Stop::Collapsed;
         // A step that meets a kink ends behind it, as closely as time can tell.
         let mut kink = self.kinks.first(self.control.order, size, direction).filter(|&(at, _)| at < size);
-        let mut behind = smallest;
+        let behind = smallest;
         if let Some((at, argument)) = kink
-            && self.kinks.jumps[argument].is_some_and(|b| self.slots.value(b).coefficient(0) < 0.0)
+            && edges.jumps(series, argument)
         {
             // A step up to the jump; then no more.
             if at <= 16.0 * smallest {
@@ -354,67 +318,84 @@ impl<'a> Walker<'a> {
             }
             size = (at + behind).min(size);
         }
-        loop {
-            if size <= smallest && size < remaining && kink.is_none() {
-                return Err(why);
-            }
-            let target = if size >= remaining { self.end } else { self.time + direction * size };
-            let h = target - self.time;
-            for i in 0..n {
-                let c = &self.now[i * row..(i + 1) * row];
-                let y = self.low[i] + h * horner(&c[1..], h);
-                let x = c[0];
-                let s = x + y;
-                let virtual_part = s - x;
-                self.next_state[i] = s;
-                self.next_low[i] = (x - (s - virtual_part)) + (y - virtual_part);
-            }
-            let grown = self.flow.expand(&mut self.slots, self.control.order, target, &self.next_state, &mut self.next);
-            if let Some((at, argument)) = kink {
-                let sign = |x: f64| if x > 0.0 { 1 } else { -i32::from(x < 0.0) };
-                let now = sign(self.kinks.series[argument * row]);
-                let then = self.slots.value(self.kinks.slots[argument]).coefficient(0);
-                if grown.is_err() || sign(then) != -now && now != 0 {
-                    // Not behind it yet.
-                    behind *= 4.0;
-                    if behind > 1e-9 * self.length || at + behind >= remaining {
-                        (kink, size) = (None, if at > 0.0 { at } else { 0.5 * size });
-                    } else {
-                        size = at + behind;
-                    }
-                    continue;
+        let (target, h, why) = (self.time, 0.0, Stop::Collapsed);
+        self.trial = Trial { target, h, size, smallest, remaining, kink, behind, why };
+        self.aim()
+    }
+
+    /// The state at the end of the step that is tried.
+    fn aim(&mut self) -> Result<(), Stop> {
+        let Trial { size, smallest, remaining, kink, why, .. } = self.trial;
+        if size <= smallest && size < remaining && kink.is_none() {
+            return Err(why);
+        }
+        let direction = if self.end > self.time { 1.0 } else { -1.0 };
+        let target = if size >= remaining { self.end } else { self.time + direction * size };
+        let h = target - self.time;
+        let row = self.control.order + 1;
+        for (i, c) in self.now.chunks_exact(row).enumerate() {
+            let y = self.low[i] + h * horner(&c[1..], h);
+            let x = c[0];
+            let s = x + y;
+            let virtual_part = s - x;
+            self.next_state[i] = s;
+            self.next_low[i] = (x - (s - virtual_part)) + (y - virtual_part);
+        }
+        (self.trial.target, self.trial.h) = (target, h);
+        Ok(())
+    }
+
+    /// Takes the series at the end of the step that is tried: whether the step is made. If not, another one is tried.
+    ///
+    /// # Errors
+    /// Why there is no step.
+    pub(super) fn judge(&mut self, series: &impl Series, grown: Result<(), (usize, NoValue)>) -> Result<bool, Stop> {
+        let row = self.control.order + 1;
+        let Trial { target, h, size, smallest, remaining, kink, .. } = self.trial;
+        if let Some((at, argument)) = kink {
+            let sign = |x: f64| if x > 0.0 { 1 } else { -i32::from(x < 0.0) };
+            let now = sign(self.kinks.series[argument * row]);
+            let then = || sign(series.coefficient(self.flow.edges.slots[argument], 0));
+            if grown.is_err() || then() != -now && now != 0 {
+                // Not behind it yet.
+                self.trial.behind *= 4.0;
+                let behind = self.trial.behind;
+                if behind > 1e-9 * self.length || at + behind >= remaining {
+                    (self.trial.kink, self.trial.size) = (None, if at > 0.0 { at } else { 0.5 * size });
+                } else {
+                    self.trial.size = at + behind;
                 }
+                return self.aim().map(|()| false);
             }
-            if let Some((at, _)) = kink
-                && (self.jumps_over(h) || self.kinks.is_near_steep(&self.slots, NEAR * self.length))
-            {
+            if self.jumps_over(h) || self.flow.edges.is_near_steep(series, NEAR * self.length) {
                 if at <= 16.0 * smallest {
                     return Err(Stop::Undetermined);
                 }
-                (kink, size) = (None, at * BEFORE);
-                continue;
+                (self.trial.kink, self.trial.size) = (None, at * BEFORE);
+                return self.aim().map(|()| false);
             }
-            match grown {
-                Err((i, reason)) => why = Stop::NoRate(i, reason),
-                // Halved until nothing can hide between its ends.
-                Ok(()) if kink.is_none() && self.hides(h) => {}
-                // Behind a kink the slope may be another one.
-                Ok(()) if kink.is_some() || self.continues(target, h) => {
-                    if let Some((at, _)) = kink {
-                        self.add_late(h, (size - at).abs() + smallest);
-                    }
-                    self.kinks.keep(&self.slots, self.control.order);
-                    std::mem::swap(&mut self.now, &mut self.next);
-                    std::mem::swap(&mut self.state, &mut self.next_state);
-                    std::mem::swap(&mut self.low, &mut self.next_low);
-                    self.time = target;
-                    self.last_step = size;
-                    return Ok(Step { coefficients: &self.next, low: &self.next_low });
-                }
-                Ok(()) => {}
-            }
-            size *= 0.5;
         }
+        match grown {
+            Err((i, reason)) => self.trial.why = Stop::NoRate(i, reason),
+            // Halved until nothing can hide between its ends.
+            Ok(()) if kink.is_none() && self.hides(h) => {}
+            // Behind a kink the slope may be another one.
+            Ok(()) if kink.is_some() || self.continues(target, h) => {
+                if let Some((at, _)) = kink {
+                    self.add_late(h, (size - at).abs() + smallest);
+                }
+                self.kinks.keep(self.flow, series, self.control.order);
+                std::mem::swap(&mut self.now, &mut self.next);
+                std::mem::swap(&mut self.state, &mut self.next_state);
+                std::mem::swap(&mut self.low, &mut self.next_low);
+                self.time = target;
+                self.last_step = size;
+                return Ok(true);
+            }
+            Ok(()) => {}
+        }
+        self.trial.size *= 0.5;
+        self.aim().map(|()| false)
     }
 
     /// Whether a rate is another one behind a kink than before it.
@@ -422,7 +403,7 @@ impl<'a> Walker<'a> {
         let row = self.control.order + 1;
         (0..self.flow.dimension).any(|i| {
             let c = &self.now[i * row..(i + 1) * row];
-            let before = (1..row).rev().fold(0.0, |slope, k| slope * h + c[k] * k as f64);
+            let before = slope_at(c, h);
             let behind = self.next[i * row + 1];
             // A rate that vanishes at the kink is compared with what moves the state as far as its size.
             let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
@@ -451,7 +432,7 @@ impl<'a> Walker<'a> {
         let row = self.control.order + 1;
         for (i, late) in self.late.iter_mut().enumerate() {
             let c = &self.now[i * row..(i + 1) * row];
-            let slope = (1..row).rev().fold(0.0, |slope, k| slope * h + c[k] * k as f64);
+            let slope = slope_at(c, h);
             *late += (slope - self.next[i * row + 1]).abs() * behind;
         }
     }
@@ -464,10 +445,7 @@ impl<'a> Walker<'a> {
         let mut rounding: Option<Vec<f64>> = None;
         (0..self.flow.dimension).all(|i| {
             let c = &self.now[i * row..(i + 1) * row];
-            let mut slope = 0.0;
-            for k in (1..row).rev() {
-                slope = slope * h + c[k] * k as f64;
-            }
+            let slope = slope_at(c, h);
             let found = self.next[i * row + 1];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
             let off = (slope - found).abs();
@@ -479,8 +457,7 @@ impl<'a> Walker<'a> {
     /// How far the rates at the next state may be off by their rounding; 0 where it is not known.
     fn rounding(&self, time: f64) -> Vec<f64> {
         let n = self.flow.dimension;
-        let constant = |i: usize| Bounded::exact(self.slots.value(1 + n + i).coefficient(0));
-        let constants: Vec<Bounded> = (0..self.constants).map(constant).collect();
+        let constants: Vec<Bounded> = self.constants.iter().map(|&c| Bounded::exact(c)).collect();
         let state: Vec<Bounded> = self.next_state.iter().map(|&x| Bounded::exact(x)).collect();
         let mut rates = vec![Bounded::exact(0.0); 2 * n];
         let mut slots = self.flow.slots(1, &constants);
@@ -536,6 +513,17 @@ impl<'a> Walker<'a> {
 #[inline]
 pub(super) fn horner(c: &[f64], h: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &x| sum * h + x)
+}
+
+/// c₁ + 2c₂h + …: the slope of the same polynomial.
+#[inline]
+fn slope_at(c: &[f64], h: f64) -> f64 {
+    let (mut slope, mut k) = (0.0, c.len() as f64);
+    for &x in c.iter().skip(1).rev() {
+        k -= 1.0;
+        slope = slope * h + x * k;
+    }
+    slope
 }
 
 /// Base-2 logarithm of a positive normal number, to 0.09: enough for a 20th root, and the same bits everywhere.

@@ -3,11 +3,12 @@
 //! **Error estimate.** The motion is integrated again, with another order and another sequence of steps; and where initial
 //! values or constants are only known within a bound, twice more from opposite ends of it. At every step end of these
 //! companions the difference is compared; the largest so far, times a safety factor, plus a floor for rounding, is the
-//! error. It is an estimate, not an enclosure: it sees truncation, rounding and the growth of both, because rounding takes
-//! another course in every companion.
+//! error. The companions go side by side with the motion (see the module `abreast`). It is an estimate, not an enclosure: it
+//! sees truncation, rounding and the growth of both, because rounding takes another course in every companion.
 
+use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
-use super::taylor::{Control, Flow, Stop, Walker, horner};
+use super::taylor::{Control, Flow, Step, Stop, Walker, horner};
 use number::{Bounded, NoValue};
 
 /// What the differences between independent integrations are multiplied with.
@@ -49,37 +50,92 @@ pub(super) struct Place {
     since: f64,
 }
 
+/// What a trajectory is made from.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    /// The constants of the field.
+    pub(super) constants: Vec<Bounded>,
+    /// Where the state is given.
+    pub(super) initial_time: f64,
+    /// The state there.
+    pub(super) state: Vec<Bounded>,
+    /// Between which times.
+    pub(super) span: (f64, f64),
+    /// Most steps in each direction.
+    pub(super) max_steps: usize,
+}
+
+/// The numbers without their bounds.
+fn values(of: &[Bounded]) -> Vec<f64> {
+    of.iter().map(|x| x.value).collect()
+}
+
 impl Trajectory {
-    /// Integrates from (`initial_time`, `state`) over `span`.
+    /// Integrates several motions of one field; each is what it is alone, bit for bit. `None` if it was stopped.
     ///
     /// # Errors
-    /// The state whose rate has no value at the initial time. Later obstacles end the trajectory and are kept with it.
+    /// For each of them: the state whose rate has no value at the initial time. Later obstacles end the trajectory and are kept
+    /// with it.
     pub(super) fn integrate(
         flow: &Flow,
-        constants: &[Bounded],
-        initial_time: f64,
-        state: &[Bounded],
-        span: (f64, f64),
-        max_steps: usize,
-    ) -> Result<Trajectory, (usize, NoValue)> {
-        let branch = |end: f64| branch(flow, constants, (initial_time, end), state, max_steps);
-        Ok(Trajectory {
-            dimension: flow.dimension,
-            initial_time,
-            initial_error: state.iter().map(|x| x.error).collect(),
-            forward: branch(span.1)?,
-            backward: branch(span.0)?,
-        })
+        plans: &[Plan],
+        halt: Halt,
+    ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
+        Trajectory::by(|flow, runs| abreast::run(flow, runs, halt), flow, plans)
+    }
+
+    /// The same, where `run` lets integrations run.
+    fn by(
+        run: impl for<'a> Fn(&'a Flow, &mut [Run<'a>]) -> bool,
+        flow: &Flow,
+        plans: &[Plan],
+    ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
+        let ends = |plan: &Plan| [plan.span.1, plan.span.0];
+        let mut runs: Vec<Run> = Vec::new();
+        for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
+            runs.push(Run::Whole(Whole::new(flow, plan, end)));
+            if end != plan.initial_time {
+                runs.extend(Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end))));
+            }
+        }
+        if !run(flow, &mut runs) {
+            return None;
+        }
+        let mut runs = runs.into_iter().peekable();
+        let mut branch = |plan: &Plan| {
+            let whole = match runs.next() {
+                Some(Run::Whole(whole)) => whole.finish(),
+                Some(Run::Ends(_)) | None => Ok(Branch::default()),
+            };
+            let checks = std::iter::from_fn(|| match runs.next_if(|run| matches!(run, Run::Ends(_))) {
+                Some(Run::Ends(ends)) => Some(ends),
+                Some(Run::Whole(_)) | None => None,
+            });
+            let checks: Vec<Ends> = checks.collect();
+            match whole {
+                Ok(whole) => whole.checked(&run, flow, plan, checks).map(Ok),
+                Err(singular) => Some(Err(singular)),
+            }
+        };
+        let trajectory = |plan: &Plan| {
+            let (forward, backward) = (branch(plan)?, branch(plan)?);
+            let initial_error = plan.state.iter().map(|x| x.error).collect();
+            let (dimension, initial_time) = (flow.dimension, plan.initial_time);
+            let whole = |forward, backward| Trajectory { dimension, initial_time, initial_error, forward, backward };
+            Some(forward.and_then(|forward| Ok(whole(forward, backward?))))
+        };
+        plans.iter().map(trajectory).collect()
     }
 
     /// One more integration over the forward part, without companions: number of steps.
     pub(super) fn again(&self, flow: &Flow, constants: &[Bounded]) -> usize {
         let place = self.place(self.initial_time);
+        let (initial_time, span) = (self.initial_time, (self.initial_time, self.reach().1));
         let state: Vec<Bounded> = (0..self.dimension).map(|i| self.bounded(place, i)).collect();
-        let numbers: Vec<f64> = constants.iter().map(|c| c.value).collect();
-        let control = Control { order: ORDER, caution: 1.0, max_steps: usize::MAX };
-        let span = (self.initial_time, self.reach().1);
-        Branch::integrate(flow, control, &numbers, span, &state).map_or(0, |b| b.times.len() - 1)
+        let plan = Plan { constants: constants.to_vec(), initial_time, state, span, max_steps: usize::MAX };
+        let mut run = [Whole::new(flow, &plan, span.1)];
+        abreast::run(flow, &mut run, &|| false);
+        run[0].branch.times.len() - 1
     }
 
     /// The times between which the motion is known.
@@ -235,119 +291,249 @@ fn problem(flow: &Flow, stop: Stop, time: f64) -> Problem {
     }
 }
 
-fn branch(
-    flow: &Flow,
-    constants: &[Bounded],
-    (start, end): (f64, f64),
-    state: &[Bounded],
+/// An integration that is kept.
+struct Whole<'a> {
+    walker: Walker<'a>,
+    flow: &'a Flow,
+    started: bool,
+    branch: Branch,
+    /// Largest value of every state so far, for the rounding floor.
+    largest: Vec<f64>,
+    initial_error: Vec<f64>,
     max_steps: usize,
-) -> Result<Branch, (usize, NoValue)> {
-    let n = flow.dimension;
-    let values = |of: &[Bounded]| of.iter().map(|x| x.value).collect::<Vec<f64>>();
-    let (numbers, initial) = (values(constants), values(state));
-    let control = Control { order: ORDER, caution: 1.0, max_steps };
-    let mut out = Branch::integrate(flow, control, &numbers, (start, end), state)?;
-    if out.times.len() > 1 {
-        // Two orders less, but steps that make the truncation about as small.
-        out.compare(flow, control, &numbers, &initial, 2, 0.8);
-        if constants.iter().chain(state).any(|x| x.error > 0.0) {
-            let shifted = |of: &[Bounded], sign: &dyn Fn(usize) -> f64| {
-                of.iter().enumerate().map(|(i, x)| x.value + sign(i) * x.error).collect::<Vec<f64>>()
-            };
-            // Two corners of the box of what is known; the second alternates in a sequence without a short period.
-            let corner = |i: usize| if (i * i + i / 2).is_multiple_of(3) { 1.0 } else { -1.0 };
-            for (sign, caution) in [(&(|_| 1.0) as &dyn Fn(usize) -> f64, 0.97), (&corner, 0.91)] {
-                out.compare(flow, control, &shifted(constants, sign), &shifted(state, sign), 0, caution);
-            }
-        }
-        out.settle(n);
-    }
-    Ok(out)
+    /// A rate without a value at the initial time.
+    singular: Option<(usize, NoValue)>,
 }
 
-impl Branch {
-    /// The integration itself; errors are the rounding floor.
-    fn integrate(
-        flow: &Flow,
-        control: Control,
-        constants: &[f64],
-        (start, end): (f64, f64),
-        state: &[Bounded],
-    ) -> Result<Branch, (usize, NoValue)> {
-        let mut out = Branch { times: vec![start], ..Branch::default() };
-        let initial: Vec<f64> = state.iter().map(|x| x.value).collect();
-        let mut walker = match Walker::new(flow, control, constants, (start, end), &initial) {
-            Ok(walker) => walker,
-            Err(Stop::NoRate(i, reason)) => return Err((i, reason)),
-            Err(stop @ (Stop::Collapsed | Stop::Undetermined)) => {
-                out.problem = Some(problem(flow, stop, start));
-                return Ok(out);
-            }
-        };
-        // Largest value so far, for the rounding floor.
-        let mut largest: Vec<f64> = initial.iter().map(|x| x.abs()).collect();
-        while !walker.finished() {
-            if out.times.len() > control.max_steps {
-                out.problem = Some(Problem::TooManySteps { time: walker.time, steps: control.max_steps });
-                break;
-            }
-            match walker.step() {
-                Ok(step) => {
-                    out.coefficients.extend_from_slice(step.coefficients);
-                    out.low.extend_from_slice(step.low);
-                }
-                Err(stop) => {
-                    out.problem = Some(problem(flow, stop, walker.time));
-                    break;
-                }
-            }
-            out.times.push(walker.time);
-            for (((l, x), b), late) in largest.iter_mut().zip(&walker.state).zip(state).zip(&walker.late) {
-                *l = l.max(x.abs());
-                out.error.push(FLOOR * *l + 2.0 * b.error + SAFETY * late);
-            }
+impl<'a> Whole<'a> {
+    fn new(flow: &'a Flow, plan: &Plan, end: f64) -> Whole<'a> {
+        let initial = values(&plan.state);
+        let control = Control { order: ORDER, caution: 1.0 };
+        Whole {
+            walker: Walker::new(flow, control, &values(&plan.constants), (plan.initial_time, end), &initial),
+            flow,
+            started: false,
+            branch: Branch { times: vec![plan.initial_time], ..Branch::default() },
+            largest: initial.iter().map(|x| x.abs()).collect(),
+            initial_error: plan.state.iter().map(|x| x.error).collect(),
+            max_steps: plan.max_steps,
+            singular: None,
         }
+    }
+
+    /// What was found: errors are the rounding floor.
+    fn finish(self) -> Result<Branch, (usize, NoValue)> {
+        let mut out = self.branch;
         // How many steps there would be was not known.
         for column in [&mut out.coefficients, &mut out.low, &mut out.times, &mut out.error] {
             column.shrink_to_fit();
         }
-        Ok(out)
+        self.singular.map_or(Ok(out), Err)
+    }
+}
+
+impl<'a> Runner<'a> for Whole<'a> {
+    fn walker(&mut self) -> &mut Walker<'a> {
+        &mut self.walker
     }
 
-    /// Integrates once more and raises the errors where the two differ; ends the branch where the other ends.
-    fn compare(
-        &mut self,
+    fn note(&mut self, event: Event) -> bool {
+        let (walker, out) = (&self.walker, &mut self.branch);
+        match event {
+            Event::Started => self.started = true,
+            Event::Stepped => {
+                let Step { coefficients, low } = walker.made();
+                out.coefficients.extend_from_slice(coefficients);
+                out.low.extend_from_slice(low);
+                out.times.push(walker.time);
+                for (i, l) in self.largest.iter_mut().enumerate() {
+                    *l = l.max(walker.state[i].abs());
+                    out.error.push(FLOOR * *l + 2.0 * self.initial_error[i] + SAFETY * walker.late[i]);
+                }
+            }
+            Event::Stopped(Stop::NoRate(i, reason)) if !self.started => {
+                self.singular = Some((i, reason));
+                return false;
+            }
+            Event::Stopped(stop) => {
+                out.problem = Some(problem(self.flow, stop, walker.time));
+                return false;
+            }
+        }
+        if !walker.finished() && out.times.len() > self.max_steps {
+            out.problem = Some(Problem::TooManySteps { time: walker.time, steps: self.max_steps });
+            return false;
+        }
+        !walker.finished()
+    }
+}
+
+/// How a companion differs from the motion whose error it is to show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Check {
+    /// Two orders less, but steps that make the truncation about as small.
+    Method,
+    /// One corner of the box of what is known.
+    Corner,
+    /// Another one; its signs alternate in a sequence without a short period.
+    Alternating,
+}
+
+impl Check {
+    /// The companions of a motion.
+    fn of(plan: &Plan) -> &'static [Check] {
+        match plan.constants.iter().chain(&plan.state).any(|x| x.error > 0.0) {
+            true => &[Check::Method, Check::Corner, Check::Alternating],
+            false => &[Check::Method],
+        }
+    }
+
+    /// Order and caution.
+    fn control(self) -> Control {
+        match self {
+            Check::Method => Control { order: ORDER - 2, caution: 0.8 },
+            Check::Corner => Control { order: ORDER, caution: 0.97 },
+            Check::Alternating => Control { order: ORDER, caution: 0.91 },
+        }
+    }
+
+    /// The numbers with which it is integrated.
+    fn shifted(self, of: &[Bounded]) -> Vec<f64> {
+        let sign = |i: usize| match self {
+            Check::Method => 0.0,
+            Check::Corner => 1.0,
+            Check::Alternating if (i * i + i / 2).is_multiple_of(3) => 1.0,
+            Check::Alternating => -1.0,
+        };
+        match self {
+            Check::Method => values(of),
+            Check::Corner | Check::Alternating => {
+                of.iter().enumerate().map(|(i, x)| x.value + sign(i) * x.error).collect()
+            }
+        }
+    }
+}
+
+/// An integration of which the states at the ends of steps are kept.
+struct Ends<'a> {
+    walker: Walker<'a>,
+    check: Check,
+    times: Vec<f64>,
+    /// All states at each of these times.
+    states: Vec<f64>,
+    max_steps: usize,
+    /// Where it ends before its end.
+    broken: Option<f64>,
+}
+
+impl<'a> Ends<'a> {
+    fn new(flow: &'a Flow, plan: &Plan, check: Check, end: f64) -> Ends<'a> {
+        let (constants, state) = (check.shifted(&plan.constants), check.shifted(&plan.state));
+        Ends {
+            walker: Walker::new(flow, check.control(), &constants, (plan.initial_time, end), &state),
+            check,
+            times: Vec::new(),
+            states: Vec::new(),
+            max_steps: plan.max_steps.saturating_mul(4),
+            broken: None,
+        }
+    }
+}
+
+impl<'a> Runner<'a> for Ends<'a> {
+    fn walker(&mut self) -> &mut Walker<'a> {
+        &mut self.walker
+    }
+
+    fn note(&mut self, event: Event) -> bool {
+        let walker = &self.walker;
+        match event {
+            Event::Started => {}
+            Event::Stepped => {
+                self.times.push(walker.time);
+                self.states.extend_from_slice(&walker.state);
+            }
+            Event::Stopped(_) => {
+                self.broken = Some(walker.time);
+                return false;
+            }
+        }
+        if !walker.finished() && self.times.len() >= self.max_steps {
+            self.broken = Some(walker.time);
+            return false;
+        }
+        !walker.finished()
+    }
+}
+
+/// An integration of one kind or the other.
+enum Run<'a> {
+    Whole(Whole<'a>),
+    Ends(Ends<'a>),
+}
+
+impl<'a> Runner<'a> for Run<'a> {
+    fn walker(&mut self) -> &mut Walker<'a> {
+        match self {
+            Run::Whole(of) => of.walker(),
+            Run::Ends(of) => of.walker(),
+        }
+    }
+
+    fn note(&mut self, event: Event) -> bool {
+        match self {
+            Run::Whole(of) => of.note(event),
+            Run::Ends(of) => of.note(event),
+        }
+    }
+}
+
+impl Branch {
+    /// With its errors, from companions that were integrated beside it; `None` if `run` was stopped.
+    fn checked(
+        mut self,
+        run: &impl for<'a> Fn(&'a Flow, &mut [Run<'a>]) -> bool,
         flow: &Flow,
-        control: Control,
-        constants: &[f64],
-        initial: &[f64],
-        less: usize,
-        caution: f64,
-    ) {
-        let n = flow.dimension;
+        plan: &Plan,
+        companions: Vec<Ends>,
+    ) -> Option<Branch> {
+        if self.times.len() < 2 {
+            return Some(self);
+        }
+        for companion in companions {
+            let end = self.times.last().copied().unwrap_or(plan.initial_time);
+            if companion.walker.end == end {
+                self.compare(&companion);
+                continue;
+            }
+            // The motion ends before its span: so shall its companion, which chooses its steps by the end.
+            let mut again = [Run::Ends(Ends::new(flow, plan, companion.check, end))];
+            if end != plan.initial_time && !run(flow, &mut again) {
+                return None;
+            }
+            if let [Run::Ends(again)] = &again {
+                self.compare(again);
+            }
+        }
+        self.settle(flow.dimension);
+        Some(self)
+    }
+
+    /// Raises the errors where a companion differs; ends the branch where the companion ends.
+    fn compare(&mut self, companion: &Ends) {
+        let n = companion.walker.state.len();
         let (Some(&start), Some(&end)) = (self.times.first(), self.times.last()) else { return };
         let forward = end > start;
-        let control = Control { order: control.order - less, caution, max_steps: 4 * control.max_steps };
-        let Ok(mut walker) = Walker::new(flow, control, constants, (start, end), initial) else {
-            self.cut(n, start);
-            return;
-        };
-        let (mut here, mut steps) = (0, 0);
-        while !walker.finished() {
+        let mut here = 0;
+        for (&time, state) in companion.times.iter().zip(companion.states.chunks(n.max(1))) {
             // What is found at the end of the companion's step counts from the step in which it began.
             let first = here;
-            steps += 1;
-            if steps > control.max_steps || walker.step().is_err() {
-                let time = walker.time;
-                self.cut(n, time);
-                return;
-            }
-            let after = |t: f64| if forward { t < walker.time } else { t > walker.time };
+            let after = |t: f64| if forward { t < time } else { t > time };
             while here + 2 < self.times.len() && after(self.times[here + 1]) {
                 here += 1;
             }
-            let since = walker.time - self.times[here];
-            for (i, &x) in walker.state.iter().enumerate() {
+            let since = time - self.times[here];
+            for (i, &x) in state.iter().enumerate() {
                 let at = here * n + i;
                 let c = &self.coefficients[at * (ORDER + 1)..(at + 1) * (ORDER + 1)];
                 let difference = ((c[0] - x) + (self.low[at] + since * horner(&c[1..], since))).abs() * SAFETY;
@@ -356,6 +542,9 @@ impl Branch {
                     *error = error.max(difference + FLOOR * x.abs());
                 }
             }
+        }
+        if let Some(time) = companion.broken {
+            self.cut(n, time);
         }
     }
 
@@ -385,3 +574,6 @@ impl Branch {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

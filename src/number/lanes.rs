@@ -10,14 +10,15 @@
 //! and the loops of + − × ÷ √ become vector instructions.
 
 use super::slope::slope;
-use super::wide::Convolution;
-use super::{NoValue, Number, Op, Rational, Scalar, real, scalar};
+use super::wide::{Convolution, SeriesSteps};
+use super::{Instruction, Jet, NoValue, Number, Op, Orders, Rational, Scalar, real, scalar};
 use pulp::Arch;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `N` points. On cache-line boundaries: vector loads that cross one take twice the time.
+/// `N` points. On the boundaries of registers of four: loads that cross a cache line take twice the time. Wider ones would leave
+/// half of the memory of a series of four lanes empty.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C, align(64))]
+#[repr(C, align(32))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 /// `N` points with their derivatives along one direction each: in batches, what [`num_dual::Dual64`] is for one point.
@@ -264,6 +265,10 @@ impl<const N: usize> Scalar for Lanes<N> {
 
     fn convolution(a: &[Self], b: &[Self]) -> Self {
         Arch::new().dispatch(Convolution(a, b)).unwrap_or_else(|| scalar::by_four(a, b))
+    }
+
+    fn run_series(orders: &Orders, values: &mut [Jet<Self>], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+        Arch::new().dispatch(SeriesSteps { orders, values, missing, steps });
     }
 }
 

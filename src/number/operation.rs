@@ -27,7 +27,7 @@ pub(super) trait Apply<N> {
 }
 
 /// As the number type does it.
-struct Plain<'c, C>(&'c C);
+pub(super) struct Plain<'c, C>(pub(super) &'c C);
 
 impl<N: Number> Apply<N> for Plain<'_, N::Context> {
     #[inline(always)]

@@ -3,7 +3,8 @@
 //! Operators here are *unchecked*: they may yield NaN or ∞, which [`Scalar::checked`] finds once per result. This keeps
 //! the inner loops of the recurrences free of branches.
 
-use super::{NoValue, Number};
+use super::operation::{Plain, run_each};
+use super::{Instruction, Jet, NoValue, Number, Orders};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number type without a context that is cheap to copy: the base of [`Jet`](super::Jet) and of the duals.
@@ -50,6 +51,12 @@ pub trait Scalar:
     #[inline(always)]
     fn convolution(a: &[Self], b: &[Self]) -> Self {
         by_four(a, b)
+    }
+
+    /// Carries out the steps of a program over series, see [`Number::run`].
+    #[inline(always)]
+    fn run_series(orders: &Orders, values: &mut [Jet<Self>], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+        run_each(values, missing, steps, Plain(orders));
     }
 }
 

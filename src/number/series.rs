@@ -4,7 +4,7 @@
 //! of known coefficients whose orders add up to k. dx means the series of h·x′, whose coefficients are k·xₖ: in this form a
 //! relation x′ = g·a′ reads dxₖ = Σ gₖ₋ⱼ·daⱼ and costs one convolution.
 
-use super::{Jet, NoValue, Number, Orders, Rational, Scalar, scalar::value};
+use super::{Instruction, Jet, NoValue, Number, Orders, Rational, Scalar, scalar::value};
 
 /// Σ aᵢ·bₖ₋ᵢ for lo ≤ i ≤ hi, as far as both are known; slices end where the series does.
 #[inline(always)]
@@ -264,6 +264,11 @@ fn companions_of_power(n: u32) -> usize {
 impl<B: Scalar> Number for Jet<B> {
     type Context = Orders;
 
+    // In one place, so that the recurrences become part of the loop.
+    #[inline(never)]
+    fn run(orders: &Orders, values: &mut [Self], missing: &mut [Option<NoValue>], steps: &[Instruction]) {
+        B::run_series(orders, values, missing, steps);
+    }
     fn blank(cx: &Orders) -> Jet<B> {
         Jet::constant(B::ZERO, cx)
     }

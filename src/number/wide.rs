@@ -14,7 +14,7 @@
 
 use super::bounded::{DOWN, TINY, U, UP};
 use super::operation::{Apply, run_each};
-use super::{BoundedLanes, Instruction, Lanes, NoValue, Op};
+use super::{BoundedLanes, Instruction, Jet, Lanes, NoValue, Op, Orders, Scalar};
 use pulp::{Simd, WithSimd};
 
 /// Steps over lanes, to be run with some instruction set.
@@ -314,39 +314,193 @@ impl<const N: usize> WithSimd for Convolution<'_, Lanes<N>> {
         if !N.is_multiple_of(S::F64_LANES) || a.len() != b.len() {
             return None;
         }
-        let (n, body) = (a.len(), a.len() / 4 * 4);
         let mut out = Lanes([0.0; N]);
-        for lanes in 0..N / S::F64_LANES {
-            macro_rules! product {
-                ($t:expr) => {{
-                    let (p, q) = (S::as_simd_f64s(&a[$t].0).0[lanes], S::as_simd_f64s(&b[n - 1 - $t].0).0[lanes]);
-                    simd.mul_f64s(p, q)
-                }};
-            }
-            let mut sum = simd.splat_f64s(0.0);
-            if body > 0 {
-                let mut s = [product!(0), product!(1), product!(2), product!(3)];
-                for t in (4..body).step_by(4) {
-                    s[0] = simd.add_f64s(s[0], product!(t));
-                    s[1] = simd.add_f64s(s[1], product!(t + 1));
-                    s[2] = simd.add_f64s(s[2], product!(t + 2));
-                    s[3] = simd.add_f64s(s[3], product!(t + 3));
-                }
-                sum = simd.add_f64s(simd.add_f64s(s[0], s[2]), simd.add_f64s(s[1], s[3]));
-            }
-            for t in body..n {
-                sum = simd.add_f64s(sum, product!(t));
-            }
-            S::as_mut_simd_f64s(&mut out.0).0[lanes] = sum;
+        for (lanes, out) in S::as_mut_simd_f64s(&mut out.0).0.iter_mut().enumerate() {
+            [*out] = convolution(simd, lanes, a, b);
         }
         Some(out)
     }
 }
 
+/// A register of lanes: that with this number.
+#[inline(always)]
+fn lanes_of<S: Simd, const N: usize>(x: &Lanes<N>, lanes: usize) -> S::f64s {
+    S::as_simd_f64s(&x.0).0[lanes]
+}
+
+/// The sum of [`Convolution`] in `R` registers of lanes from this one on, over slices of the same length.
+#[allow(clippy::needless_range_loop, reason = "a register has the same number in all sums, and in what they add up")]
+#[inline(always)]
+fn convolution<S: Simd, const N: usize, const R: usize>(
+    simd: S,
+    from: usize,
+    a: &[Lanes<N>],
+    b: &[Lanes<N>],
+) -> [S::f64s; R] {
+    let (head, tail) = a.as_chunks::<4>();
+    let (rest, back) = b.as_rchunks::<4>();
+    let mut sum = [simd.splat_f64s(0.0); R];
+    // Macros for the reason given at `zip`.
+    macro_rules! product {
+        ($p:expr, $q:expr, $r:ident) => {
+            simd.mul_f64s(lanes_of::<S, N>($p, from + $r), lanes_of::<S, N>($q, from + $r))
+        };
+    }
+    if let ([p, head @ ..], [back @ .., q]) = (head, back) {
+        let mut s = [[simd.splat_f64s(0.0); R]; 4];
+        for r in 0..R {
+            s[0][r] = product!(&p[0], &q[3], r);
+            s[1][r] = product!(&p[1], &q[2], r);
+            s[2][r] = product!(&p[2], &q[1], r);
+            s[3][r] = product!(&p[3], &q[0], r);
+        }
+        for (p, q) in head.iter().zip(back.iter().rev()) {
+            for r in 0..R {
+                s[0][r] = simd.add_f64s(s[0][r], product!(&p[0], &q[3], r));
+                s[1][r] = simd.add_f64s(s[1][r], product!(&p[1], &q[2], r));
+                s[2][r] = simd.add_f64s(s[2][r], product!(&p[2], &q[1], r));
+                s[3][r] = simd.add_f64s(s[3][r], product!(&p[3], &q[0], r));
+            }
+        }
+        for r in 0..R {
+            sum[r] = simd.add_f64s(simd.add_f64s(s[0][r], s[2][r]), simd.add_f64s(s[1][r], s[3][r]));
+        }
+    }
+    for (p, q) in tail.iter().zip(rest.iter().rev()) {
+        for r in 0..R {
+            sum[r] = simd.add_f64s(sum[r], product!(p, q, r));
+        }
+    }
+    sum
+}
+
+/// Steps over series in lanes, to be run with some instruction set.
+pub(super) struct SeriesSteps<'s, const N: usize> {
+    pub(super) orders: &'s Orders,
+    pub(super) values: &'s mut [Jet<Lanes<N>>],
+    pub(super) missing: &'s mut [Option<NoValue>],
+    pub(super) steps: &'s [Instruction],
+}
+
+impl<const N: usize> WithSimd for SeriesSteps<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        run_each(self.values, self.missing, self.steps, Grown(simd, self.orders));
+    }
+}
+
+/// One order of a series, in all lanes together where that can be.
+struct Grown<'o, S>(S, &'o Orders);
+
+impl<S: Simd, const N: usize> Apply<Jet<Lanes<N>>> for Grown<'_, S> {
+    #[inline(always)]
+    fn apply(&self, op: Op, out: &mut Jet<Lanes<N>>, a: &Jet<Lanes<N>>, b: &Jet<Lanes<N>>) -> Result<(), NoValue> {
+        let Grown(simd, orders) = *self;
+        match orders.single() {
+            Some(k) if grow(simd, op, k, out, a, b) => Ok(()),
+            _ => by_recurrence(op, orders, out, a, b),
+        }
+    }
+}
+
+/// Some of the lanes of a coefficient.
+#[inline(always)]
+fn coefficient<S: Simd, const N: usize>(simd: S, x: &Jet<Lanes<N>>, k: usize, lanes: usize) -> S::f64s {
+    match k < x.length {
+        true => lanes_of::<S, N>(&x.series[k], lanes),
+        false => simd.splat_f64s(0.0),
+    }
+}
+
+/// As every base does it.
+#[inline(never)]
+fn by_recurrence<const N: usize>(
+    op: Op,
+    orders: &Orders,
+    out: &mut Jet<Lanes<N>>,
+    a: &Jet<Lanes<N>>,
+    b: &Jet<Lanes<N>>,
+) -> Result<(), NoValue> {
+    op.apply(orders, out, a, b)
+}
+
+/// Coefficient `k` of the operations that most right sides consist of, by the sums that [`Jet`] makes; `false` where it is left
+/// to the recurrence.
+#[inline(always)]
+fn grow<S: Simd, const N: usize>(
+    simd: S,
+    op: Op,
+    k: usize,
+    out: &mut Jet<Lanes<N>>,
+    a: &Jet<Lanes<N>>,
+    b: &Jet<Lanes<N>>,
+) -> bool {
+    // One lane at a time would be slower than what the compiler makes of an array.
+    if S::F64_LANES == 1 || !N.is_multiple_of(S::F64_LANES) || k >= out.series.len() {
+        return false;
+    }
+    macro_rules! put {
+        ($lanes:expr, $value:expr) => {{
+            // x − x is 0, or NaN where x is not finite.
+            let value = simd.add_f64s($value, simd.sub_f64s($value, $value));
+            S::as_mut_simd_f64s(&mut out.series[k].0).0[$lanes] = value;
+        }};
+    }
+    macro_rules! each {
+        (|$lanes:ident| $value:expr) => {
+            for $lanes in 0..N / S::F64_LANES {
+                let value = $value;
+                put!($lanes, value);
+            }
+        };
+    }
+    match op {
+        Op::Add => each!(|lanes| simd.add_f64s(coefficient(simd, a, k, lanes), coefficient(simd, b, k, lanes))),
+        Op::Sub => each!(|lanes| simd.sub_f64s(coefficient(simd, a, k, lanes), coefficient(simd, b, k, lanes))),
+        Op::Neg => each!(|lanes| simd.neg_f64s(coefficient(simd, a, k, lanes))),
+        Op::Mul => match (a.upto(k), b.upto(k)) {
+            // Both in one loop, where there are two.
+            (Some(p), Some(q)) if N == 2 * S::F64_LANES => {
+                let [low, high] = convolution(simd, 0, p, q);
+                put!(0, low);
+                put!(1, high);
+            }
+            (Some(p), Some(q)) => each!(|lanes| {
+                let [sum] = convolution(simd, lanes, p, q);
+                sum
+            }),
+            _ if a.length == 1 => {
+                each!(|lanes| simd.mul_f64s(coefficient(simd, a, 0, lanes), coefficient(simd, b, k, lanes)))
+            }
+            _ if b.length == 1 => {
+                each!(|lanes| simd.mul_f64s(coefficient(simd, a, k, lanes), coefficient(simd, b, 0, lanes)))
+            }
+            _ => return false,
+        },
+        Op::Div => match (b.upto(k), out.series.get(..k)) {
+            _ if b.length == 1 => {
+                each!(|lanes| simd.div_f64s(coefficient(simd, a, k, lanes), coefficient(simd, b, 0, lanes)))
+            }
+            (Some([_, q @ ..]), Some(_)) => each!(|lanes| {
+                let [known] = convolution(simd, lanes, q, &out.series[..k]);
+                simd.div_f64s(simd.sub_f64s(coefficient(simd, a, k, lanes), known), coefficient(simd, b, 0, lanes))
+            }),
+            _ => return false,
+        },
+        _ => return false,
+    }
+    if !out.series[k].is_zero() {
+        out.length = k + 1;
+    }
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Bounded, Draws, Number, Scalar};
+    use crate::{Bounded, Draws, Number};
 
     /// Numbers of all sizes, exact or not, with zeros, and now and then one that is not finite.
     fn number(draws: &mut Draws) -> Bounded {
@@ -403,6 +557,77 @@ mod tests {
             }
         }
         assert!(exact > 20, "{exact}");
+    }
+
+    /// Runs a program over series in lanes and over those of one point, order by order: how many coefficients were compared.
+    fn check_series<const N: usize>(rounds: usize) -> usize {
+        const DEGREE: usize = 13;
+        let mut draws = Draws::new(17);
+        let mut compared = 0;
+        let ops = [Op::Add, Op::Sub, Op::Mul, Op::Div, Op::Neg, Op::Mul, Op::Powi(2), Op::Sqrt, Op::Sin, Op::Arctan2];
+        for round in 0..rounds {
+            // Arguments that end early, begin with zeros, or are not finite somewhere.
+            let mut argument = |_| -> Vec<[f64; N]> {
+                let length = if draws.below(3) == 0 { 1 + draws.below(4) as usize } else { DEGREE + 1 };
+                let zeros = draws.below(4) == 0;
+                let mut of = |k: usize| match k >= length || zeros && draws.below(2) == 0 {
+                    true => 0.0,
+                    false if round % 3 > 0 => draws.below(1 << 20) as f64 / 65536.0 - 3.0,
+                    false => number(&mut draws).value,
+                };
+                (0..=DEGREE).map(|k| std::array::from_fn(|_| of(k))).collect()
+            };
+            let arguments: Vec<Vec<[f64; N]>> = (0..3).map(&mut argument).collect();
+            let steps: Vec<Instruction> = (3..9)
+                .map(|out| {
+                    let (a, b) = (draws.below(u64::from(out)) as u32, draws.below(u64::from(out)) as u32);
+                    let op = ops[draws.below(ops.len() as u64) as usize];
+                    Instruction { op, a, b: if op.arity() == 1 { a } else { b }, out }
+                })
+                .collect();
+            fn grown<B: Scalar>(arguments: &[Vec<B>], steps: &[Instruction]) -> (Vec<Jet<B>>, Vec<Option<NoValue>>) {
+                let orders = Orders::all(DEGREE);
+                let mut values = vec![Jet::constant(B::ZERO, &orders); 9];
+                for (x, argument) in values.iter_mut().zip(arguments) {
+                    argument.iter().enumerate().for_each(|(k, c)| x.set_coefficient(k, *c));
+                    // What is known of an argument does not end with a zero.
+                    argument.iter().enumerate().filter(|(_, c)| !c.is_zero()).for_each(|(k, _)| x.length = k + 1);
+                }
+                let mut missing = vec![None; 9];
+                let mut first = vec![None; 9];
+                for k in 0..=DEGREE {
+                    Jet::run(&Orders::only(k, DEGREE), &mut values, &mut missing, steps);
+                    first.iter_mut().zip(&missing).for_each(|(f, m): (&mut Option<NoValue>, _)| *f = f.or(*m));
+                }
+                (values, first)
+            }
+            let lanes: Vec<Vec<Lanes<N>>> = arguments.iter().map(|a| a.iter().map(|c| Lanes(*c)).collect()).collect();
+            let (wide, missing) = grown(&lanes, &steps);
+            assert!(missing.iter().all(Option::is_none));
+            for i in 0..N {
+                let one: Vec<Vec<f64>> = arguments.iter().map(|a| a.iter().map(|c| c[i]).collect()).collect();
+                let (narrow, missing) = grown(&one, &steps);
+                for slot in 3..9 {
+                    for k in 0..=DEGREE {
+                        let (x, y) = (wide[slot].coefficient(k).0[i], narrow[slot].coefficient(k));
+                        // A lane may be without a value where a point is not: it is grown again alone then.
+                        if missing[slot].is_none() && !x.is_nan() {
+                            assert_eq!(x, y, "{steps:?} slot {slot} order {k} of {one:?}");
+                            compared += 1;
+                        }
+                    }
+                    let valued = (0..=DEGREE).all(|k| !wide[slot].coefficient(k).0[i].is_nan());
+                    assert!(missing[slot].is_none() || !valued, "{steps:?} slot {slot} of {one:?}");
+                }
+            }
+        }
+        compared
+    }
+
+    #[test]
+    fn wide_series_are_those_of_one_point() {
+        let compared = (check_series::<8>(400), check_series::<4>(400), check_series::<3>(100));
+        assert!(compared.0 > 50_000 && compared.1 > 25_000 && compared.2 > 3_000, "{compared:?}");
     }
 
     fn check<const N: usize>(blocks: usize) -> usize {

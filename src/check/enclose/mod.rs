@@ -151,6 +151,10 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
     }
     let mut withdrawn = None;
     for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
+        if let Some(reached) = request.limits.reached() {
+            claim::remark(verdict, reached);
+            continue;
+        }
         let prepared = program(*k);
         let program = &prepared.program;
         let sampled = |comparison: &Comparison, time: f64| {

@@ -19,7 +19,7 @@ pub use confidence::{CONFIDENCE, failing_share};
 
 use super::account::{ClaimAccount, PairAccount};
 use super::independence::Gradients;
-use super::memory::Recall;
+use super::limits::Limits;
 use super::program::Program;
 use super::stage::{Fields, Requests, Stage};
 use super::trial::{self, Trial};
@@ -34,6 +34,8 @@ use member::{MOST_DRAWS, Member, Members};
 
 /// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
 const WAVE: u64 = 256;
+/// So many members are integrated together.
+const TOGETHER: usize = 8;
 /// The most members of the families of a file that are tried.
 const MOST_MEMBERS: u64 = 1_000_000;
 /// The most numbers of members that are looked at, rejected ones counted.
@@ -233,10 +235,15 @@ impl<'a> Troupe<'a> {
             }
             let end = (next + WAVE.min(budget.members)).min(size + 1);
             let numbers: Vec<u64> = (next..end).collect();
-            let found: Vec<Result<One, CheckError>> =
-                numbers.par_iter().with_max_len(1).map(|number| self.one(*number, &prepared)).collect();
+            // Those that are integrated together, whatever the number of threads.
+            let some = numbers.par_chunks(TOGETHER).with_max_len(1);
+            let found = some.flat_map_iter(|some| self.some(some, &prepared, &options.limits)).collect::<Vec<_>>();
+            let mut late = false;
             for (number, one) in numbers.into_iter().zip(found) {
-                let One { values, rejected, steps, verdicts } = one?;
+                let Some(One { values, rejected, steps, verdicts }) = one? else {
+                    late = true;
+                    break;
+                };
                 budget.numbers = budget.numbers.saturating_sub(rejected);
                 budget.steps = budget.steps.saturating_sub(steps);
                 tallies.iter_mut().for_each(|t| t.rejected += rejected);
@@ -244,6 +251,10 @@ impl<'a> Troupe<'a> {
                     budget.members = budget.members.saturating_sub(1);
                     tallies.iter_mut().zip(verdicts).for_each(|(t, verdict)| t.count(number, &values, verdict));
                 }
+            }
+            if late {
+                // The time is over, which the next look tells.
+                continue;
             }
             next = end;
             let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
@@ -264,37 +275,40 @@ impl<'a> Troupe<'a> {
             .hint("a member satisfies every constraint under `where`, and what is declared positive is positive")
     }
 
-    /// One number: its member, if it gives one, and the verdicts on it.
-    fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
-        match self.members.member(number) {
-            Member::Rejected => Ok(One { values: None, rejected: 1, steps: 0, verdicts: Vec::new() }),
-            Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
-            Member::Found(values, rejected) => {
-                let (verdicts, steps) = self.verdicts(number, &values, prepared)?;
-                Ok(One { values: Some(values), rejected, steps, verdicts })
-            }
-        }
-    }
-
-    /// The verdicts of all claims on a member, and the steps that its motion took. Every member begins with the same graph: what
-    /// others left behind cannot change it.
-    fn verdicts(
+    /// Some numbers: the member of each, if it gives one, and the verdicts on it; nothing for those that a limit of the run leaves
+    /// out. Every member begins with the same graph: what others left behind cannot change it.
+    fn some(
         &self,
-        number: u64,
-        values: &[f64],
+        numbers: &[u64],
         prepared: &[Vec<Prepared>],
-    ) -> Result<(Vec<Verdict>, u64), CheckError> {
-        let family = &self.members.family;
+        limits: &Limits,
+    ) -> Vec<Result<Option<One>, CheckError>> {
         let slot = self.derivation.trajectories.len() - 1;
-        let mut derivation = self.derivation.clone();
-        let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
-        let Some(member) = member else {
-            return Err(CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id)));
-        };
-        let id = member.id.clone();
-        derivation.trajectories[slot] = member;
-        let derivation = &derivation;
-        let claims: Vec<&Claim> = derivation.claims.iter().collect();
+        let family = &self.members.family;
+        let mut found = Vec::new();
+        let mut derivations = Vec::new();
+        for &number in numbers {
+            found.push(match self.members.member(number) {
+                Member::Rejected => Ok(Some(One { values: None, rejected: 1, steps: 0, verdicts: Vec::new() })),
+                Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
+                Member::Found(values, rejected) => {
+                    let mut derivation = self.derivation.clone();
+                    match family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, &values) {
+                        Some(member) => {
+                            derivation.trajectories[slot] = member;
+                            derivations.push(derivation);
+                            let (values, verdicts) = (Some(values), Vec::new());
+                            Ok(Some(One { values, rejected, steps: 0, verdicts }))
+                        }
+                        None => Err(CheckError::Defect(format!(
+                            "the values of member {number} of {} are no numbers",
+                            family.id
+                        ))),
+                    }
+                }
+            });
+        }
+        let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
         let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
         let requests = Requests {
             part: false,
@@ -304,9 +318,31 @@ impl<'a> Troupe<'a> {
             programs: &programs,
             start_of: &self.start_of,
             measures: &[],
+            limits,
         };
-        let stage = Stage::build(derivation, &self.fields, &requests, Recall::default())
-            .map_err(|error| self.not_built(error, values))?;
+        let stages = Stage::build_each(&derivations, &self.fields, &requests);
+        let mut stages = derivations.iter().zip(stages);
+        let with_verdicts = |one: Result<Option<One>, CheckError>| {
+            let Some(one) = one? else { return Ok(None) };
+            let Some(values) = &one.values else { return Ok(Some(one)) };
+            let Some((derivation, stage)) = stages.next() else { return Ok(None) };
+            let Some(stage) = stage.map_err(|error| self.not_built(error, values))? else { return Ok(None) };
+            let verdicts = self.verdicts(derivation, &stage, prepared, limits)?;
+            let steps = stage.motion(slot).map_or(0, Motion::steps) as u64;
+            Ok(Some(One { verdicts, steps, ..one }))
+        };
+        found.into_iter().map(with_verdicts).collect()
+    }
+
+    /// The verdicts of all claims on a member.
+    fn verdicts(
+        &self,
+        derivation: &Derivation,
+        stage: &Stage,
+        prepared: &[Vec<Prepared>],
+        limits: &Limits,
+    ) -> Result<Vec<Verdict>, CheckError> {
+        let slot = derivation.trajectories.len() - 1;
         let (course, contradiction) =
             stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
         let mut accounts: Vec<ClaimAccount> = Vec::new();
@@ -317,22 +353,22 @@ impl<'a> Troupe<'a> {
             if let Some(contradiction) = &contradiction {
                 verdict.contradict(contradiction.clone());
             }
-            let pair = PairAccount { trajectory: id.clone(), verdict, expected: None, discrimination: None };
+            let trajectory = derivation.trajectories[slot].id.clone();
+            let pair = PairAccount { trajectory, verdict, expected: None, discrimination: None };
             accounts.push(ClaimAccount::of(claim, vec![pair]));
         }
         let claimed: Vec<usize> = (0..accounts.len()).collect();
-        by_formula::settle(derivation, &mut accounts, &claimed, &[slot]);
+        by_formula::settle(derivation, &mut accounts, &claimed, &[slot], limits);
         let points = witness::Points {
             derivation,
-            stage: &stage,
+            stage,
             prepared,
             start_of: &self.start_of,
             tried: &[slot],
             wanted: &self.wanted,
         };
         witness::complete(&points, &mut accounts);
-        let steps = stage.motion(slot).map_or(0, Motion::steps) as u64;
-        Ok((accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect(), steps))
+        Ok(accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect())
     }
 
     /// Problems of a member have the place of its family: nobody wrote it.

@@ -1,0 +1,140 @@
+//! Where the right sides of a system are not smooth: kinks, jumps, and places where a slope is infinite.
+//!
+//! **In:** the tape of a field, and the series of its slots at the present time. **Out:** how far the next kink is within a step,
+//! and whether the motion is not determined here. A series does not go on behind a kink, so that a step ends there; which places
+//! are kinks is read from the table of domains.
+
+use super::taylor::{Flow, horner};
+use expr::domain::{Change, Place, Term, row};
+use expr::tape::Slots;
+use number::{Jet, Lanes};
+
+/// The series of all slots of one motion, at the time that was looked at last.
+pub(super) trait Series {
+    /// Coefficient `k` of the series in a slot, which has a value.
+    fn coefficient(&self, slot: usize, k: usize) -> f64;
+}
+
+impl Series for Slots<Jet<f64>> {
+    fn coefficient(&self, slot: usize, k: usize) -> f64 {
+        self.value(slot).coefficient(k)
+    }
+}
+
+/// One of several motions whose series are grown together.
+pub(super) struct Lane<'s, const N: usize> {
+    /// The series of all of them.
+    pub(super) slots: &'s Slots<Jet<Lanes<N>>>,
+    /// Which one.
+    pub(super) lane: usize,
+}
+
+impl<const N: usize> Series for Lane<'_, N> {
+    fn coefficient(&self, slot: usize, k: usize) -> f64 {
+        self.slots.value(slot).coefficient(k).0[self.lane]
+    }
+}
+
+/// What of the right sides is not smooth, by the table of domains. Where the argument of a kink, as |·| has one, changes its
+/// sign, no series goes on, and a step ends there. Where a right side is steep or jumps, the motion is not determined.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Edges {
+    /// The slots of what vanishes at kinks and jumps.
+    pub(super) slots: Vec<usize>,
+    /// For each of these, what must be negative for a jump; nothing for a kink.
+    jumps: Vec<Option<usize>>,
+    /// What vanishes where a right side is steep in a state: a term of the value in a slot.
+    steep: Vec<(Term, usize)>,
+}
+
+/// The kinks that one motion may meet: the series of their arguments around the present time.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kinks {
+    /// `order + 1` coefficients for each argument.
+    pub(super) series: Vec<f64>,
+    /// How many were crossed.
+    pub(super) crossed: usize,
+}
+
+/// Times within a step at which the argument of |·| is looked at.
+const LOOKS: usize = 8;
+
+impl Edges {
+    pub(super) fn of(flow: &Flow) -> Edges {
+        let moving = flow.moving(false);
+        let mut out = Edges::default();
+        for step in flow.tape.instructions() {
+            let (a, b) = (step.a as usize, step.b as usize);
+            for edge in row(step.op).edges {
+                match (edge.change, edge.place) {
+                    (Change::Kink, Place::Zero(Term::First)) => {
+                        out.slots.push(a);
+                        out.jumps.push(None);
+                    }
+                    (Change::Jump(_), Place::ZeroWhile(Term::First, Term::Opposite)) if moving[a] || moving[b] => {
+                        out.slots.push(a);
+                        out.jumps.push(Some(b));
+                    }
+                    // In the time alone it does no harm.
+                    (Change::Steep, Place::Zero(Term::Second)) if moving[b] => out.steep.push((Term::First, b)),
+                    (Change::Steep, Place::Zero(term)) if moving[a] => out.steep.push((term, a)),
+                    // Other edges are where there is no value, which ends the motion anyway.
+                    (Change::Kink | Change::Jump(_) | Change::Steep | Change::Pole(..) | Change::Log, _) => {}
+                }
+            }
+        }
+        out
+    }
+
+    /// Whether a right side is steep at the present state: exactly at an edge.
+    pub(super) fn is_steep(&self, now: &impl Series) -> bool {
+        self.steep.iter().any(|&(term, slot)| term.vanishes(now.coefficient(slot, 0)))
+    }
+
+    /// Whether an edge at which a right side is steep is nearer than a moment.
+    pub(super) fn is_near_steep(&self, now: &impl Series, moment: f64) -> bool {
+        self.steep.iter().any(|&(term, slot)| {
+            let (x, speed) = (now.coefficient(slot, 0), now.coefficient(slot, 1).abs());
+            let off = match term {
+                Term::Unit => (1.0 - x.abs()).abs(),
+                _ => x.abs(),
+            };
+            off <= moment * speed
+        })
+    }
+
+    /// Whether a right side jumps where an argument, by its position, vanishes.
+    pub(super) fn jumps(&self, now: &impl Series, argument: usize) -> bool {
+        self.jumps[argument].is_some_and(|b| now.coefficient(b, 0) < 0.0)
+    }
+}
+
+impl Kinks {
+    /// Keeps the series of the arguments around the present time, up to an order.
+    pub(super) fn keep(&mut self, flow: &Flow, now: &impl Series, order: usize) {
+        self.series.clear();
+        for &slot in &flow.edges.slots {
+            // Of what is not a state, the last coefficient is not grown; beside a walker of higher order it may be there.
+            let known = if slot <= flow.dimension { order } else { order - 1 };
+            let coefficient = |k: usize| if k <= known { now.coefficient(slot, k) } else { 0.0 };
+            self.series.extend((0..=order).map(coefficient));
+        }
+    }
+
+    /// How far the first change of a sign is, within `size` in the direction; with the argument that changes.
+    pub(super) fn first(&self, order: usize, size: f64, direction: f64) -> Option<(f64, usize)> {
+        let changes = |(at, c): (usize, &[f64])| {
+            let now = c[0] > 0.0;
+            let changed = |x: f64| (horner(c, direction * x) > 0.0) != now;
+            let hit = (1..=LOOKS).find(|&j| changed(size * j as f64 / LOOKS as f64))?;
+            let (mut low, mut high) = (size * (hit - 1) as f64 / LOOKS as f64, size * hit as f64 / LOOKS as f64);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if changed(middle) { high = middle } else { low = middle }
+            }
+            Some((high, at))
+        };
+        // An argument without a change is a constant as far as this step goes.
+        self.series.chunks(order + 1).enumerate().filter_map(changes).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
