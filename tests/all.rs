@@ -80,6 +80,7 @@ mod search;
 mod separation;
 mod source;
 mod supply_chain;
+mod sweep;
 mod two_routes;
 mod units;
 mod variants;
