@@ -12,6 +12,7 @@ mod infix;
 mod latex_support;
 mod schema_support;
 
+mod across;
 mod book;
 mod budgets;
 mod circles;

@@ -16,6 +16,7 @@ use crate as check;
 use ::{derivation, diag, expr, flow, latex, number, verdict};
 
 mod account;
+mod across;
 mod between;
 mod by_formula;
 mod cache;

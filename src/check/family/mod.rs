@@ -34,7 +34,7 @@ use super::program::Program;
 use super::stage::{Fields, Requests, Stage};
 use super::trial::{self, Trial};
 use super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, witness};
-use crate::derivation::{Claim, Derivation};
+use crate::derivation::{Claim, Derivation, Form, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::flow::Motion;
@@ -186,6 +186,10 @@ struct Troupe<'a> {
     gradients: Vec<Option<Result<Gradients, String>>>,
     wanted: Vec<Leaf>,
     start_of: Vec<usize>,
+    /// The position of the member among the trajectories.
+    slot: usize,
+    /// The members that it is compared with, which follow it: the position of what varies, and whether it is the next of the row.
+    beside: Vec<(usize, bool)>,
 }
 
 /// What one number gave.
@@ -208,9 +212,23 @@ impl<'a> Troupe<'a> {
         derivation.given.clear();
         derivation.pictures.clear();
         let start = Rational::try_from(base.initial_time).unwrap_or(Rational::ZERO);
-        derivation.trajectories.push(base);
+        derivation.trajectories.push(base.clone());
+        let mut beside: Vec<(usize, bool)> = Vec::new();
         let here = |claim: &&Claim| Claim { trajectories: vec![slot], expect: vec![None], ..(*claim).clone() };
         derivation.claims = asked.iter().map(here).collect();
+        for claim in &mut derivation.claims {
+            let Some(Form::Across(across)) = claim.forms.first_mut() else { continue };
+            let Some(varied) = members.family.vary.iter().position(|v| v.leaf == across.with) else { continue };
+            let which = (varied, across.dependence.is_of_neighbours());
+            let at = beside.iter().position(|b| *b == which).unwrap_or_else(|| {
+                beside.push(which);
+                beside.len() - 1
+            });
+            across.other = Some(slot + 1 + at);
+            claim.trajectories.push(slot + 1 + at);
+            claim.expect.push(None);
+        }
+        derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
         // As in the file with the member pasted into it: the motions share the memory.
         let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
         let count = derivation.claims.len();
@@ -229,8 +247,8 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
         }
-        let start_of = vec![0; slot + 1];
-        Ok(Troupe { members, derivation, fields, programs, gradients, wanted, start_of })
+        let start_of = vec![0; derivation.trajectories.len()];
+        Ok(Troupe { members, derivation, fields, programs, gradients, wanted, start_of, slot, beside })
     }
 
     /// The claims with what is compiled for them.
@@ -339,21 +357,43 @@ impl<'a> Troupe<'a> {
         prepared: &[Vec<Prepared>],
     ) -> Result<(Vec<Verdict>, u64), CheckError> {
         let family = &self.members.family;
-        let slot = self.derivation.trajectories.len() - 1;
+        let slot = self.slot;
         let mut derivation = self.derivation.clone();
-        let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
-        let Some(member) = member else {
-            return Err(CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id)));
+        let made = |derivation: &mut Derivation, values: &[f64]| {
+            let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
+            let defect =
+                || CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id));
+            member.ok_or_else(defect)
         };
+        let member = made(&mut derivation, values)?;
         let id = member.id.clone();
         derivation.trajectories[slot] = member;
+        let mut tried = vec![slot];
+        for (n, &(varied, next)) in self.beside.iter().enumerate() {
+            let at = slot + 1 + n;
+            let other = self.members.beside(number, values, varied, next);
+            if let Ok(other) = &other {
+                let other = made(&mut derivation, other)?;
+                derivation.trajectories[at] = Trajectory { id: format!("{id}-other-{n}"), ..other };
+                tried.push(at);
+            }
+            for form in derivation.claims.iter_mut().flat_map(|c| &mut c.forms) {
+                if let Form::Across(across) = form
+                    && across.other == Some(at)
+                {
+                    // What is compared with none needs no other motion.
+                    across.other = other.as_ref().ok().map(|_| at);
+                    across.values = other.as_ref().map(|o| (values[varied], o[varied])).map_err(|why| *why);
+                }
+            }
+        }
         let derivation = &derivation;
         let claims: Vec<&Claim> = derivation.claims.iter().collect();
         let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
         let requests = Requests {
             part: false,
             wanted: &self.wanted,
-            tried: &[slot],
+            tried: &tried,
             claims: &claims,
             programs: &programs,
             start_of: &self.start_of,
@@ -385,7 +425,7 @@ impl<'a> Troupe<'a> {
             wanted: &self.wanted,
         };
         witness::complete(&points, &mut accounts);
-        let steps = stage.motion(slot).map_or(0, Motion::steps) as u64;
+        let steps = tried.iter().filter_map(|t| stage.motion(*t)).map(Motion::steps).sum::<usize>() as u64;
         Ok((accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect(), steps))
     }
 
