@@ -10,6 +10,7 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
+use crate::check::family::{Join, Part};
 use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
     Witness,
@@ -68,6 +69,8 @@ pub enum Failure {
     Problems(Vec<Diagnostic>),
     /// The question names a claim or a trajectory that is not there.
     Unknown(String),
+    /// Parts of a family that cannot be joined: which, and why, in a sentence.
+    Parts(String),
     /// The flag of [`Limits`] was raised.
     Cancelled,
     /// The program contradicts itself: a defect to be reported.
@@ -79,6 +82,7 @@ impl std::fmt::Display for Failure {
         match self {
             Failure::Problems(found) => f.write_str(&crate::diag::render(found, false)),
             Failure::Unknown(name) => write!(f, "there is no claim or trajectory `{name}`"),
+            Failure::Parts(why) => f.write_str(why),
             Failure::Cancelled => f.write_str("the run was cancelled"),
             Failure::Defect(what) => write!(f, "a defect of this program: {what}"),
         }
@@ -219,6 +223,51 @@ impl Session {
         let mut account = found?;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
+        Ok(Findings { derivation, account })
+    }
+
+    /// Counts one part of the members of a family: the text of its file. `progress` is told how many of how many members are done.
+    ///
+    /// # Errors
+    /// See [`sweep`](check::family::sweep).
+    pub fn sweep(
+        &self,
+        family: &str,
+        part: Part,
+        limits: &Limits,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<String, Failure> {
+        let found = check::family::sweep(&self.derivation, family, part, limits, progress);
+        if limits.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        Ok(report::part_text(&self.derivation, &found?))
+    }
+
+    /// Joins the parts of a family, in any order: names of files for messages, and their texts, one in memory at a time; or why one
+    /// cannot be had. What is found is what [`check`](Session::check) finds on the family, verdicts alone.
+    ///
+    /// # Errors
+    /// A part that is missing, comes twice, is damaged, or is of another file, family, division or version.
+    pub fn join(
+        &self,
+        texts: impl Iterator<Item = Result<(String, String), String>>,
+        limits: &Limits,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Findings, Failure> {
+        let mut join = Join::new(&self.derivation);
+        for text in texts {
+            let (name, text) = text.map_err(Failure::Parts)?;
+            let told = |why: String| Failure::Parts(format!("`{name}`: {why}"));
+            report::read_parts(&text, |part| join.add(part)).map_err(told)?.map_err(|fault| told(fault.to_string()))?;
+        }
+        let joined = join.finish().map_err(|fault| Failure::Parts(fault.to_string()))?;
+        let mut derivation = self.derivation.clone();
+        let found = check::check_joined(&mut derivation, &joined, limits, progress);
+        if limits.is_cancelled() {
+            return Err(Failure::Cancelled);
+        }
+        let account = found?;
         Ok(Findings { derivation, account })
     }
 

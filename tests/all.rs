@@ -12,6 +12,7 @@ mod infix;
 mod latex_support;
 mod schema_support;
 
+mod across;
 mod book;
 mod budgets;
 mod circles;
@@ -80,6 +81,7 @@ mod search;
 mod separation;
 mod source;
 mod supply_chain;
+mod sweep;
 mod two_routes;
 mod units;
 mod variants;

@@ -14,6 +14,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
+use rederive::check::family::{MOST_PARTS, Part};
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, render, sort};
 use rederive::{Ask, Failure, Question, Rigor};
@@ -78,6 +79,7 @@ fn failure(py: Python<'_>, failure: Failure) -> PyErr {
     match failure {
         Failure::Problems(found) => problems(py, found),
         Failure::Unknown(name) => raised(class(py, "UnknownName").and_then(|c| c.call1((name,)))),
+        Failure::Parts(why) => raised(class(py, "PartError").and_then(|c| c.call1((why,)))),
         Failure::Cancelled => raised(class(py, "Cancelled").and_then(|c| c.call0())),
         Failure::Defect(what) => defect(py, &what),
     }
@@ -95,6 +97,15 @@ struct Wait<'a> {
 }
 
 impl Wait<'_> {
+    /// What the library is to tell how far it is.
+    fn teller(&self) -> impl Fn(usize, usize) + Send + Sync + 'static {
+        let reached = Arc::clone(&self.reached);
+        move |done, of| {
+            reached.0.fetch_max(done, Ordering::Relaxed);
+            reached.1.store(of, Ordering::Relaxed);
+        }
+    }
+
     /// Computes something on the threads of the library.
     fn compute<T: Send + 'static>(self, py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
         let (sender, mut receiver) = sync_channel(1);
@@ -175,12 +186,39 @@ impl Session {
         let limits = Limits { deadline: after(deadline), memory, cancel: Some(wait.cancel.clone()) };
         let rigor = if sampled { Rigor::Sampled } else { Rigor::Enclosed };
         let ask = Ask { claims, trajectories, rigor, only_verdicts, limits };
-        let (session, reached) = (Arc::clone(&self.0), Arc::clone(&wait.reached));
-        let tell = move |done, of| {
-            reached.0.fetch_max(done, Ordering::Relaxed);
-            reached.1.store(of, Ordering::Relaxed);
-        };
+        let (session, tell) = (Arc::clone(&self.0), wait.teller());
         let found = wait.compute(py, move || session.check(&ask, &tell))?;
+        found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
+    }
+
+    /// The text of one part of a family.
+    #[pyo3(signature = (family, number, of, progress=None))]
+    fn sweep(
+        &self,
+        py: Python<'_>,
+        family: String,
+        number: u64,
+        of: u64,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<String> {
+        let Some(part) = Part::new(number, of) else {
+            let message = format!("there is no part {number} of {of}, at most {MOST_PARTS}");
+            return Err(failure(py, Failure::Parts(message)));
+        };
+        let wait = Wait { progress, ..Wait::default() };
+        let limits = Limits { cancel: Some(wait.cancel.clone()), ..Limits::default() };
+        let (session, tell) = (Arc::clone(&self.0), wait.teller());
+        let found = wait.compute(py, move || session.sweep(&family, part, &limits, &tell))?;
+        found.map_err(|e| failure(py, e))
+    }
+
+    /// What the texts of all parts of a family say together.
+    fn join(&self, py: Python<'_>, parts: Vec<String>) -> PyResult<Findings> {
+        let wait = Wait::default();
+        let limits = Limits { cancel: Some(wait.cancel.clone()), ..Limits::default() };
+        let session = Arc::clone(&self.0);
+        let named = parts.into_iter().enumerate().map(|(n, text)| Ok((format!("text {}", n + 1), text)));
+        let found = wait.compute(py, move || session.join(named, &limits, &|_, _| {}))?;
         found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
     }
 

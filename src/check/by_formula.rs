@@ -384,6 +384,9 @@ impl<'a> Setting<'a> {
             What::Denied | What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
                 return None;
             }
+            What::Across => {
+                return None;
+            }
         }
         let mut holds = true;
         for c in &group.comparisons {

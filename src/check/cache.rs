@@ -65,13 +65,18 @@ impl Cache {
                 }
                 account
             }
-            _ => check_recalling(derivation, &Options::default(), recall, &|_, _| {})?,
+            _ => check_recalling(derivation, &Options::default(), recall, None, &|_, _| {})?,
         };
         if self.memory.is_misled() && !fresh {
             self.memory = Memory::default();
             checked = ids(derivation);
-            account =
-                check_recalling(derivation, &Options::default(), Recall::new(&self.memory, &contents), &|_, _| {})?;
+            account = check_recalling(
+                derivation,
+                &Options::default(),
+                Recall::new(&self.memory, &contents),
+                None,
+                &|_, _| {},
+            )?;
         }
         describe(derivation, &mut account);
         self.known = Some(Known { contents, account: account.clone() });

@@ -262,7 +262,11 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
     let said = claim.forms.iter().any(|form| match form {
         Form::Always(w) | Form::Never(w) | Form::Eventually(w) => branches(w),
         Form::FirstIntegral(w) | Form::Defined(w) => graph.leaves(w.value.components.iter().copied()).contains(&sign),
-        Form::Solves { .. } | Form::SameMotion { .. } | Form::Independent { .. } | Form::Exists { .. } => false,
+        Form::Solves { .. }
+        | Form::SameMotion { .. }
+        | Form::Independent { .. }
+        | Form::Exists { .. }
+        | Form::Across(_) => false,
     });
     let mut denotation = Denotation {
         graph,
@@ -473,6 +477,12 @@ impl Denotation<'_> {
                     says.push(self.part(What::SameMotion(*other, of.clone()), Group::default()));
                 }
                 Form::Independent { .. } => says.push(self.part(What::Independent, Group::default())),
+                Form::Across(across) => {
+                    let mut group = self.values(&across.of, sign, str::to_owned, false);
+                    let zero = self.graph.integer(0);
+                    group.comparisons.iter_mut().for_each(|c| c.right = zero);
+                    says.push(self.part(What::Across, group));
+                }
                 // Over ranges of values, and not along motions.
                 Form::Exists { .. } => {}
             }

@@ -16,6 +16,7 @@ use crate as check;
 use ::{derivation, diag, expr, flow, latex, number, verdict};
 
 mod account;
+mod across;
 mod between;
 mod by_formula;
 mod cache;
@@ -65,6 +66,7 @@ pub use account::{
 };
 pub use cache::Cache;
 pub use enclose::Rigor;
+use family::Joined;
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Certificate, Cofactor, Origin};
 pub use limits::{Cancel, Limits};
@@ -143,7 +145,23 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_recalling(derivation, options, Recall::default(), progress)
+    check_recalling(derivation, options, Recall::default(), None, progress)
+}
+
+/// The verdicts on a family whose members were counted in parts: what [`check()`] finds with the options `trajectories = [FAMILY]` and
+/// `plain`.
+///
+/// # Errors
+/// As for [`check()`]; a member that is shown is not what its part says.
+pub fn check_joined(
+    derivation: &mut Derivation,
+    joined: &Joined,
+    limits: &Limits,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Account, CheckError> {
+    let trajectories = vec![joined.id(derivation).to_owned()];
+    let options = Options { trajectories, plain: true, limits: limits.clone(), ..Options::default() };
+    check_recalling(derivation, &options, Recall::default(), Some(joined), progress)
 }
 
 /// [`check()`], with what is known from before.
@@ -151,12 +169,13 @@ fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,
     recall: Recall,
+    joined: Option<&Joined>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let families = Families::of(derivation, options)?;
     let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     if let Some(families) = families {
-        families.try_all(options, &mut account.claims, progress)?;
+        families.try_all(options, &mut account.claims, joined, progress)?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
@@ -174,7 +193,7 @@ fn check_beside(
     let families = Families::of(derivation, options)?;
     let mut claims = check_and(derivation, options, known, true, recall, &|_, _| {})?.claims;
     if let Some(families) = families {
-        families.try_all(options, &mut claims, &|_, _| {})?;
+        families.try_all(options, &mut claims, None, &|_, _| {})?;
     }
     Ok(claims)
 }

@@ -285,7 +285,7 @@ impl Known<'_> {
 
     fn of_claim(&self, derivation: &Derivation, claim: &Claim, name: &str, t: usize, without: &[u8]) -> Option<Key> {
         // It depends on another motion, too.
-        if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. })) {
+        if claim.forms.iter().any(|f| matches!(f, Form::SameMotion { .. } | Form::Across(_))) {
             return None;
         }
         let content = self.claim(name.split('/').next()?)?;

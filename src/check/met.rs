@@ -82,7 +82,7 @@ pub(super) fn look(trial: &Trial) -> Search {
     let others = program.parts.iter().filter_map(|part| match part.what {
         What::SameMotion(other, _) => course.stage.motion(other),
         What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => None,
-        What::Independent => None,
+        What::Independent | What::Across => None,
     });
     for other in others {
         any = true;

@@ -35,6 +35,8 @@ pub(super) enum What {
     SameMotion(usize, Vec<Symbol>),
     /// Of every time that counts: the functions are independent.
     Independent,
+    /// Of members of a family: the left side is compared between them.
+    Across,
 }
 
 /// One part of a claim, which speaks of all times that count at once.
@@ -50,7 +52,7 @@ impl Part {
     /// What vanishes where the part may change between two samples, and the relation that it belongs to.
     pub fn boundaries(&self) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
         let compared = match self.what {
-            What::Limit(_) | What::Value => &[][..],
+            What::Limit(_) | What::Value | What::Across => &[][..],
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent => {
                 &self.group.comparisons[..]
             }
@@ -62,7 +64,7 @@ impl Part {
     pub fn is_compared(&self) -> bool {
         match self.what {
             What::Every | What::Denied | What::Defined | What::Constant => true,
-            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => false,
+            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => false,
         }
     }
 
@@ -80,7 +82,7 @@ impl Part {
         match self.what {
             What::Independent | What::Denied | What::Defined => true,
             What::Every => self.group.comparisons.iter().any(|c| strict(c.kind)),
-            What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) => false,
+            What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Across => false,
         }
     }
 }

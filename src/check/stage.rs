@@ -18,7 +18,7 @@ use super::measure::Compiled;
 use super::memory::Recall;
 use super::program::Program;
 use super::trial::{Course, Values};
-use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
+use crate::derivation::{Across, Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
 use crate::flow::{
@@ -177,7 +177,7 @@ fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usiz
     };
     let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
     for form in requests.claims.iter().flat_map(|c| &c.forms) {
-        if let Form::SameMotion { other, .. } = form {
+        if let Form::SameMotion { other, .. } | Form::Across(Across { other: Some(other), .. }) = form {
             needed[*other] = true;
         }
     }

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use super::across;
 use super::between::between_samples;
 use super::describe::{Describer, short};
 use super::doubt::{
@@ -166,7 +167,7 @@ pub(super) fn try_claim(
     }
     let mut met = met::look(trial);
     // Other motions and gradients need more values than the comparisons of the claim.
-    let special = |p: &super::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent);
+    let special = |p: &super::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent | What::Across);
     if program.parts.iter().any(special) && met.more.take().is_some() {
         met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
     }
@@ -322,6 +323,7 @@ fn part(
         What::Value => Finding::open("nothing is said of it by itself"),
         What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
         What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
+        What::Across => across::try_on(derivation, trial, tried, position),
         What::Independent => match gradients {
             Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
             Some(Err(reason)) => Finding::open(reason.clone()),

@@ -92,31 +92,18 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
         } else {
             print(&text)?
         }
-        let summary = account.summary();
         if let Some(compared) = &compared
             && compared.differences.len() + compared.unknown.len() > 0
         {
             complain(&format!("{}: what it says is not what the paper prints\n", derivation.file.path));
             exit = exit.and(Exit::Different);
         }
-        if summary.holds + summary.fails == 0 {
-            complain(&format!("{}: no claim was decided\n", derivation.file.path));
-            exit = exit.and(Exit::Undecided);
-        }
-        exit = exit.and(exit_of(&summary));
+        exit = exit.and(ending(&derivation, &account));
         if arguments.strict {
             for alarm in report::alarms(&derivation, &account) {
                 complain(&format!("{}: {alarm}\n", derivation.file.path));
                 exit = exit.and(Exit::Different);
             }
-        }
-        if let Some((claim, on, why)) = account.defects().next() {
-            let more = account.defects().count() - 1;
-            let more = if more > 0 { format!(" (and {more} more)") } else { String::new() };
-            exit = exit.and(super::defect(&format!("{claim} on {on}{more} has no verdict: {why}")));
-        }
-        if account.units.unexpected() > 0 {
-            exit = exit.and(Exit::Different);
         }
         for (claim, rejected, of) in account.discriminating_less_than(arguments.min_discrimination.unwrap_or(0.0)) {
             complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
@@ -202,6 +189,22 @@ fn of_the_paper(derivations: &[Derivation]) -> Result<String, Stop> {
             Err(Stop::Message(message))
         }
     }
+}
+
+/// What the verdicts of a file end a run with; what is not to be seen in them is said.
+pub fn ending(derivation: &Derivation, account: &Account) -> Exit {
+    let summary = account.summary();
+    let mut exit = exit_of(&summary);
+    if summary.holds + summary.fails == 0 {
+        complain(&format!("{}: no claim was decided\n", derivation.file.path));
+        exit = exit.and(Exit::Undecided);
+    }
+    if let Some((claim, on, why)) = account.defects().next() {
+        let more = account.defects().count() - 1;
+        let more = if more > 0 { format!(" (and {more} more)") } else { String::new() };
+        exit = exit.and(super::defect(&format!("{claim} on {on}{more} has no verdict: {why}")));
+    }
+    if account.units.unexpected() > 0 { exit.and(Exit::Different) } else { exit }
 }
 
 fn exit_of(summary: &Summary) -> Exit {

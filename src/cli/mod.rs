@@ -8,11 +8,13 @@ mod files;
 mod init;
 mod list;
 mod manual;
+mod merge;
 mod outputs;
 mod prove;
 mod report;
 mod schema;
 mod search;
+mod sweep;
 mod watch;
 
 use std::io::Write;
@@ -22,6 +24,7 @@ use std::time::{Duration, Instant};
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use rederive::Failure;
 use rederive::check::{CheckError, Limits, Rigor};
 use rederive::diag::shown::{in_one_line, spoken};
 use rederive::diag::{Diagnostic, render, sort};
@@ -101,6 +104,12 @@ enum Command {
     /// Searches for a motion on which a claim fails, and prints it as a table of a derivation file
     #[command(after_help = search::EXIT_CODES)]
     Search(search::SearchArguments),
+    /// Counts one part of the members of a family, for `merge`: many machines can do one part each
+    #[command(after_help = sweep::EXIT_CODES)]
+    Sweep(sweep::SweepArguments),
+    /// Joins the parts of a family that `sweep` wrote: prints the verdicts, the same as `check` on one machine
+    #[command(after_help = EXIT_CODES)]
+    Merge(merge::MergeArguments),
     /// Drafts a derivation file from a paper's LaTeX source
     Init(InitArguments),
     /// Makes a PDF file of a report, with LaTeX or a browser, whichever is at hand
@@ -393,6 +402,16 @@ impl From<CheckError> for Stop {
     }
 }
 
+impl From<Failure> for Stop {
+    fn from(failure: Failure) -> Stop {
+        match failure {
+            Failure::Problems(found) => Stop::Diagnostics(found),
+            Failure::Defect(message) => Stop::Defect(message),
+            Failure::Unknown(_) | Failure::Parts(_) | Failure::Cancelled => Stop::Message(failure.to_string()),
+        }
+    }
+}
+
 /// Reads a command line.
 fn parse(line: impl IntoIterator<Item = std::ffi::OsString>) -> Result<Arguments, clap::Error> {
     let mut command = Arguments::command();
@@ -425,6 +444,7 @@ const STACK: usize = 64 << 20;
 fn with_threads(arguments: &Arguments, run: impl FnOnce() -> Exit + Send) -> Exit {
     let jobs = match &arguments.command {
         Command::Check(check) => check.limits.jobs,
+        Command::Sweep(sweep) => sweep.jobs,
         _ => None,
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.map_or(0, usize::from)).stack_size(STACK);
@@ -452,6 +472,8 @@ fn command(arguments: &Arguments) -> Result<Exit, Stop> {
         Command::List(a) => list::list(a),
         Command::Prove(a) => prove::prove(a),
         Command::Search(a) => search::search(a),
+        Command::Sweep(a) => sweep::sweep(a),
+        Command::Merge(a) => merge::merge(a),
         Command::Init(a) => init::init(a),
         Command::Report(a) => report::report(a),
         Command::Diff(a) => diff::diff(a),

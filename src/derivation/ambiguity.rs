@@ -85,7 +85,8 @@ impl Loader<'_> {
                 | Form::Solves { .. }
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
-                | Form::Exists { .. } => {}
+                | Form::Exists { .. }
+                | Form::Across(_) => {}
             }
         }
         let signed = |w: &Written<Tensor>| self.out.graph.leaves(w.value.components.iter().copied()).contains(&sign);
@@ -99,7 +100,8 @@ impl Loader<'_> {
                 | Form::Solves { .. }
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
-                | Form::Exists { .. } => continue,
+                | Form::Exists { .. }
+                | Form::Across(_) => continue,
             };
             if signed(w) {
                 out.push(Signed { form, neither: false, span: w.span.clone() });

@@ -17,7 +17,7 @@ use latex::Statement;
 pub const DEFAULT_PRECISION: f64 = 1e-9;
 
 /// The keys of which a claim needs at least one.
-const FORMS: &[FormKind] = &[
+pub(super) const FORMS: &[FormKind] = &[
     FormKind::Always,
     FormKind::Never,
     FormKind::Eventually,
@@ -27,6 +27,9 @@ const FORMS: &[FormKind] = &[
     FormKind::SameMotion,
     FormKind::Independent,
     FormKind::Exists,
+    FormKind::IndependentOf,
+    FormKind::ScalesAs,
+    FormKind::Monotone,
 ];
 
 fn has_forms(table: &Table<'_, '_>) -> bool {
@@ -307,6 +310,7 @@ impl Loader<'_> {
                 FormKind::SameMotion => self.same_motion(claim, table),
                 FormKind::Independent => self.independent(claim, table),
                 FormKind::Exists => self.exists(claim, table),
+                FormKind::IndependentOf | FormKind::ScalesAs | FormKind::Monotone => self.across(claim, table, kind),
             }
             let said = claim.forms.iter().any(|f| f.kind() == kind);
             if !said && self.problems.found.len() == before {

@@ -68,6 +68,9 @@ pub const READING: &[&str] = &[
     "same-motion",
     "independent",
     "exists",
+    "independent-of",
+    "scales-as",
+    "monotone",
     "domain",
     "ranges",
     "at",
@@ -82,6 +85,12 @@ pub const SAME_MOTION: &[&str] = &["as", "of"];
 pub const INDEPENDENT: &[&str] = &["functions", "subject-to"];
 /// Keys of `exists`.
 pub const EXISTS: &[&str] = &["unknowns", "such-that", "unique"];
+/// Keys of `independent-of`.
+pub const INDEPENDENT_OF: &[&str] = &["of", "with"];
+/// Keys of `scales-as`.
+pub const SCALES_AS: &[&str] = &["of", "with", "power", "to"];
+/// Keys of `monotone`.
+pub const MONOTONE: &[&str] = &["of", "with", "direction"];
 /// Keys of `expect`: the verdicts.
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
@@ -107,6 +116,9 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("same-motion", SAME_MOTION),
     ("independent", INDEPENDENT),
     ("exists", EXISTS),
+    ("independent-of", INDEPENDENT_OF),
+    ("scales-as", SCALES_AS),
+    ("monotone", MONOTONE),
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
     ("[[condition]]", CONDITION),

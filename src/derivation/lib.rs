@@ -13,10 +13,12 @@
 
 #![forbid(unsafe_code)]
 
+mod across;
 mod ambiguity;
 mod claims;
 mod conditions;
 mod constants;
+mod dependence;
 mod families;
 mod family;
 pub mod keys;
@@ -37,11 +39,12 @@ mod unit;
 mod values;
 
 pub use claims::DEFAULT_PRECISION;
+pub use dependence::{Dependence, NoOther};
 pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture, PictureKind,
-    Ranged, Region, Start, SymbolEntry, System, Trajectory, Unknown, Values, Written,
+    Across, Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture,
+    PictureKind, Ranged, Region, Start, SymbolEntry, System, Trajectory, Unknown, Values, Written,
 };
 pub use premise::Premise;
 pub use role::ClaimRole;

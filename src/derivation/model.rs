@@ -7,6 +7,7 @@ use diag::Source;
 use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
+use super::dependence::{Dependence, NoOther};
 use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
@@ -282,6 +283,12 @@ pub enum FormKind {
     Independent,
     /// Equations have a solution.
     Exists,
+    /// A quantity has the same value for members of a family that differ in a symbol.
+    IndependentOf,
+    /// It is a power of the symbol.
+    ScalesAs,
+    /// It grows with the symbol, or falls.
+    Monotone,
 }
 
 impl FormKind {
@@ -297,6 +304,9 @@ impl FormKind {
             FormKind::SameMotion => "same-motion",
             FormKind::Independent => "independent",
             FormKind::Exists => "exists",
+            FormKind::IndependentOf => "independent-of",
+            FormKind::ScalesAs => "scales-as",
+            FormKind::Monotone => "monotone",
         }
     }
 }
@@ -351,6 +361,25 @@ pub enum Form {
         /// Whether there is one only.
         unique: bool,
     },
+    /// How a quantity depends on what a family varies.
+    Across(Across),
+}
+
+/// What a claim says of members that differ in one symbol.
+#[derive(Clone, Debug)]
+pub struct Across {
+    /// The quantity.
+    pub of: Written<Tensor>,
+    /// The symbol that varies, as the families have it.
+    pub with: Leaf,
+    /// Its name.
+    pub name: String,
+    /// How the quantity depends on it.
+    pub dependence: Dependence,
+    /// Where a member is tried: the trajectory that it is compared with, by its position.
+    pub other: Option<usize>,
+    /// Where a member is tried: its value of what varies, and that of the other; or why there is none.
+    pub values: Result<(f64, f64), NoOther>,
 }
 
 /// One component of a symbol, and the values that it has in a claim over ranges.
@@ -407,7 +436,8 @@ impl Form {
             | Form::Solves { .. }
             | Form::SameMotion { .. }
             | Form::Independent { .. }
-            | Form::Exists { .. } => false,
+            | Form::Exists { .. }
+            | Form::Across(_) => false,
         }
     }
 
@@ -423,6 +453,11 @@ impl Form {
             Form::SameMotion { .. } => FormKind::SameMotion,
             Form::Independent { .. } => FormKind::Independent,
             Form::Exists { .. } => FormKind::Exists,
+            Form::Across(across) => match across.dependence {
+                Dependence::Independent => FormKind::IndependentOf,
+                Dependence::Increasing | Dependence::Decreasing => FormKind::Monotone,
+                Dependence::Power { .. } => FormKind::ScalesAs,
+            },
         }
     }
 }

@@ -390,6 +390,7 @@ impl Loader<'_> {
         let said = claim.forms.iter().flat_map(|form| match form {
             Form::Always(w) | Form::Never(w) | Form::Eventually(w) => components(&w.value),
             Form::FirstIntegral(w) | Form::Defined(w) => w.value.components.clone(),
+            Form::Across(across) => across.of.value.components.clone(),
             Form::Solves { .. } | Form::SameMotion { .. } | Form::Independent { .. } | Form::Exists { .. } => {
                 Vec::new()
             }

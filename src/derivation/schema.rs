@@ -157,6 +157,11 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "same-motion" => part("same-motion", "The motion is that of another trajectory"),
             "independent" => part("independent", "Functions of the states are independent of one another"),
             "exists" => part("exists", "Equations have a solution in a box"),
+            "independent-of" => {
+                part("independent-of", "A quantity is the same for members of a family that differ in a symbol")
+            }
+            "scales-as" => part("scales-as", "A quantity is a power of a symbol that a family varies"),
+            "monotone" => part("monotone", "A quantity grows, or falls, with a symbol that a family varies"),
             "domain" => text("The claim is about the values of this domain: its id"),
             "ranges" => values(
                 "The claim is about all these values, and no motion: [from, to] for a range, one number or formula for a fixed value",
@@ -177,6 +182,15 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[claim]]", "reading") => many("reading", "The ways in which the claim can be understood"),
         ("same-motion", "as") => text("The id of the other trajectory"),
         ("same-motion", "of") => ids("The states that are compared"),
+        ("independent-of" | "scales-as" | "monotone", "of") => formula("The quantity, one number of each member"),
+        ("independent-of" | "scales-as" | "monotone", "with") => text("The symbol that the family varies"),
+        ("scales-as", "power") => json!({ "type": "number", "description": "The slope of the logarithms" }),
+        ("scales-as", "to") => json!({
+            "type": "number", "exclusiveMinimum": 0, "description": "How far the slope may be off",
+        }),
+        ("monotone", "direction") => json!({
+            "enum": ["increasing", "decreasing"], "description": "With larger values of the symbol the quantity is larger, or smaller",
+        }),
         ("independent", "functions") => formulas("The functions"),
         ("independent", "subject-to") => formulas("Equations that hold between the states anyway"),
         ("exists", "unknowns") => {
@@ -240,6 +254,9 @@ const TABLES: &[&str] = &[
     "same-motion",
     "independent",
     "exists",
+    "independent-of",
+    "scales-as",
+    "monotone",
     "expect",
     "[[measure]]",
     "[[condition]]",
@@ -296,6 +313,9 @@ pub fn schema() -> Value {
         "reading": object(&[reading], &["id", "says"]),
         "same-motion": object(&["same-motion"], &["as", "of"]),
         "independent": object(&["independent"], &["functions"]),
+        "independent-of": object(&["independent-of"], &["of", "with"]),
+        "scales-as": object(&["scales-as"], &["of", "with", "power", "to"]),
+        "monotone": object(&["monotone"], &["of", "with", "direction"]),
         "exists": object(&["exists"], &["unknowns", "such-that"]),
         "expect": { "anyOf": [{ "enum": keys::EXPECT }, expect] },
         "measure": object(&["[[measure]]"], &["id", "says", "formula"]),

@@ -46,8 +46,12 @@ fn about_claim(derivation: &Derivation, claim: &ClaimAccount, graph: &Derivation
         [] => String::new(),
         lines => format!("\n  {title}\n{}", lines.iter().map(|l| format!("    {l}\n")).collect::<String>()),
     };
+    let compared = declared.and_then(super::family::compared).map(|words| format!(" ({})", words.replace('$', "")));
+    let compared = compared.unwrap_or_default();
     let formulas: Vec<String> = match declared {
-        Some(claim) => claim.formulas.iter().map(|f| format!("{}: {}", f.kind.key(), one_line(&f.text))).collect(),
+        Some(claim) => {
+            claim.formulas.iter().map(|f| format!("{}: {}{compared}", f.kind.key(), one_line(&f.text))).collect()
+        }
         None => claim.formulas.iter().map(|f| one_line(f)).collect(),
     };
     out.push_str(&list("Checked", &formulas));

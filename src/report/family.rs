@@ -2,6 +2,28 @@
 
 use super::numbers::{count, size, time, value};
 use crate::check::{FamilyAccount, MemberAccount};
+use crate::derivation::{Claim, Dependence, Form};
+
+/// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
+/// `None` for a claim that does not compare members.
+pub(super) fn compared(claim: &Claim) -> Option<String> {
+    let across = claim.forms.iter().find_map(|form| match form {
+        Form::Across(across) => Some(across),
+        _ => None,
+    })?;
+    let with = format!("${}$", across.name);
+    let says = match across.dependence {
+        Dependence::Independent => format!("Does not depend on {with}"),
+        Dependence::Increasing => format!("Grows with {with}"),
+        Dependence::Decreasing => format!("Falls with growing {with}"),
+        Dependence::Power { power, to } => {
+            format!("Scales as a power of {with}, whose exponent is {} to within {}", value(power), value(to))
+        }
+    };
+    let when = claim.at.as_ref().map_or("", |_| ", when first");
+    let event = claim.at.as_ref().map(|at| format!(" ${}$", at.text)).unwrap_or_default();
+    Some(format!("{says}, between members that differ in it alone{when}{event}"))
+}
 
 /// A number of members.
 fn members(n: u64, what: &str) -> String {

@@ -3,7 +3,7 @@
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
-//! from [`findings`].
+//! from [`findings`]; [`part_text`] for the machine that joins the parts of a family.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
@@ -35,6 +35,7 @@ mod numbers;
 mod overview;
 mod page;
 mod paper;
+mod part;
 mod plot;
 mod proposition;
 mod region;
@@ -61,6 +62,7 @@ pub use junit::{Checked, junit};
 pub use markdown::markdown;
 pub use page::{first_page, page, printed_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
+pub use part::{part_text, read_parts};
 pub use proposition::{proposition_json, proposition_text};
 pub use sarif::sarif;
 pub use schema::schema;

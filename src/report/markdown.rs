@@ -229,7 +229,9 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> String {
     for (i, formula) in claim.formulas.iter().enumerate() {
         let kind = kinds.get(i).copied().unwrap_or("always");
         let over = declared(derivation, claim).and_then(|d| Some((d.formulas.get(i)?.kind, claim.region.as_ref()?)));
-        let over = over.map(|(kind, region)| prose(&format!("{}:", super::region::heading(kind, region))));
+        let over = over.map(|(kind, region)| super::region::heading(kind, region));
+        let over = over.or_else(|| declared(derivation, claim).and_then(family::compared));
+        let over = over.map(|words| prose(&format!("{words}:")));
         let words = match kind {
             _ if over.is_some() => over.as_deref().unwrap_or_default(),
             "always" => "At every time:",

@@ -222,6 +222,7 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
         for (i, text) in claim.formulas.iter().enumerate() {
             let kind = kinds.get(i).copied().unwrap_or(FormKind::Always);
             let over = claim.region.as_ref().map(|region| super::region::heading(kind, region));
+            let over = over.or_else(|| declared.and_then(super::family::compared));
             let words = match kind {
                 _ if over.is_some() => over.as_deref().unwrap_or_default(),
                 FormKind::Always => "At every time",
@@ -231,6 +232,9 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                 FormKind::Defined => "Has a real value at every time",
                 FormKind::Independent => "Independent functions",
                 FormKind::Exists => "A solution exists of",
+                FormKind::IndependentOf | FormKind::ScalesAs | FormKind::Monotone => {
+                    "Compared between members of a family"
+                }
                 FormKind::Solves => {
                     out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
                     continue;

@@ -380,6 +380,7 @@ impl<'d> Checker<'d> {
                     Form::Exists { such_that, .. } => {
                         such_that.iter().for_each(|w| self.statement("claim", &name, w, expected));
                     }
+                    Form::Across(across) => self.expression("claim", &name, &across.of, expected),
                     // The system is looked at where it stands; two motions of one state have one unit.
                     Form::Solves { .. } | Form::SameMotion { .. } => {}
                 }

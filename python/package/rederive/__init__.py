@@ -19,6 +19,7 @@ from .errors import (
     DerivationError,
     Error,
     NoCounterpart,
+    PartError,
     Problem,
     UnknownName,
 )
@@ -42,6 +43,7 @@ __all__ = [
     "Exclusion",
     "Members",
     "NoCounterpart",
+    "PartError",
     "Problem",
     "Proof",
     "Report",

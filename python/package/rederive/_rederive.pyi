@@ -17,6 +17,10 @@ class Session:
         memory: Optional[int] = None,
         progress: Optional[Callable[[int, int], object]] = None,
     ) -> Findings: ...
+    def sweep(
+        self, family: str, number: int, of: int, progress: Optional[Callable[[int, int], object]] = None
+    ) -> str: ...
+    def join(self, parts: list[str]) -> Findings: ...
     def prove(
         self,
         formula: str,

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Optional
 
-__all__ = ["Cancelled", "DeadlineReached", "Defect", "DerivationError", "Error", "NoCounterpart", "Problem", "UnknownName"]
+__all__ = ["Cancelled", "DeadlineReached", "Defect", "DerivationError", "Error", "NoCounterpart", "PartError", "Problem", "UnknownName"]
 
 
 class Error(Exception):
@@ -74,6 +74,10 @@ class DeadlineReached(Error, TimeoutError):
 
     def __str__(self) -> str:
         return "the deadline was reached before there was an answer"
+
+
+class PartError(Error, ValueError):
+    """Parts of a family that cannot be joined: one is missing, comes twice, is damaged or belongs to something else."""
 
 
 class NoCounterpart(Error, ValueError):

@@ -48,6 +48,18 @@ class _Asked:
         )
 
 
+@dataclass(frozen=True)
+class _Joined:
+    """Parts that were joined, so that they can be joined again elsewhere."""
+
+    name: str
+    text: str
+    parts: tuple[str, ...]
+
+    def __call__(self) -> _rederive.Findings:
+        return _rederive.Session(self.name, self.text).join(list(self.parts))
+
+
 class Session:
     """A derivation that was read, for several questions about it.
 
@@ -64,6 +76,11 @@ class Session:
 
     def __reduce__(self) -> tuple[object, ...]:
         return (Session, (self._text, self._name))
+
+    @property
+    def source(self) -> tuple[str, str]:
+        """The text of the derivation, and what it is called in messages."""
+        return self._text or "", self._name
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -105,6 +122,26 @@ class Session:
         with shown(progress, self._name) as tell:
             found = asked.of(self._read, tell)
         return Report(found.document("json"), asked, found)
+
+    def sweep(self, family: str, part: tuple[int, int] = (1, 1), *, progress: Progress = None) -> str:
+        """Counts part ``(k, n)`` of the members of a family: the text of what ``rederive sweep`` writes.
+
+        A part is small, a few hundred bytes for each claim, and the same wherever it is counted.
+        """
+        number, of = part
+        with shown(progress, f"{family} {number}/{of}") as tell:
+            return self._read.sweep(family, number, of, tell)
+
+    def merge(self, parts: Iterable[str]) -> Report:
+        """Joins the parts of a family, in any order: what :meth:`check` finds on it with ``only_verdicts``.
+
+        Raises :class:`PartError` where one is missing, comes twice, or belongs to something else.
+        """
+        if self._text is None:
+            raise ValueError("there is nothing to join: the session has no derivation")
+        joined = _Joined(self._name, self._text, tuple(parts))
+        found = self._read.join(list(joined.parts))
+        return Report(found.document("json"), joined, found)
 
     def prove(
         self,

@@ -73,7 +73,7 @@ pub(super) fn prepare<'a>(asked: &Asked<'a, '_>, along: &mut Along) -> Vec<Prepa
             Some(Err(reason)) => Err(reason.clone()),
             None => Err("no gradients were computed".to_owned()),
         }),
-        What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) => {
+        What::Every | What::Denied | What::Defined | What::Constant | What::Value | What::Limit(_) | What::Across => {
             Prepared::Compared(Ready::new(program, part, along, claim))
         }
     };
@@ -277,6 +277,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
             None => Shown::Nothing("whether any time counts is not certain".to_owned()),
         },
         (_, Some(event)) => event::always(ready, event, along),
+        (What::Across, None) => Shown::Nothing("members of a family are not enclosed".to_owned()),
         (What::Value, None) => span::constant(ready, along),
         (
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent,

@@ -115,7 +115,7 @@ fn confined(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, str
 pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) -> Shown {
     match ready.part.what {
         What::Every | What::Denied | What::Defined => {}
-        What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
+        What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
             return Shown::Nothing("a claim of this form at events is not enclosed".to_owned());
         }
     }

@@ -281,7 +281,7 @@ impl<'a> Ready<'a> {
     fn allows(&self) -> bool {
         let what = match self.part.what {
             What::Every | What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) => true,
-            What::Denied | What::Defined | What::Independent => false,
+            What::Denied | What::Defined | What::Independent | What::Across => false,
         };
         what && self.group.allows()
     }

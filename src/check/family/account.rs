@@ -1,6 +1,10 @@
 //! What was found of a claim on a family: counts, and the members that tell most.
+//!
+//! **In:** a [`Tally`], and the members that it names, tried again. **Out:** a [`FamilyAccount`]. **Guaranteed:** a member is shown
+//! only as what it was counted as, so that a tally that was made elsewhere, by another program or of another file, is seen.
 
 use super::confidence::{CONFIDENCE, failing_share};
+use super::tally::{Ranked, Tally, deviation, gap};
 use crate::derivation::{Derivation, Family};
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
 
@@ -81,125 +85,49 @@ impl FamilyAccount {
     }
 }
 
-/// A member that is kept until all are known.
-struct Kept {
-    number: u64,
-    values: Vec<f64>,
-    verdict: Verdict,
-    measure: f64,
-}
-
-/// The counts of one claim, member by member.
-pub(super) struct Tally {
-    size: u64,
+/// What is known of a claim on a family, from which its account is made.
+pub(super) struct Counted<'a> {
+    /// How many members there are to be, before constraints.
+    pub size: u64,
     /// What the claim asks for.
-    precision: f64,
-    pub members: u64,
-    pub rejected: u64,
-    holds: u64,
-    fails: u64,
-    not_applicable: u64,
-    undecided: u64,
-    first_failing: Option<Kept>,
-    clearest: Option<Kept>,
-    closest: Option<Kept>,
-    first_undecided: Option<Kept>,
-    defect: Option<String>,
+    pub precision: f64,
+    pub tally: &'a Tally,
     /// Why the members that are left were not tried.
-    pub stopped: Option<String>,
+    pub stopped: Option<&'a str>,
 }
 
-/// How far the sides of a refuting point are apart, in units of the error bound of their difference. Rounding alone is an error.
-fn deviation(verdict: &Verdict) -> f64 {
-    let Some(w) = &verdict.evidence().witness else { return -1.0 };
-    let rounding = f64::EPSILON * (w.left.abs() + w.right.abs());
-    let found = w.difference() / w.bound.max(rounding).max(f64::MIN_POSITIVE);
-    if found.is_nan() { 0.0 } else { found }
-}
+/// A member that was tried again, and turned out otherwise than it was counted.
+pub(super) struct Otherwise(pub u64);
 
-/// How close the sides of an inequality come, in units of the size of their terms, at the samples that are kept.
-fn gap(verdict: &Verdict, precision: f64) -> Option<f64> {
-    let series = verdict.evidence().series.as_ref().filter(|s| !s.equation && !s.sought)?;
-    let gaps = series.points.iter().filter(|p| p.limit > 0.0).map(|p| p.residual / (p.limit / precision));
-    gaps.reduce(f64::min).filter(|gap| gap.is_finite())
-}
+/// The values and the verdict of a member, by its number.
+pub(super) type Again<'a> = &'a dyn Fn(u64) -> Option<(&'a [f64], &'a Verdict)>;
 
-impl Tally {
-    pub fn new(size: u64, precision: f64) -> Tally {
-        Tally {
-            size,
-            precision,
-            members: 0,
-            rejected: 0,
-            holds: 0,
-            fails: 0,
-            not_applicable: 0,
-            undecided: 0,
-            first_failing: None,
-            clearest: None,
-            closest: None,
-            first_undecided: None,
-            defect: None,
-            stopped: None,
-        }
-    }
-
-    /// Counts a member; members come in the order of their numbers, and of equals the first is kept.
-    pub fn count(&mut self, number: u64, values: &[f64], verdict: Verdict) {
-        self.members += 1;
-        if let (None, Some(defect)) = (&self.defect, verdict.defect()) {
-            self.defect = Some(format!("member {number}: {defect}"));
-        }
-        let kept = |measure: f64, verdict: Verdict| Kept { number, values: values.to_vec(), verdict, measure };
-        match verdict.outcome() {
-            Outcome::Holds(_) => {
-                self.holds += 1;
-                let gap = gap(&verdict, self.precision);
-                if let Some(gap) = gap.filter(|gap| self.closest.as_ref().is_none_or(|c| *gap < c.measure)) {
-                    self.closest = Some(kept(gap, verdict));
-                }
-            }
-            Outcome::Fails(_) => {
-                self.fails += 1;
-                let far = deviation(&verdict);
-                if self.first_failing.is_none() {
-                    self.first_failing = Some(kept(far, verdict.clone()));
-                }
-                if self.clearest.as_ref().is_none_or(|c| far > c.measure) {
-                    self.clearest = Some(kept(far, verdict));
-                }
-            }
-            Outcome::NotApplicable(_) => self.not_applicable += 1,
-            Outcome::Undecided => {
-                self.undecided += 1;
-                if self.first_undecided.is_none() {
-                    self.first_undecided = Some(kept(0.0, verdict));
-                }
-            }
-        }
-    }
-
+impl Counted<'_> {
     /// What is known of all members together. It fails where it fails on one; it holds where it holds on all to which it applies.
-    fn verdict(&self) -> Verdict {
-        if let Some(defect) = &self.defect {
+    fn verdict(&self, again: Again) -> Verdict {
+        let tally = self.tally;
+        if let Some(number) = tally.first_defect {
+            let defect = again(number).and_then(|(_, verdict)| verdict.defect()).unwrap_or("it has no verdict");
+            let defect = format!("member {number}: {defect}");
             let mut verdict = Verdict::of(Finding::open(defect.clone()));
-            verdict.contradict(defect.clone());
+            verdict.contradict(defect);
             return verdict;
         }
-        let samples = usize::try_from(self.members).unwrap_or(usize::MAX);
+        let samples = usize::try_from(tally.members).unwrap_or(usize::MAX);
         let open = |reason: String| Evidence { samples, ..Evidence::because(reason) };
-        let of = self.members;
-        let finding = match (self.fails, self.undecided, &self.stopped, self.holds) {
+        let of = tally.members;
+        let finding = match (tally.fails, tally.undecided, self.stopped, tally.holds) {
             (1.., ..) => {
-                let witness = self.clearest.as_ref().and_then(|c| c.verdict.evidence().witness.clone());
-                let reason = format!("it fails on {} of {of} members", self.fails);
+                let clearest = tally.clearest_failing.and_then(|c| again(c.number));
+                let witness = clearest.and_then(|(_, verdict)| verdict.evidence().witness.clone());
+                let reason = format!("it fails on {} of {of} members", tally.fails);
                 Finding::sampled(Possible::FALSE, Evidence { witness, ..open(reason) })
             }
             (0, _, Some(stopped), _) => {
                 Finding::sampled(Possible::ANY, open(format!("{of} of {} members were tried: {stopped}", self.size)))
             }
             (0, 1.., None, _) => {
-                let reason = format!("it is undecided on {} of {of} members", self.undecided);
+                let reason = format!("it is undecided on {} of {of} members", tally.undecided);
                 Finding::sampled(Possible::ANY, open(reason))
             }
             (0, 0, None, 1..) => Finding::sampled(Possible::TRUE, Evidence { samples, ..Evidence::default() }),
@@ -209,40 +137,60 @@ impl Tally {
     }
 
     /// The account of it.
-    pub fn account(self, derivation: &Derivation, family: &Family, expected: Option<&'static str>) -> FamilyAccount {
+    ///
+    /// # Errors
+    /// A member that is not what it was counted as.
+    pub fn account(
+        &self,
+        derivation: &Derivation,
+        family: &Family,
+        expected: Option<&'static str>,
+        again: Again,
+    ) -> Result<FamilyAccount, Otherwise> {
         let is_taken = |id: &str| {
             derivation.trajectories.iter().any(|t| t.id == id) || derivation.families.iter().any(|f| f.id == id)
         };
-        let verdict = self.verdict();
-        let told = |kept: Kept| MemberAccount {
-            number: kept.number,
-            values: family.vary.iter().map(|v| v.name.clone()).zip(kept.values.iter().copied()).collect(),
-            verdict: kept.verdict,
-            toml: family.toml(&family.member_id(kept.number, is_taken), kept.number, &kept.values),
+        let tally = self.tally;
+        let told = |number: u64, is_so: &dyn Fn(&Verdict) -> bool| {
+            let (values, verdict) = again(number).filter(|(_, verdict)| is_so(verdict)).ok_or(Otherwise(number))?;
+            Ok(MemberAccount {
+                number,
+                values: family.vary.iter().map(|v| v.name.clone()).zip(values.iter().copied()).collect(),
+                verdict: verdict.clone(),
+                toml: family.toml(&family.member_id(number, is_taken), number, values),
+            })
         };
-        let (failures, draws) = (self.fails + self.undecided, self.members - self.not_applicable);
-        let is_sample = family.is_drawn() && self.stopped.is_none() && self.defect.is_none() && draws > 0;
+        let fails = |verdict: &Verdict| matches!(verdict.outcome(), Outcome::Fails(_));
+        let holds = |verdict: &Verdict| matches!(verdict.outcome(), Outcome::Holds(_));
+        let open = |verdict: &Verdict| verdict.outcome() == Outcome::Undecided;
+        let clearest = |r: Ranked| told(r.number, &|v| fails(v) && deviation(v) == r.measure);
+        let closest = |r: Ranked| told(r.number, &|v| holds(v) && gap(v, self.precision) == Some(r.measure));
+        if let Some(number) = tally.first_defect {
+            told(number, &|verdict| verdict.defect().is_some())?;
+        }
+        let (failures, draws) = (tally.fails + tally.undecided, tally.members - tally.not_applicable);
+        let is_sample = family.is_drawn() && self.stopped.is_none() && tally.first_defect.is_none() && draws > 0;
         let share =
             || FailingShare { at_most: failing_share(failures, draws), confidence: CONFIDENCE, failures, draws };
-        FamilyAccount {
+        Ok(FamilyAccount {
             family: family.id.clone(),
             title: family.title.clone(),
-            verdict,
+            verdict: self.verdict(again),
             expected,
             size: self.size,
-            members: self.members,
-            rejected: self.rejected,
-            holds: self.holds,
-            fails: self.fails,
-            not_applicable: self.not_applicable,
-            undecided: self.undecided,
-            closest_gap: self.closest.as_ref().map(|c| c.measure),
-            first_failing: self.first_failing.map(told),
-            clearest_failing: self.clearest.map(told),
-            closest_call: self.closest.map(told),
-            first_undecided: self.first_undecided.map(told),
+            members: tally.members,
+            rejected: tally.rejected,
+            holds: tally.holds,
+            fails: tally.fails,
+            not_applicable: tally.not_applicable,
+            undecided: tally.undecided,
+            closest_gap: tally.closest_call.map(|c| c.measure),
+            first_failing: tally.first_failing.map(|n| told(n, &fails)).transpose()?,
+            clearest_failing: tally.clearest_failing.map(clearest).transpose()?,
+            closest_call: tally.closest_call.map(closest).transpose()?,
+            first_undecided: tally.first_undecided.map(|n| told(n, &open)).transpose()?,
             failing_share: is_sample.then(share),
-            stopped: self.stopped,
-        }
+            stopped: self.stopped.map(str::to_owned),
+        })
     }
 }

@@ -9,7 +9,7 @@
 
 use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
-use crate::derivation::{Derivation, Family, Spread};
+use crate::derivation::{Derivation, Family, NoOther, Spread};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, Draws, Number};
@@ -103,8 +103,8 @@ impl Members {
         if drawn { Member::TooRare } else { Member::Rejected }
     }
 
-    /// The values of a number at an attempt to draw them.
-    fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
+    /// Where the values of a number stand in their rows.
+    fn positions(&self, number: u64) -> Vec<u64> {
         // The last of the symbols changes fastest; draws of one point of the grid follow one another.
         let mut point = (number - 1) / self.family.draws;
         let mut positions = vec![0; self.family.vary.len()];
@@ -112,6 +112,12 @@ impl Members {
             let count = varied.spread.points();
             (*position, point) = (point % count, point / count);
         }
+        positions
+    }
+
+    /// The values of a number at an attempt to draw them.
+    fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
+        let positions = self.positions(number);
         let one = |(n, (varied, position)): (usize, (&crate::derivation::Varied, u64))| {
             let numbers = &self.numbers[n];
             let mut draw = Draw::new(self.family.seed, number, attempt, n as u64);
@@ -138,6 +144,43 @@ impl Members {
             }
         };
         self.family.vary.iter().zip(positions).enumerate().map(one).collect()
+    }
+
+    /// The member beside one, which has another value of one symbol: the next larger value of its row that the constraints leave,
+    /// where `next`; else the first value of the row, with which all are compared, or another draw.
+    pub fn beside(&self, number: u64, values: &[f64], varied: usize, next: bool) -> Result<Vec<f64>, NoOther> {
+        let own = values[varied];
+        let with = |x: f64| {
+            let mut other = values.to_vec();
+            other[varied] = x;
+            (x.is_finite() && self.is_wanted(&other)).then_some(other)
+        };
+        let numbers = &self.numbers[varied];
+        let first = |mut of: &mut dyn Iterator<Item = f64>| {
+            let found = (&mut of).take(MOST_DRAWS as usize).find_map(with);
+            match found {
+                Some(other) if other[varied] == own => Err(NoOther::Last),
+                Some(other) => Ok(other),
+                None if of.next().is_some() => Err(NoOther::TooRare),
+                None => Err(NoOther::Last),
+            }
+        };
+        match &self.family.vary[varied].spread {
+            Spread::Values(_) if next => {
+                let mut later: Vec<f64> = numbers.iter().copied().filter(|x| *x > own).collect();
+                later.sort_by(f64::total_cmp);
+                first(&mut later.into_iter())
+            }
+            Spread::Values(_) => first(&mut numbers.iter().copied()),
+            Spread::Grid { count, logarithmic, .. } => {
+                let begin = if next { self.positions(number)[varied] + 1 } else { 0 };
+                first(&mut (begin..*count).map(|at| on_grid((numbers[0], numbers[1]), (at, *count), *logarithmic)))
+            }
+            // Draws that no member is made of.
+            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => {
+                first(&mut (MOST_DRAWS..).map(|attempt| self.values(number, attempt)[varied]))
+            }
+        }
     }
 
     /// Whether values satisfy the constraints, and are positive where they must be. What has no value satisfies nothing.

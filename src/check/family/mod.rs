@@ -5,17 +5,27 @@
 //!
 //! **Guaranteed:** a member's verdict is what `trial` finds for the same trajectory, at samples; where a motion is given by formulas,
 //! what these decide exactly counts, as for trajectories. A family is never said to hold more strongly than *sampled*. Members
-//! are made from their numbers, a few at a time, so memory does not grow with how many there are; they are counted in the order of
-//! their numbers, so threads change nothing.
+//! are made from their numbers, a few at a time, so memory does not grow with how many there are. What is counted is a [`Tally`],
+//! which is the same in whatever order members come, so neither threads nor machines change anything; the few members that are
+//! shown are made again from their numbers.
 
 mod account;
 mod confidence;
 mod member;
+mod parts;
+mod sweep;
+mod tally;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 
 pub use account::{FailingShare, FamilyAccount, MemberAccount};
 pub use confidence::{CONFIDENCE, failing_share};
+pub use parts::{Join, Joined, MOST_PARTS, Part, PartFault, Swept, SweptClaim};
+pub use sweep::sweep;
+pub use tally::{Ranked, Tally};
 
 use super::account::{ClaimAccount, PairAccount};
 use super::independence::Gradients;
@@ -24,12 +34,12 @@ use super::program::Program;
 use super::stage::{Fields, Requests, Stage};
 use super::trial::{self, Trial};
 use super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, witness};
-use crate::derivation::{Claim, Derivation};
+use crate::derivation::{Claim, Derivation, Form, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::flow::Motion;
 use crate::verdict::Verdict;
-use account::Tally;
+use account::{Counted, Otherwise};
 use member::{MOST_DRAWS, Member, Members};
 
 /// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
@@ -48,6 +58,12 @@ struct Budget {
     members: u64,
     numbers: u64,
     steps: u64,
+}
+
+impl Default for Budget {
+    fn default() -> Budget {
+        Budget { members: MOST_MEMBERS, numbers: MOST_NUMBERS, steps: MOST_STEPS }
+    }
 }
 
 impl Budget {
@@ -106,7 +122,7 @@ impl Families {
         Ok(any.then(|| Families { derivation: derivation.clone(), members }))
     }
 
-    /// Tries the claims, and puts what is found into their accounts.
+    /// Tries the claims, and puts what is found into their accounts. What was counted elsewhere is not tried here.
     ///
     /// # Errors
     /// Members that cannot be built, families without members, and defects of the program.
@@ -114,9 +130,10 @@ impl Families {
         &self,
         options: &Options,
         claims: &mut [ClaimAccount],
+        joined: Option<&Joined>,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<(), CheckError> {
-        let mut budget = Budget { members: MOST_MEMBERS, numbers: MOST_NUMBERS, steps: MOST_STEPS };
+        let mut budget = Budget::default();
         for (at, members) in self.members.iter().enumerate() {
             let Some(members) = members else { continue };
             let derivation = &self.derivation;
@@ -135,10 +152,26 @@ impl Families {
             if asked.is_empty() {
                 continue;
             }
-            let found = Troupe::new(derivation, members, &asked)?.try_all(options, &mut budget, progress)?;
-            for (place, (tally, claim)) in places.into_iter().zip(found.into_iter().zip(&asked)) {
+            let troupe = Troupe::new(derivation, members, &asked)?;
+            let joined = joined.filter(|j| j.family == at && j.tallies.len() == asked.len());
+            let (tallies, stopped) = match joined {
+                Some(joined) => (joined.tallies.clone(), None),
+                None => troupe.try_all(1..=members.family.size(), options, &mut budget, progress)?,
+            };
+            if tallies.iter().any(|t| t.members == 0) && stopped.is_none() {
+                return Err(CheckError::Problems(vec![troupe.empty()]));
+            }
+            let again = troupe.again(tallies.iter().flat_map(Tally::kept).collect())?;
+            for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
-                claims[place].families.push(tally.account(derivation, &members.family, expected));
+                let (size, precision) = (members.family.size(), claim.precision);
+                let counted = Counted { size, precision, tally, stopped: stopped.as_deref() };
+                let member = |number: u64| {
+                    let one: &One = again.get(&number)?;
+                    Some((one.values.as_deref()?, one.verdicts.get(n)?))
+                };
+                let account = counted.account(derivation, &members.family, expected, &member);
+                claims[place].families.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
             }
         }
         Ok(())
@@ -155,6 +188,10 @@ struct Troupe<'a> {
     gradients: Vec<Option<Result<Gradients, String>>>,
     wanted: Vec<Leaf>,
     start_of: Vec<usize>,
+    /// The position of the member among the trajectories.
+    slot: usize,
+    /// The members that it is compared with, which follow it: the position of what varies, and whether it is the next of the row.
+    beside: Vec<(usize, bool)>,
 }
 
 /// What one number gave.
@@ -177,9 +214,23 @@ impl<'a> Troupe<'a> {
         derivation.given.clear();
         derivation.pictures.clear();
         let start = Rational::try_from(base.initial_time).unwrap_or(Rational::ZERO);
-        derivation.trajectories.push(base);
+        derivation.trajectories.push(base.clone());
+        let mut beside: Vec<(usize, bool)> = Vec::new();
         let here = |claim: &&Claim| Claim { trajectories: vec![slot], expect: vec![None], ..(*claim).clone() };
         derivation.claims = asked.iter().map(here).collect();
+        for claim in &mut derivation.claims {
+            let Some(Form::Across(across)) = claim.forms.first_mut() else { continue };
+            let Some(varied) = members.family.vary.iter().position(|v| v.leaf == across.with) else { continue };
+            let which = (varied, across.dependence.is_of_neighbours());
+            let at = beside.iter().position(|b| *b == which).unwrap_or_else(|| {
+                beside.push(which);
+                beside.len() - 1
+            });
+            across.other = Some(slot + 1 + at);
+            claim.trajectories.push(slot + 1 + at);
+            claim.expect.push(None);
+        }
+        derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
         // As in the file with the member pasted into it: the motions share the memory.
         let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
         let count = derivation.claims.len();
@@ -198,42 +249,43 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
         }
-        let start_of = vec![0; slot + 1];
-        Ok(Troupe { members, derivation, fields, programs, gradients, wanted, start_of })
+        let start_of = vec![0; derivation.trajectories.len()];
+        Ok(Troupe { members, derivation, fields, programs, gradients, wanted, start_of, slot, beside })
     }
 
-    /// Tries all members, as far as the limits allow: what was found of each claim.
+    /// The claims with what is compiled for them.
+    fn prepared(&self) -> Vec<Vec<Prepared<'_>>> {
+        let compiled = self.programs.iter().zip(&self.gradients);
+        let each = self.derivation.claims.iter().zip(compiled).map(|(claim, (programs, gradients))| {
+            let one = |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
+            programs.iter().map(one).collect()
+        });
+        each.collect()
+    }
+
+    /// Tries the members with some numbers, as far as the limits allow: what was counted of each claim, and why it stopped before
+    /// the last.
     fn try_all(
         &self,
+        numbers: RangeInclusive<u64>,
         options: &Options,
         budget: &mut Budget,
         progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Vec<Tally>, CheckError> {
-        let prepared: Vec<Vec<Prepared>> = self
-            .derivation
-            .claims
-            .iter()
-            .zip(self.programs.iter().zip(&self.gradients))
-            .map(|(claim, (programs, gradients))| {
-                let one =
-                    |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
-                programs.iter().map(one).collect()
-            })
-            .collect();
-        let size = self.members.family.size();
-        let precisions = self.derivation.claims.iter().map(|c| c.precision);
-        let mut tallies: Vec<Tally> = precisions.map(|precision| Tally::new(size, precision)).collect();
-        let mut next = 1;
-        while next <= size {
+    ) -> Result<(Vec<Tally>, Option<String>), CheckError> {
+        let prepared = self.prepared();
+        let claims = &self.derivation.claims;
+        let mut tallies = vec![Tally::default(); claims.len()];
+        let (first, last) = numbers.into_inner();
+        let mut next = first;
+        while next <= last {
             let stopped = options.limits.reached().or_else(|| budget.reached());
             if options.limits.is_cancelled() {
                 return Err(CheckError::Defect(CANCELLED.to_owned()));
             }
             if let Some(reason) = stopped {
-                tallies.iter_mut().for_each(|t| t.stopped = Some(reason.to_owned()));
-                break;
+                return Ok((tallies, Some(reason.to_owned())));
             }
-            let end = (next + WAVE.min(budget.members)).min(size + 1);
+            let end = (next + WAVE.min(budget.members)).min(last + 1);
             let numbers: Vec<u64> = (next..end).collect();
             // Those that are integrated together, whatever the number of threads.
             let some = numbers.par_chunks(TOGETHER).with_max_len(1);
@@ -247,9 +299,10 @@ impl<'a> Troupe<'a> {
                 budget.numbers = budget.numbers.saturating_sub(rejected);
                 budget.steps = budget.steps.saturating_sub(steps);
                 tallies.iter_mut().for_each(|t| t.rejected += rejected);
-                if let Some(values) = values {
+                if values.is_some() {
                     budget.members = budget.members.saturating_sub(1);
-                    tallies.iter_mut().zip(verdicts).for_each(|(t, verdict)| t.count(number, &values, verdict));
+                    let of_claims = tallies.iter_mut().zip(claims).zip(&verdicts);
+                    of_claims.for_each(|((t, claim), verdict)| t.count(number, verdict, claim.precision));
                 }
             }
             if late {
@@ -258,12 +311,31 @@ impl<'a> Troupe<'a> {
             }
             next = end;
             let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
-            progress(told(next - 1), told(size));
+            progress(told(next - first), told(last + 1 - first));
         }
-        if tallies.iter().any(|t| t.members == 0 && t.stopped.is_none()) {
-            return Err(CheckError::Problems(vec![self.empty()]));
+        Ok((tallies, None))
+    }
+
+    /// Members that were counted, once more: their values and their verdicts.
+    fn again(&self, numbers: BTreeSet<u64>) -> Result<BTreeMap<u64, One>, CheckError> {
+        let prepared = self.prepared();
+        let numbers: Vec<u64> = numbers.into_iter().collect();
+        let found: Vec<Result<One, CheckError>> =
+            numbers.par_iter().with_max_len(1).map(|number| self.one(*number, &prepared)).collect();
+        numbers.into_iter().zip(found).map(|(number, one)| Ok((number, one?))).collect()
+    }
+
+    /// That a member is not what it was counted as: of what this program counted itself, that is a defect.
+    fn otherwise(&self, Otherwise(number): Otherwise, elsewhere: bool) -> CheckError {
+        let family = &self.members.family;
+        if !elsewhere {
+            let message = format!("member {number} of {} has another verdict when it is tried again", family.id);
+            return CheckError::Defect(message);
         }
-        Ok(tallies)
+        let message =
+            format!("member {number} of the family `{}` has another verdict here than its part says", family.id);
+        let problem = Diagnostic::at(&self.derivation.file, "sweep::foreign-part", family.span.clone(), message);
+        CheckError::Problems(vec![problem.hint("parts are made by the program that joins them: make them again")])
     }
 
     /// That no number gives a member.
@@ -283,37 +355,26 @@ impl<'a> Troupe<'a> {
         prepared: &[Vec<Prepared>],
         limits: &Limits,
     ) -> Vec<Result<Option<One>, CheckError>> {
-        let slot = self.derivation.trajectories.len() - 1;
-        let family = &self.members.family;
+        let slot = self.slot;
         let mut found = Vec::new();
         let mut derivations = Vec::new();
         for &number in numbers {
             found.push(match self.members.member(number) {
                 Member::Rejected => Ok(Some(One { values: None, rejected: 1, steps: 0, verdicts: Vec::new() })),
                 Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
-                Member::Found(values, rejected) => {
-                    let mut derivation = self.derivation.clone();
-                    match family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, &values) {
-                        Some(member) => {
-                            derivation.trajectories[slot] = member;
-                            derivations.push(derivation);
-                            let (values, verdicts) = (Some(values), Vec::new());
-                            Ok(Some(One { values, rejected, steps: 0, verdicts }))
-                        }
-                        None => Err(CheckError::Defect(format!(
-                            "the values of member {number} of {} are no numbers",
-                            family.id
-                        ))),
-                    }
-                }
+                Member::Found(values, rejected) => self.with_member(number, &values).map(|derivation| {
+                    derivations.push(derivation);
+                    Some(One { values: Some(values), rejected, steps: 0, verdicts: Vec::new() })
+                }),
             });
         }
+        let tried: Vec<usize> = (slot..=slot + self.beside.len()).collect();
         let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
         let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
         let requests = Requests {
             part: false,
             wanted: &self.wanted,
-            tried: &[slot],
+            tried: &tried,
             claims: &claims,
             programs: &programs,
             start_of: &self.start_of,
@@ -328,10 +389,50 @@ impl<'a> Troupe<'a> {
             let Some((derivation, stage)) = stages.next() else { return Ok(None) };
             let Some(stage) = stage.map_err(|error| self.not_built(error, values))? else { return Ok(None) };
             let verdicts = self.verdicts(derivation, &stage, prepared, limits)?;
-            let steps = stage.motion(slot).map_or(0, Motion::steps) as u64;
+            let steps = tried.iter().filter_map(|t| stage.motion(*t)).map(Motion::steps).sum::<usize>() as u64;
             Ok(Some(One { verdicts, steps, ..one }))
         };
         found.into_iter().map(with_verdicts).collect()
+    }
+
+    /// One number, without limits.
+    fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
+        let found = self.some(&[number], prepared, &Limits::default()).into_iter().next();
+        let missing = || CheckError::Defect(format!("member {number} was not built"));
+        found.and_then(Result::transpose).unwrap_or_else(|| Err(missing()))
+    }
+
+    /// The derivation with a member, and with those that it is compared with: the same member again where there is none.
+    fn with_member(&self, number: u64, values: &[f64]) -> Result<Derivation, CheckError> {
+        let (slot, family) = (self.slot, &self.members.family);
+        let mut derivation = self.derivation.clone();
+        let made = |derivation: &mut Derivation, values: &[f64]| {
+            let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
+            let defect =
+                || CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id));
+            member.ok_or_else(defect)
+        };
+        let member = made(&mut derivation, values)?;
+        let id = member.id.clone();
+        derivation.trajectories[slot] = member.clone();
+        for (n, &(varied, next)) in self.beside.iter().enumerate() {
+            let at = slot + 1 + n;
+            let other = self.members.beside(number, values, varied, next);
+            let motion = match &other {
+                Ok(other) => made(&mut derivation, other)?,
+                Err(_) => member.clone(),
+            };
+            derivation.trajectories[at] = Trajectory { id: format!("{id}-other-{n}"), ..motion };
+            for form in derivation.claims.iter_mut().flat_map(|c| &mut c.forms) {
+                if let Form::Across(across) = form
+                    && across.other == Some(at)
+                {
+                    across.other = other.as_ref().ok().map(|_| at);
+                    across.values = other.as_ref().map(|o| (values[varied], o[varied])).map_err(|why| *why);
+                }
+            }
+        }
+        Ok(derivation)
     }
 
     /// The verdicts of all claims on a member.
@@ -342,7 +443,7 @@ impl<'a> Troupe<'a> {
         prepared: &[Vec<Prepared>],
         limits: &Limits,
     ) -> Result<Vec<Verdict>, CheckError> {
-        let slot = derivation.trajectories.len() - 1;
+        let slot = self.slot;
         let (course, contradiction) =
             stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
         let mut accounts: Vec<ClaimAccount> = Vec::new();

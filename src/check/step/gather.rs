@@ -95,7 +95,8 @@ impl Step<'_> {
                 | Form::Defined(_)
                 | Form::SameMotion { .. }
                 | Form::Independent { .. }
-                | Form::Exists { .. } => return None,
+                | Form::Exists { .. }
+                | Form::Across(_) => return None,
             }
         }
         match self.sign {

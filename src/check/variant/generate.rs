@@ -273,6 +273,10 @@ fn formulas(derivation: &Derivation, graph: &mut Graph, setting: &Setting) -> (V
             Form::SameMotion { .. } => {
                 skipped.push(("same-motion".to_owned(), "there is no formula".to_owned()));
             }
+            Form::Across(across) => {
+                let reason = "it compares members of a family, and is not judged time by time";
+                skipped.push((across.of.text.clone(), reason.to_owned()));
+            }
             Form::Independent { functions, .. } => {
                 let reason = "independence is not a relation at a time";
                 skipped.extend(functions.iter().map(|w| (w.text.clone(), reason.to_owned())));

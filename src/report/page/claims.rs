@@ -254,8 +254,10 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
     let kinds: Vec<&str> =
         declared(derivation, claim).map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()).unwrap_or_default();
     let over = |i: usize| {
-        let kind = declared(derivation, claim)?.formulas.get(i)?.kind;
-        claim.region.as_ref().map(|of| super::super::region::heading(kind, of))
+        let declared = declared(derivation, claim)?;
+        let kind = declared.formulas.get(i)?.kind;
+        let over = claim.region.as_ref().map(|of| super::super::region::heading(kind, of));
+        over.or_else(|| super::super::family::compared(declared))
     };
     let mut last = "";
     html! {
@@ -269,6 +271,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
                 "defined" => "Has a real value at every time",
                 "independent" => "Independent functions",
                 "exists" => "There is a solution of",
+                "independent-of" | "scales-as" | "monotone" => "Compared between members of a family",
                 _ => "",
             };
             @if kind == "solves" {

@@ -1,0 +1,241 @@
+//! Members of a family, compared in one quantity.
+//!
+//! **In:** two motions that differ in one symbol, and its two values; a quantity, at the first event of each motion, or one that does
+//! not move. **Out:** a finding of what the claim says of the two: that the quantities are equal, ordered, or that the slope of
+//! their logarithms is a power.
+//!
+//! **Guaranteed:** the quantities have the bounds of the motions, and what is computed of them carries these on: where they are too
+//! large to tell, nothing is known. The first event is that of a complete search; where one may be missing, nothing is known
+//! either. The rules are those of every comparison, see `weigh`.
+//!
+//! **Why two members at a time:** "it grows" is so of all if it is of neighbours; a slope between any two is a mean of those between
+//! neighbours; "it is the same" is so of all if all are as one of them. So a claim across members is one of each member, is counted
+//! as others are, and needs no memory for the members.
+
+use std::sync::Arc;
+
+use super::between::may_lie_beyond;
+use super::comparison::{Comparison, Group};
+use super::describe::{Describer, incomplete, short};
+use super::doubt::{known, open_events};
+use super::measured::{Measured, MeasuredGroup, Series, Sizes};
+use super::trial::{Course, Trial, Tried, Values};
+use super::weigh::{Left, weigh};
+use crate::derivation::{Across, Dependence, Derivation, Form, NoOther};
+use crate::expr::Expr;
+use crate::expr::tape::Tape;
+use crate::flow::{Incomplete, Points};
+use crate::latex::RelationKind;
+use crate::number::{Bounded, NoValue, Number};
+use crate::verdict::{Evidence, Finding, Possible};
+
+/// What is compared, as the file of the member has it: the claim that is tried knows no member.
+fn across_of<'d>(derivation: &'d Derivation, trial: &Trial) -> Option<&'d Across> {
+    let claim = derivation.claims.iter().find(|c| c.id == trial.claim.id && c.reading == trial.claim.reading)?;
+    claim.forms.iter().find_map(|form| match form {
+        Form::Across(across) => Some(across),
+        _ => None,
+    })
+}
+
+/// When a quantity is taken, and what is known of the motion then.
+struct Taken {
+    t: f64,
+    values: Values,
+}
+
+/// The first time at which the quantity is taken on a motion.
+fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
+    if let Some(problem) = course.motion.problem() {
+        return Err(Finding::open(problem.to_string()).into());
+    }
+    // What an angle adds up along a motion is not known beyond such a place.
+    let open = |gap: &&Incomplete| match gap {
+        Incomplete::NoValue { .. } => false,
+        Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
+    };
+    if let Some(gap) = course.motion.unresolved().iter().find(open) {
+        return Err(Finding::open(incomplete(gap)).into());
+    }
+    let Some(event) = trial.program.at else {
+        let t = course.stage.initial_time(course.trajectory);
+        return Ok(Taken { t, values: course.values(t) });
+    };
+    let Some(zeros) = course.zeros(event) else {
+        return Err(Finding::open("the event has no meaning on this motion").into());
+    };
+    let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    let trial = Trial { course, ..*trial };
+    if let Some(reason) = open_events(&trial, zeros, counts) {
+        return Err(Finding::open(reason).into());
+    }
+    let (Some(&t), Some(&slack)) = (zeros.times.first(), zeros.slack.first()) else {
+        let reason = "the event does not happen on the member that it is compared with";
+        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+    };
+    if may_lie_beyond(course.stage.span(course.trajectory), t, slack) {
+        return Err(
+            Finding::open(format!("whether the event near t = {} lies in the span cannot be told", short(t))).into()
+        );
+    }
+    Ok(Taken { t, values: course.values_at_event(t, slack) })
+}
+
+/// Compares a member with the one that the family gives beside it.
+pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, position: usize) -> Finding {
+    let Some(across) = across_of(derivation, trial) else { return Finding::open("it is not known what is compared") };
+    let void = |reason: String| Finding::sampled(Possible::VOID, Evidence::because(reason));
+    let (own, theirs) = match (across.values, across.other) {
+        (Ok(values), Some(other)) => (values, other),
+        (Err(NoOther::Last), _) => {
+            return void(format!(
+                "no other member comes after it along ${}$, or it is the one that others are compared with",
+                across.name
+            ));
+        }
+        (Err(NoOther::TooRare), _) => {
+            return Finding::open("work limit: no member beside it satisfies the constraints");
+        }
+        (Err(NoOther::NoMember), _) | (_, None) => return Finding::open("it compares the members of a family"),
+    };
+    let course = trial.course;
+    let Some(motion) = course.stage.motion(theirs) else { return Finding::open("the other member was not built") };
+    // Its samples are not asked for.
+    let other = Course {
+        stage: course.stage,
+        trajectory: theirs,
+        motion,
+        leaves: course.leaves,
+        times: Vec::new(),
+        points: Arc::new(Points::default()),
+    };
+    if let Some(Left::Open(reason) | Left::Out(reason)) = tried.left.first() {
+        return Finding::open(reason.to_string());
+    }
+    let (ours, theirs) = match (taken(trial, course), taken(trial, &other)) {
+        (Ok(ours), Ok(theirs)) => (ours, theirs),
+        (Err(finding), _) | (_, Err(finding)) => return *finding,
+    };
+    let comparisons = &trial.program.parts[position].group.comparisons;
+    let Some(quantity) = comparisons.first().map(|c| c.left) else { return Finding::open("there is no quantity") };
+    let Some(value) = evaluator(trial, quantity) else { return Finding::open("the quantity is not known") };
+    let (q, r) = match (value(&ours.values), value(&theirs.values)) {
+        (Ok(q), Ok(r)) => (q, r),
+        (Err(NoValue::OutOfDomain), _) | (_, Err(NoValue::OutOfDomain)) => {
+            return void(format!("`{}` has no value on one of the two members", across.of.text));
+        }
+        (Err(reason), _) | (_, Err(reason)) => return Finding::open(reason.to_string()),
+    };
+    let text = &across.of.text;
+    let compared = match across.dependence {
+        Dependence::Independent => both(text, q, r, RelationKind::Equal),
+        Dependence::Increasing => both(text, q, r, ordered(own, RelationKind::Less, RelationKind::Greater)),
+        Dependence::Decreasing => both(text, q, r, ordered(own, RelationKind::Greater, RelationKind::Less)),
+        Dependence::Power { power, to } => match slope((q, r), own) {
+            Ok(slope) => {
+                let left = (slope.value - power).abs();
+                // What the subtractions round.
+                let error = slope.error + 4.0 * f64::EPSILON * (slope.value.abs() + power.abs() + to);
+                let difference = Bounded { value: left - to, error };
+                let label = format!("slope of ln|{text}| against ln|{}|, less {power}", across.name);
+                (label, RelationKind::LessEqual, Measured { left, right: to, difference }, to)
+            }
+            Err(finding) => return *finding,
+        },
+    };
+    // Agreement within the error is no order.
+    let (_, kind, measured, _) = &compared;
+    if *kind != RelationKind::Equal && measured.difference.error > 0.0 && measured.difference.contains_zero() {
+        let bound = measured.difference.error;
+        return Finding::open(format!(
+            "{} and {}, up to {bound:.1e}, cannot be told apart",
+            measured.left, measured.right
+        ));
+    }
+    let finding = weighed(trial, &ours, compared, quantity);
+    let mut evidence = finding.evidence().clone();
+    if let Some(witness) = &mut evidence.witness {
+        // Of both members, what varies, and when and what was compared.
+        witness.values = vec![
+            (across.name.clone(), own.0),
+            (format!("{} of the other", across.name), own.1),
+            (text.clone(), q.value),
+            (format!("{text} of the other"), r.value),
+        ];
+    }
+    Finding::sampled(known(&finding), evidence)
+}
+
+/// What is compared: what it is called, how, the two, and the size of their terms.
+type Compared = (String, RelationKind, Measured, f64);
+
+fn both(text: &str, q: Bounded, r: Bounded, kind: RelationKind) -> Compared {
+    let measured = Measured { left: q.value, right: r.value, difference: q - r };
+    (format!("{text} of both members"), kind, measured, q.value.abs() + r.value.abs())
+}
+
+/// How quantities are ordered where the first value of what varies is the smaller one.
+fn ordered((own, other): (f64, f64), smaller: RelationKind, larger: RelationKind) -> RelationKind {
+    if own < other { smaller } else { larger }
+}
+
+/// The slope of ln|q| against ln|x| between two members, with its error.
+fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<Bounded, Box<Finding>> {
+    if own * other <= 0.0 {
+        let reason = "what varies changes its sign, or vanishes: there is no slope of logarithms";
+        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+    }
+    let sizes = [(q.value.abs(), q.error), (r.value.abs(), r.error)];
+    if sizes.iter().any(|(size, error)| *error > 0.25 * size) {
+        return Err(Finding::open("the quantity is too near 0, against its error, to have a logarithm").into());
+    }
+    let log = |x: f64| {
+        let mut out = Bounded::exact(0.0);
+        Number::ln(&mut out, &(), &Bounded::exact(x)).map(|()| out)
+    };
+    // ln(1 + u) is off by at most 4/3 |u| for |u| up to 1/4.
+    let of = |(size, error): (f64, f64)| {
+        log(size).map(|l| Bounded { value: l.value, error: l.error + 4.0 / 3.0 * (error / size) * (1.0 + 1e-10) })
+    };
+    let all = (of(sizes[0]), of(sizes[1]), log(own.abs()), log(other.abs()));
+    let (Ok(a), Ok(b), Ok(x), Ok(y)) = all else { return Err(Finding::open("a logarithm is too large").into()) };
+    let (rise, run) = (b - a, y - x);
+    if run.value.abs() <= 4.0 * run.error {
+        return Err(Finding::open("the values of what varies are too near one another").into());
+    }
+    let value = rise.value / run.value;
+    // |rise/run − exact| ≤ (δrise + |value| δrun)/(|run| − δrun), and rounding.
+    let error = (rise.error + value.abs() * run.error) / (run.value.abs() - run.error);
+    Ok(Bounded { value, error: error * (1.0 + 1e-10) + f64::EPSILON * value.abs() })
+}
+
+/// The value of the quantity from the values of all leaves.
+fn evaluator<'t>(trial: &'t Trial, quantity: Expr) -> Option<impl Fn(&Values) -> Result<Bounded, NoValue> + 't> {
+    let tape = Tape::compile(trial.graph, trial.course.leaves, &[quantity]).ok()?;
+    Some(move |values: &Values| {
+        let mut slots = tape.slots::<Bounded>(&());
+        tape.evaluate(&(), values, &mut slots).pop().unwrap_or(Err(NoValue::OutOfDomain))
+    })
+}
+
+/// Weighs one comparison, at the time at which the quantity is taken.
+fn weighed(trial: &Trial, at: &Taken, (label, kind, measured, size): Compared, node: Expr) -> Finding {
+    let comparison = Comparison {
+        label,
+        kind,
+        left: node,
+        right: node,
+        magnitude: node,
+        boundaries: Vec::new(),
+        told: Default::default(),
+    };
+    let group = Group { comparisons: vec![comparison], ..Group::default() };
+    let mut series = Series::with_capacity(1);
+    series.push(Ok(measured));
+    let sizes = Sizes::Known(vec![vec![size]].into());
+    let group = MeasuredGroup::new(&group, vec![vec![series]], (vec![sizes], 0), false);
+    let times = [at.t];
+    let points: Points = std::iter::once(at.values.clone()).collect();
+    let describer = Describer::new(trial, &times, &points);
+    weigh(describer.setting(vec![Left::In]), &group)
+}

@@ -1,0 +1,129 @@
+//! Claims that compare the members of a family: the verdicts of the corpus, how members are counted, and what is refused.
+
+use std::path::Path;
+
+use rederive::check::{Account, FamilyAccount, Options, check};
+use rederive::derivation::{load, parse};
+use rederive::diag::{Source, render};
+use rederive::report;
+
+fn account() -> Account {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml");
+    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let options = Options { plain: true, ..Options::default() };
+    check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"))
+}
+
+fn on<'a>(account: &'a Account, id: &str) -> &'a FamilyAccount {
+    let claim = account.claims.iter().find(|c| c.id == id).expect("the claim");
+    assert!(claim.results.is_empty(), "it is tried on no trajectory");
+    &claim.families[0]
+}
+
+#[test]
+fn verdicts_are_as_expected_and_members_are_counted() {
+    let account = account();
+    for found in &account.claims {
+        for family in &found.families {
+            let reason = family.first_undecided.as_ref().and_then(|m| m.verdict.evidence().reason.clone());
+            assert!(!family.is_unexpected(), "{}: {family:?} {reason:?}", found.id);
+            assert!(matches!(family.verdict.outcome().strength(), Some("sampled") | None));
+        }
+        assert!(found.identity.as_ref().is_none_or(|i| i.standing() != "proved"), "{}", found.id);
+    }
+    let counts = |id: &str| {
+        let f = on(&account, id);
+        (f.members, f.holds, f.fails, f.not_applicable, f.undecided)
+    };
+    // The first of each row of three is what the others are compared with: of four rows, one for each k.
+    assert_eq!(counts("period-of-a-spring"), (12, 8, 0, 4, 0));
+    // The last of the row has no neighbour.
+    assert_eq!(counts("grows"), (5, 4, 0, 1, 0));
+    assert_eq!(counts("falls"), (5, 0, 4, 1, 0));
+    assert_eq!(counts("not-of-n"), (8, 6, 0, 2, 0));
+    // From -2 to -1; from -1 to 0 and from 0 to 2 there is no slope, and 2 is the last; for two values of A.
+    assert_eq!(counts("no-logarithm"), (8, 2, 0, 6, 0));
+    // It falls to 0 and grows from there.
+    assert_eq!(counts("even"), (8, 2, 4, 2, 0));
+    assert_eq!(counts("never-there"), (12, 0, 0, 12, 0));
+}
+
+#[test]
+#[expect(clippy::disallowed_methods, reason = "what is expected is compared with room for how a platform rounds")]
+fn a_witness_has_both_members() {
+    let account = account();
+    let found = on(&account, "square-too-closely");
+    let first = found.first_failing.as_ref().expect("it fails");
+    let witness = first.verdict.evidence().witness.as_ref().expect("a witness");
+    assert_eq!(witness.right, 1e-6);
+    let names: Vec<&str> = witness.values.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["x", "x of the other", "t-2\\pi", "t-2\\pi of the other"]);
+    let value = |n: usize| witness.values[n].1;
+    assert_eq!((value(0), value(1)), (0.01, 0.04));
+    // T/2π = 1 + A²/16 + 11 A⁴/3072 + …
+    for n in [0, 1] {
+        let a = value(n);
+        let period = 2.0 * std::f64::consts::PI * (a * a / 16.0 + 11.0 * a.powi(4) / 3072.0);
+        assert!((value(n + 2) - period).abs() < 1e-8 * period.max(1e-3), "{} {period}", value(n + 2));
+    }
+    let slope = (value(3) / value(2)).ln() / (value(1) / value(0)).ln();
+    assert!((witness.left - (slope - 2.0).abs()).abs() < 1e-6, "{} {slope}", witness.left);
+}
+
+#[test]
+fn what_has_no_meaning_is_refused() {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml"));
+    let text = text.expect("the corpus");
+    let head = &text[..text.find("[[claim]]").expect("claims")];
+    let problem = |claim: &str| {
+        let text = format!("{head}\n[[claim]]\nid = 'c'\nsays = 's'\n{claim}\n");
+        match parse(Source { path: "t.toml".into(), text }, "t") {
+            Err(found) => render(&found, false),
+            Ok(_) => "no problem".to_owned(),
+        }
+    };
+    let springs = "families = ['springs']";
+    let cases = [
+        (format!("{springs}\nindependent-of = {{ of = 'k', with = 'x' }}"), "no problem"),
+        ("independent-of = { of = 'k', with = 'x' }".to_owned(), "compares the members of a family"),
+        (format!("{springs}\nindependent-of = {{ of = 'E', with = 'x' }}"), "this moves"),
+        (format!("{springs}\nindependent-of = {{ of = 'k' }}"), "needs `with`"),
+        (format!("{springs}\nindependent-of = {{ of = 'k', with = 'v' }}"), "`springs` does not vary `v`"),
+        (format!("{springs}\nindependent-of = {{ of = 'k', with = 'z' }}"), "no symbol `z`"),
+        (format!("{springs}\nindependent-of = {{ of = '\\pm k', with = 'x' }}"), "±"),
+        (format!("{springs}\nassuming = ['k>1']\nindependent-of = {{ of = 'k', with = 'x' }}"), "no assumptions"),
+        (format!("{springs}\nalways = ['k>0']\nindependent-of = {{ of = 'k', with = 'x' }}"), "beside another form"),
+        (
+            format!("{springs}\ntrajectories = ['swing']\nindependent-of = {{ of = 'k', with = 'x' }}"),
+            "and no trajectories",
+        ),
+        (format!("{springs}\nscales-as = {{ of = 'k', with = 'x', power = 2 }}"), "needs `to`"),
+        (format!("{springs}\nscales-as = {{ of = 'k', with = 'x', power = 2, to = 0 }}"), "`to` lies above 0"),
+        (format!("{springs}\nmonotone = {{ of = 'k', with = 'x' }}"), "needs `direction`"),
+        (format!("{springs}\nmonotone = {{ of = 'k', with = 'x', direction = 'up' }}"), "there is no direction `up`"),
+        (
+            "families = ['drawn']\nmonotone = { of = 'k', with = 'x', direction = 'increasing' }".to_owned(),
+            "draws `x`, so that no value follows another",
+        ),
+        ("ranges = { 'x' = [0, 1] }\nindependent-of = { of = 'k', with = 'x' }".to_owned(), "over ranges"),
+    ];
+    for (claim, expected) in cases {
+        let found = problem(&claim);
+        assert!(found.contains(expected), "{claim}\n{found}");
+    }
+}
+
+#[test]
+fn every_report_says_what_is_compared() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml");
+    let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let options = Options { plain: true, claims: vec!["square".to_owned(), "grows".to_owned()], ..Options::default() };
+    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    for report in [report::markdown, report::page, report::tex] {
+        let text = report(&derivation, &account);
+        let words = text.contains("Scales as a power of") && text.contains("whose exponent is 2 to within 0.01");
+        assert!(words && text.contains("Grows with") && !text.contains("The motion is that of"), "{text}");
+    }
+    let text = report::explain(&derivation, &account, &["square".to_owned()], false);
+    assert!(text.contains("Scales as a power of x, whose exponent is 2 to within 0.01"), "{text}");
+}
