@@ -191,11 +191,9 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
 
 /// Where angles atan2(y, x) in comparisons have their cuts. Observables are written out, but for those that are continued along a
 /// motion.
-fn cuts(graph: &mut Graph, scope: &Scope, program: &Program, angles: &FastSet<Symbol>) -> Vec<(usize, [Expr; 2])> {
-    let sides: Vec<[Expr; 2]> = program.comparisons().map(|c| [c.left, c.right]).collect();
+fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>, angles: &FastSet<Symbol>) -> Vec<(usize, [Expr; 2])> {
     let mut out = Vec::new();
-    for (position, sides) in sides.into_iter().enumerate() {
-        let mut written = sides.to_vec();
+    for (position, mut written) in sides.into_iter().enumerate() {
         for _ in 0..DEEPEST {
             let put = |leaf: Leaf| {
                 let plain = leaf.rate == 0 && leaf.instant.is_none() && !angles.contains(&leaf.symbol);
@@ -248,7 +246,10 @@ impl Program {
             .collect();
         let Derivation { graph, claims, systems, .. } = derivation;
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
-        program.cuts = cuts(graph, &claims[claim].scope, &program, &angles);
+        let scope = &claims[claim].scope;
+        let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
+        program.cuts = cuts(graph, scope, sides, &angles);
+        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()], &angles).is_empty();
         program
     }
 }

@@ -134,6 +134,11 @@ pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -
 /// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
 pub(super) fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
     let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
+    if trial.program.leaps_at {
+        return Some(format!(
+            "an angle or a whole part in `{text}` leaps, and whether the sides meet there cannot be told"
+        ));
+    }
     if let Some(&t) = zeros.touching.first() {
         return Some(format!(
             "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
@@ -159,8 +164,10 @@ pub(super) fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
 pub(super) fn only_at_events(trial: &Trial, zeros: &Zeros, finding: Finding) -> Finding {
     // Where the sides have no value, they do not meet.
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    // What is found at a leap is no event for certain, either.
+    let refutes = trial.program.leaps_at;
     match (known(&finding).decided(), open_events(trial, zeros, counts)) {
-        (Some(Truth::True | Truth::Void), Some(reason)) => {
+        (Some(truth), Some(reason)) if refutes || truth != Truth::False => {
             let reason = format!("it was tried at {} events, but {reason}", zeros.times.len());
             reopened(finding, Possible::ANY, reason)
         }

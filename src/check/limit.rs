@@ -52,10 +52,11 @@ pub(super) fn limit(
         return Finding::open(format!("t = {} lies outside the span [{from}, {to}]", short(t0)));
     }
     // A time that is no number of binary64 lies between two of them: a quotient that is 0/0 there has other values beside it.
-    // What leaps at it shows that farther away only.
+    // What leaps at it shows that farther away only, and an angle at its cut has the value of one side at an exact time, too.
     let far = BESIDE * (to - from);
     let beside = [t0, t0.next_down(), t0.next_up(), t0 - far, t0 + far];
-    let beside = if exact { &beside[..1] } else { &beside[..] };
+    let alone = exact && program.cuts.is_empty();
+    let beside = if alone { &beside[..1] } else { &beside[..] };
     let found: Vec<Found> = beside
         .iter()
         .filter(|&&t| (from..=to).contains(&t))
@@ -76,10 +77,8 @@ pub(super) fn limit(
     };
     let together = found.iter().enumerate().all(|(i, a)| found[..i].iter().all(|b| agree(a, b)));
     let Some((_, finding, _)) = found.first().cloned().filter(|_| together) else {
-        return Finding::open(format!(
-            "t = {} is known to rounding only, and beside it other values are taken",
-            short(t0)
-        ));
+        let known = if exact { ":" } else { " is known to rounding only, and" };
+        return Finding::open(format!("t = {}{known} beside it other values are taken", short(t0)));
     };
     if finding.known(Strength::Sampled) == Some(Possible::VOID) {
         let why = finding.evidence().reason.clone().unwrap_or_default();

@@ -115,6 +115,8 @@ pub(super) struct Program {
     pub scarce: Vec<Expr>,
     /// y and x of every atan2(y, x) in a comparison, with its position. What is continued along a motion has no cut.
     pub cuts: Vec<(usize, [Expr; 2])>,
+    /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
+    pub leaps_at: bool,
     /// Left, right, and left − right of every comparison; then what `cuts` are of.
     sides: Option<Block>,
     /// The size of the terms of every comparison.
@@ -140,7 +142,21 @@ impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
         let Denoted { selectors, hypotheses, parts, claim, at, steep, scarce, sign } = of;
         let (cuts, sides, sizes, inputs) = (Vec::new(), None, None, Vec::new());
-        Program { selectors, hypotheses, parts, claim, at, steep, scarce, cuts, sides, sizes, inputs, sign }
+        Program {
+            selectors,
+            hypotheses,
+            parts,
+            claim,
+            at,
+            steep,
+            scarce,
+            cuts,
+            leaps_at: false,
+            sides,
+            sizes,
+            inputs,
+            sign,
+        }
     }
 }
 
