@@ -73,7 +73,8 @@ for (const id of fs.readdirSync(reports).sort()) {
   // Without the script everything essential is there.
   await visit({ javaScriptEnabled: false, viewport: { width: 1280, height: 900 } }, url, async page => {
     const text = await page.locator("body").innerText();
-    for (const part of ["What was found", "Claims and trajectories", json.derivation.sha256])
+    const matrix = json.trajectories.length ? ["Claims and trajectories"] : [];
+    for (const part of ["What was found", ...matrix, json.derivation.sha256])
       check(text.includes(part), `${id}: without a script, "${part}" is shown`);
     const cells = await page.locator(".matrix tbody td[class]").count();
     const pairs = json.claims.flatMap(c => c.results).length;
