@@ -13,7 +13,7 @@ pub(super) const LEGEND: &str =
 /// The matrix; `None` where no claim is tried on motions.
 pub(super) fn letters(account: &Account) -> Option<String> {
     // What is about ranges has no cells.
-    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| c.region.is_none()).collect();
+    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| !c.results.is_empty()).collect();
     if rows.is_empty() {
         return None;
     }

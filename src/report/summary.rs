@@ -146,7 +146,7 @@ pub(super) fn on_families(derivation: &Derivation, claim: &ClaimAccount, paint: 
 /// The matrix of verdicts, in as many parts as its columns need, with its legend.
 fn matrix(account: &Account, paint: Paint) -> String {
     // What is about ranges has no cells.
-    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| c.region.is_none()).collect();
+    let rows: Vec<&ClaimAccount> = account.claims.iter().filter(|c| !c.results.is_empty()).collect();
     if rows.is_empty() {
         return String::new();
     }

@@ -39,8 +39,8 @@ fn cell(pair: &PairAccount) -> String {
 /// Where a pair stands on the page: `/p`, row and column of the matrix. Short, since there are thousands; the script writes
 /// the address of a pair as `claim@trajectory`, which stays when claims are added.
 pub(super) fn anchor(account: &Account, claim: &ClaimAccount, pair: &PairAccount) -> String {
-    // Claims over ranges have no row.
-    let mut rows = account.claims.iter().filter(|c| c.region.is_none());
+    // Claims over ranges, and on families alone, have no row.
+    let mut rows = account.claims.iter().filter(|c| !c.results.is_empty());
     let row = rows.position(|c| c.id == claim.id && c.reading == claim.reading);
     let column = account.trajectories.iter().position(|t| t.id == pair.trajectory);
     format!("/p{}-{}", row.unwrap_or_default(), column.unwrap_or_default())
@@ -100,8 +100,8 @@ pub(super) fn section(account: &Account) -> Markup {
                         }
                     }
                     tbody {
-                        // What is about ranges has no cells.
-                        @for claim in account.claims.iter().filter(|c| c.region.is_none()) { (row(account, claim)) }
+                        // What is about ranges, or families alone, has no cells.
+                        @for claim in account.claims.iter().filter(|c| !c.results.is_empty()) { (row(account, claim)) }
                     }
                 }
             }
