@@ -8,13 +8,14 @@
 
 #![forbid(unsafe_code)]
 
+mod parts;
+
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
-use rederive::check::family::{MOST_PARTS, Part};
 use rederive::check::{Cancel, Limits, Proposition};
 use rederive::diag::{Diagnostic, render, sort};
 use rederive::{Ask, Failure, Question, Rigor};
@@ -97,15 +98,6 @@ struct Wait<'a> {
 }
 
 impl Wait<'_> {
-    /// What the library is to tell how far it is.
-    fn teller(&self) -> impl Fn(usize, usize) + Send + Sync + 'static {
-        let reached = Arc::clone(&self.reached);
-        move |done, of| {
-            reached.0.fetch_max(done, Ordering::Relaxed);
-            reached.1.store(of, Ordering::Relaxed);
-        }
-    }
-
     /// Computes something on the threads of the library.
     fn compute<T: Send + 'static>(self, py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
         let (sender, mut receiver) = sync_channel(1);
@@ -191,37 +183,6 @@ impl Session {
         found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
     }
 
-    /// The text of one part of a family.
-    #[pyo3(signature = (family, number, of, progress=None))]
-    fn sweep(
-        &self,
-        py: Python<'_>,
-        family: String,
-        number: u64,
-        of: u64,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<String> {
-        let Some(part) = Part::new(number, of) else {
-            let message = format!("there is no part {number} of {of}, at most {MOST_PARTS}");
-            return Err(failure(py, Failure::Parts(message)));
-        };
-        let wait = Wait { progress, ..Wait::default() };
-        let limits = Limits { cancel: Some(wait.cancel.clone()), ..Limits::default() };
-        let (session, tell) = (Arc::clone(&self.0), wait.teller());
-        let found = wait.compute(py, move || session.sweep(&family, part, &limits, &tell))?;
-        found.map_err(|e| failure(py, e))
-    }
-
-    /// What the texts of all parts of a family say together.
-    fn join(&self, py: Python<'_>, parts: Vec<String>) -> PyResult<Findings> {
-        let wait = Wait::default();
-        let limits = Limits { cancel: Some(wait.cancel.clone()), ..Limits::default() };
-        let session = Arc::clone(&self.0);
-        let named = parts.into_iter().enumerate().map(|(n, text)| Ok((format!("text {}", n + 1), text)));
-        let found = wait.compute(py, move || session.join(named, &limits, &|_, _| {}))?;
-        found.map(|f| Findings(Arc::new(f))).map_err(|e| failure(py, e))
-    }
-
     /// The answer as JSON, and as a person reads it.
     #[pyo3(signature = (formula, symbols, given, throughout, scope=None, deadline=None))]
     #[expect(clippy::too_many_arguments, reason = "they are named in Python")]
@@ -287,5 +248,6 @@ fn _rederive(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Session>()?;
     module.add_class::<Findings>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
+    parts::register(module)?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))
 }

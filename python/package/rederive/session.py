@@ -57,7 +57,7 @@ class _Joined:
     parts: tuple[str, ...]
 
     def __call__(self) -> _rederive.Findings:
-        return _rederive.Session(self.name, self.text).join(list(self.parts))
+        return _rederive.join(_rederive.Session(self.name, self.text), list(self.parts))
 
 
 class Session:
@@ -130,7 +130,7 @@ class Session:
         """
         number, of = part
         with shown(progress, f"{family} {number}/{of}") as tell:
-            return self._read.sweep(family, number, of, tell)
+            return _rederive.sweep(self._read, family, number, of, tell)
 
     def merge(self, parts: Iterable[str]) -> Report:
         """Joins the parts of a family, in any order: what :meth:`check` finds on it with ``only_verdicts``.
@@ -140,7 +140,7 @@ class Session:
         if self._text is None:
             raise ValueError("there is nothing to join: the session has no derivation")
         joined = _Joined(self._name, self._text, tuple(parts))
-        found = self._read.join(list(joined.parts))
+        found = _rederive.join(self._read, list(joined.parts))
         return Report(found.document("json"), joined, found)
 
     def prove(

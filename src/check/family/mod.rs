@@ -134,8 +134,15 @@ impl Families {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<(), CheckError> {
         let mut budget = Budget::default();
+        let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let all = self.members.iter().flatten().fold(0, |sum: u64, m| sum.saturating_add(m.family.size()));
+        let mut before = 0u64;
         for (at, members) in self.members.iter().enumerate() {
             let Some(members) = members else { continue };
+            // Members of all families are counted as one list.
+            let so_far = told(before);
+            let progress = |done: usize, _: usize| progress(so_far.saturating_add(done), told(all));
+            before = before.saturating_add(members.family.size());
             let derivation = &self.derivation;
             let position = |a: &ClaimAccount| {
                 let is_it = |c: &&Claim| c.id == a.id && c.reading == a.reading;
@@ -156,7 +163,7 @@ impl Families {
             let joined = joined.filter(|j| j.family == at && j.tallies.len() == asked.len());
             let (tallies, stopped) = match joined {
                 Some(joined) => (joined.tallies.clone(), None),
-                None => troupe.try_all(1..=members.family.size(), options, &mut budget, progress)?,
+                None => troupe.try_all(1..=members.family.size(), options, &mut budget, &progress)?,
             };
             if tallies.iter().any(|t| t.members == 0) && stopped.is_none() {
                 return Err(CheckError::Problems(vec![troupe.empty()]));
