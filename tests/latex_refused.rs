@@ -370,6 +370,7 @@ fn declarations_that_would_have_two_meanings() {
         formula: None,
         arguments: &[],
         complex: false,
+        angle: false,
     };
     let number = Declaration { shape: None, role: Role::Parameter, ..vector.clone() };
     for key in ["u_1", r"{\bf u}_2", "u_i", "A_{12}", r"\vec u_3"] {

@@ -225,6 +225,7 @@ fn any_name_is_declared_or_refused() {
             formula: formula.as_deref().or(Some("x")),
             arguments: &[],
             complex: false,
+            angle: false,
         };
         match w.scope.declare(&mut w.graph, &key, declaration) {
             Ok(symbol) => {

@@ -9,7 +9,7 @@
 //! forbids. That an inequality is true, ± and limits are left to other methods, and so is everything at events.
 
 use super::account::ClaimAccount;
-use super::comparison::{Comparison, may_leap};
+use super::comparison::{Comparison, Group, may_leap};
 use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, Refuted, along};
 use super::limits::Limits;
@@ -379,7 +379,8 @@ impl<'a> Setting<'a> {
             What::Constant if group.comparisons.iter().any(|c| c.kind != RelationKind::Equal) => return None,
             What::Constant => {
                 let constant = |c: &Comparison| self.is_constant(claim, guards, presupposed, c.left);
-                return group.comparisons.iter().all(constant).then_some(Ok(()));
+                let proved = group.comparisons.iter().all(constant);
+                return (proved && self.are_met_together(claim, guards, presupposed, group)).then_some(Ok(()));
             }
             What::Denied | What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
                 return None;
@@ -422,7 +423,23 @@ impl<'a> Setting<'a> {
                 Along::Agree { .. } | Along::Open => holds = false,
             }
         }
-        holds.then_some(Ok(()))
+        (holds && self.are_met_together(claim, guards, presupposed, group)).then_some(Ok(()))
+    }
+
+    /// Whether all comparisons of a group have values at one time: components that have them at different times only say nothing.
+    fn are_met_together(&mut self, claim: &Claim, guards: &InTime, presupposed: &[Expr], group: &Group) -> bool {
+        let [first, others @ ..] = group.comparisons.as_slice() else { return true };
+        if others.is_empty() {
+            return true;
+        }
+        self.needs.clear();
+        let mut sides = |c: &Comparison| self.sides(&claim.scope, (c.left, c.right));
+        let Some((left, right)) = sides(first) else { return false };
+        let Some(others) = others.iter().map(sides).collect::<Option<Vec<_>>>() else { return false };
+        let mut needs = std::mem::take(&mut self.needs);
+        needs.extend(others.into_iter().flat_map(|(l, r)| [l, r]).chain([right]));
+        needs.extend(presupposed);
+        matches!(self.ask(guards, needs, (left, left), Refuted::Apart), Along::Agree { seen: Some(_), .. })
     }
 
     /// A time that counts at which one of these formulas has no value, shown in exact arithmetic; and why.

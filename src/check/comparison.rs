@@ -155,13 +155,18 @@ impl Group {
 
 /// `e` with observables replaced by their definitions, at fixed times too; rates stay.
 pub(super) fn traced(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
-    replaced(graph, scope, e, true)
+    written_out(graph, scope, e, |_| true)
 }
 
 /// `e` with observables replaced by their definitions, down to states, parameters and time; rates and values at fixed
 /// times stay.
 pub(super) fn traced_now(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
-    replaced(graph, scope, e, false)
+    written_out(graph, scope, e, |leaf| leaf.instant.is_none())
+}
+
+/// The same, but for angles that are continued along a motion: these are not what their formulas are.
+pub(super) fn traced_without_angles(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
+    written_out(graph, scope, e, |leaf| leaf.instant.is_none() && !scope.is_angle(leaf.symbol))
 }
 
 /// Whether the value of a formula may leap along a motion.
@@ -180,27 +185,38 @@ pub(super) fn may_leap(graph: &Graph, e: Expr) -> bool {
 pub(super) fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let Some(time) = scope.time() else { return e };
     let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-    let formed = graph.substitute(e, |graph, leaf| {
+    let mut form = |graph: &mut Graph, leaf: Leaf| {
         let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate > 0 && leaf.instant.is_none())?;
         let mut value = definition.components.get(usize::from(leaf.component)).copied()?;
-        value = traced_now(graph, scope, value);
+        // The rate of an angle that is continued is not that of its formula where this leaps.
+        value = traced_without_angles(graph, scope, value);
         for _ in 0..leaf.rate {
-            let rate = graph.time_derivative(value, time, moves).ok()?;
+            let mut rate = graph.time_derivative(value, time, moves).ok()?;
+            if scope.is_angle(leaf.symbol) {
+                rate = graph.continued(value, rate);
+            }
             value = graph.rate_of(value, rate, |_| false);
         }
         Some(value)
-    });
-    traced(graph, scope, formed)
+    };
+    // Definitions are acyclic, and so are those of the rates of angles.
+    let mut e = e;
+    loop {
+        let formed = graph.substitute(e, &mut form);
+        if formed == e {
+            return traced(graph, scope, e);
+        }
+        e = formed;
+    }
 }
 
-fn replaced(graph: &mut Graph, scope: &Scope, e: Expr, at_instants: bool) -> Expr {
+fn written_out(graph: &mut Graph, scope: &Scope, e: Expr, put: impl Fn(Leaf) -> bool) -> Expr {
     let mut e = e;
     // Definitions are acyclic: each is written in terms of earlier symbols.
     loop {
         let mut changed = false;
         e = graph.substitute(e, |graph, leaf| {
-            let here = leaf.rate == 0 && (at_instants || leaf.instant.is_none());
-            let definition = scope.definition(leaf.symbol).filter(|_| here)?;
+            let definition = scope.definition(leaf.symbol).filter(|_| leaf.rate == 0 && put(leaf))?;
             let component = definition.components.get(usize::from(leaf.component)).copied()?;
             changed = true;
             Some(match leaf.instant {

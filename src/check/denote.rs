@@ -7,11 +7,11 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use super::comparison::{Comparison, Group, at_instant, behind_rates, traced};
+use super::comparison::{Comparison, Group, at_instant, behind_rates, traced, traced_without_angles};
 use super::program::{Assumption, Denoted, Part, Program, What};
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
-use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Symbol, Tensor};
+use crate::expr::{Expr, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
 use crate::verdict::{Proposition, Quantifier};
 
@@ -115,9 +115,6 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
     (out, edges)
 }
 
-/// How often observables are written out that stand in the formulas of others.
-const DEEPEST: usize = 64;
-
 /// Powers from this one on are taken for exponentials.
 const HIGH: i32 = 16;
 
@@ -191,26 +188,10 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
 
 /// Where angles atan2(y, x) in comparisons have their cuts. Observables are written out, but for those that are continued along a
 /// motion.
-fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>, angles: &FastSet<Symbol>) -> Vec<(usize, [Expr; 2])> {
+fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>) -> Vec<(usize, [Expr; 2])> {
     let mut out = Vec::new();
-    for (position, mut written) in sides.into_iter().enumerate() {
-        for _ in 0..DEEPEST {
-            let put = |leaf: Leaf| {
-                let plain = leaf.rate == 0 && leaf.instant.is_none() && !angles.contains(&leaf.symbol);
-                let observable = plain && scope.role(leaf.symbol) == Some(Role::Observable);
-                scope
-                    .definition(leaf.symbol)
-                    .filter(|_| observable)?
-                    .components
-                    .get(usize::from(leaf.component))
-                    .copied()
-            };
-            let next: Vec<Expr> = written.iter().map(|&e| graph.substitute(e, |_, leaf| put(leaf))).collect();
-            if next == written {
-                break;
-            }
-            written = next;
-        }
+    for (position, sides) in sides.into_iter().enumerate() {
+        let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
         for node in graph.reachable(written) {
             if let Node::Binary(Op::Arctan2, y, x) = *graph.node(node) {
                 out.push((position, [y, x]));
@@ -237,19 +218,12 @@ pub(super) fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr>
 impl Program {
     /// The claim at position `claim`, not compiled yet; `initial_time` is that of the motion at hand.
     pub fn new(derivation: &mut Derivation, claim: usize, initial_time: &Rational) -> Program {
-        let angles: FastSet<Symbol> = derivation
-            .symbols
-            .iter()
-            .chain(&derivation.claims[claim].symbols)
-            .filter(|s| s.angle)
-            .map(|s| s.symbol)
-            .collect();
         let Derivation { graph, claims, systems, .. } = derivation;
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
         let scope = &claims[claim].scope;
         let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
-        program.cuts = cuts(graph, scope, sides, &angles);
-        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()], &angles).is_empty();
+        program.cuts = cuts(graph, scope, sides);
+        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()]).is_empty();
         program
     }
 }

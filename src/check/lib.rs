@@ -484,6 +484,23 @@ fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize)
     matches!(motion, derivation::Motion::Integrated { system: of, .. } if *of == system)
 }
 
+/// Whether the states of a motion may leap, as formulas may: a proof that goes from one time to others, or to rates, takes them
+/// to be smooth.
+fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
+    let leaps = |of: &[(crate::expr::Symbol, derivation::Written<Vec<crate::expr::Expr>>)]| {
+        let analytic = |&e: &_| derivation.scope.time().is_some_and(|time| derivation.graph.is_analytic_in(e, time));
+        !of.iter().flat_map(|(_, w)| &w.value).all(analytic)
+    };
+    match &derivation.trajectories[trajectory].motion {
+        derivation::Motion::Integrated { .. } => false,
+        derivation::Motion::Formula { states } => leaps(states),
+        derivation::Motion::Derived { from, map } => {
+            let mapped = map.iter().flat_map(|(_, w)| &w.value);
+            may_leap(derivation, *from) || mapped.into_iter().any(|&e| comparison::may_leap(&derivation.graph, e))
+        }
+    }
+}
+
 /// What was found on one motion: a verdict for every claim that is tried on it.
 type Column = Vec<Option<Verdict>>;
 
@@ -538,6 +555,10 @@ fn strengthen(
         let mut ready: Vec<usize> = Vec::new();
         for (at, pair) in claims[k].results.iter().enumerate() {
             let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
+            let declared = &derivation.claims[claimed[k]];
+            if !(identity.from.is_empty() && declared.assuming.is_empty()) && may_leap(derivation, t) {
+                continue;
+            }
             let given = |name: &String| match derivation.premise(name) {
                 Premise::System(system) => is_integrated_from(derivation, t, system),
                 Premise::Claim(premise) => {

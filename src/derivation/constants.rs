@@ -192,6 +192,7 @@ impl Loader<'_> {
             formula: Some(formula.text),
             arguments: &[],
             complex: false,
+            angle: false,
         };
         let symbol = match scope.declare(&mut self.out.graph, name, declaration) {
             Ok(symbol) => symbol,

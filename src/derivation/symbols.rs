@@ -147,13 +147,14 @@ impl Loader<'_> {
         let names: Vec<&str> = arguments.iter().map(|a| a.text.trim()).collect();
         let (unit, measured_in) = self.unit(&table);
         let problems = &mut self.problems;
+        let angle = table.boolean(problems, "angle").unwrap_or(false);
         let entry = SymbolEntry {
             name: as_printed(name),
             role,
             unit,
             measured_in,
             positive: table.boolean(problems, "positive").unwrap_or(false),
-            angle: table.boolean(problems, "angle").unwrap_or(false),
+            angle,
             complex,
             formula: formula.as_ref().map(Literal::printed),
             scale: scale.as_ref().map(Literal::printed),
@@ -163,7 +164,8 @@ impl Loader<'_> {
             symbol: {
                 let formula = formula.as_ref().or(scale.as_ref());
                 let text = formula.map(|f| f.text);
-                let declaration = Declaration { role, shape, diagonal, formula: text, arguments: &names, complex };
+                let declaration =
+                    Declaration { role, shape, diagonal, formula: text, arguments: &names, complex, angle };
                 match scope.declare(&mut self.out.graph, name, declaration) {
                     Ok(symbol) => symbol,
                     Err(error) => {

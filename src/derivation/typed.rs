@@ -150,8 +150,8 @@ impl Derivation {
             formula = Some(value);
         }
         let (shape, diagonal) = typed.shape.clone().map_or((None, false), |(shape, d)| (Some(shape), d));
-        let declaration =
-            Declaration { role: typed.role, shape, diagonal, formula, arguments: &names, complex: typed.complex };
+        let Typed { role, complex, angle, .. } = *typed;
+        let declaration = Declaration { role, shape, diagonal, formula, arguments: &names, complex, angle };
         let symbol = self.scope.declare(&mut self.graph, name, declaration).map_err(|error| {
             let at = |start: usize, found: Vec<diag::Problem>| {
                 found.into_iter().map(|p| Diagnostic::of_formula(source, start, p)).collect::<Vec<_>>()

@@ -1,10 +1,13 @@
 //! Exact derivatives and substitution.
 //!
 //! Terms whose factor is a structural zero are left out, so a derivative exists wherever the expression is differentiable.
+//! Where a function leaps it has no derivative, though the formula of one may have a value there: atan2(y, x) does so where
+//! y = 0 and x < 0, and its derivative is restricted to elsewhere. An angle that is continued beyond its cut does not leap;
+//! who continues it says what its derivative is, see [`Graph::continued`].
 
 use super::FastMap;
 
-use super::{Expr, Graph, Leaf, Node, Op};
+use super::{Expr, Graph, Leaf, Node, Op, Rational};
 
 /// Why a derivative cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,12 +42,29 @@ impl Graph {
     pub fn directional_derivative(
         &mut self,
         e: Expr,
+        tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
+    ) -> Result<Expr, NoDerivative> {
+        self.derivative_knowing(e, &[], tangent)
+    }
+
+    /// The same, where the derivatives of some nodes are known: pairs of a node and its derivative.
+    ///
+    /// # Errors
+    /// See [`Graph::directional_derivative`].
+    pub fn derivative_knowing(
+        &mut self,
+        e: Expr,
+        known: &[(Expr, Expr)],
         mut tangent: impl FnMut(&mut Graph, Leaf) -> Option<Expr>,
     ) -> Result<Expr, NoDerivative> {
         let zero = self.integer(0);
         let order = self.reachable([e]);
         let mut derivative: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
         for node in order {
+            if let Some(&(_, d)) = known.iter().find(|(of, _)| *of == node) {
+                derivative.insert(node, d);
+                continue;
+            }
             let d = match self.node(node).clone() {
                 Node::Constant(_) | Node::Pi => zero,
                 Node::Leaf(leaf) => tangent(self, leaf).unwrap_or(zero),
@@ -57,6 +77,31 @@ impl Graph {
             derivative.insert(node, d);
         }
         Ok(derivative[&e])
+    }
+
+    /// The derivative `d` of an angle, as that of the angle continued: also where atan2, alone or with a whole factor in a
+    /// sum, would leap by whole turns.
+    pub fn continued(&mut self, angle: Expr, d: Expr) -> Expr {
+        let whole = |graph: &Graph, e: Expr| graph.as_constant(e).is_some_and(|r| r.denominator().is_one());
+        let (mut open, mut off) = (vec![angle], Vec::new());
+        while let Some(e) = open.pop() {
+            match *self.node(e) {
+                Node::Binary(Op::Arctan2, ..) => off.push(self.off_its_cut(e)),
+                Node::Unary(Op::Neg, a) => open.push(a),
+                Node::Binary(Op::Add | Op::Sub, a, b) => open.extend([a, b]),
+                Node::Binary(Op::Mul, a, b) if whole(self, a) => open.push(b),
+                Node::Binary(Op::Mul, a, b) if whole(self, b) => open.push(a),
+                Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => {}
+            }
+        }
+        self.lifted(d, |of| off.contains(&of))
+    }
+
+    /// Something that has a value where the angle `angle` = atan2(y, x) is not π: tan ½atan2(y, x).
+    fn off_its_cut(&mut self, angle: Expr) -> Expr {
+        let half = self.constant(Rational::ONE / Rational::from(2));
+        let half = self.mul(half, angle);
+        self.unary(Op::Tan, half)
     }
 
     /// ∂e/∂leaf.
@@ -218,7 +263,9 @@ impl Graph {
                 }
                 let (aa, bb) = (self.powi(a, 2), self.powi(b, 2));
                 let under = self.add(aa, bb);
-                self.div(top, under)
+                let slope = self.div(top, under);
+                let off = self.off_its_cut(node);
+                self.binary(Op::Restrict, slope, off)
             }
             // The derivative of the mean needs the elliptic integral of the second kind.
             Op::Agm if self.is_zero(da) && self.is_zero(db) => da,

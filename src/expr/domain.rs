@@ -333,6 +333,15 @@ impl Term {
         }
     }
 
+    /// Whether the term names the first argument, and the second.
+    fn names(self) -> [bool; 2] {
+        match self {
+            Term::First | Term::Cosine | Term::Sine | Term::Unit | Term::Excess => [true, false],
+            Term::Second | Term::Opposite => [false, true],
+            Term::Squares | Term::Support => [true, true],
+        }
+    }
+
     /// The term, for the arguments of a node.
     fn of(self, graph: &mut Graph, a: Expr, b: Expr) -> Expr {
         let one = graph.integer(1);
@@ -450,15 +459,20 @@ impl Graph {
 
     /// A formula without what restricts it: equal to it wherever that has a value.
     pub fn unrestricted(&mut self, e: Expr) -> Expr {
+        self.lifted(e, |_| true)
+    }
+
+    /// A formula without the restrictions to where something has a value of which `lifts` says so.
+    pub(super) fn lifted(&mut self, e: Expr, lifts: impl Fn(Expr) -> bool) -> Expr {
         let order = self.reachable([e]);
-        let is_restriction = |node: &Expr| matches!(self.node(*node), Node::Binary(Op::Restrict, ..));
-        if !order.iter().any(is_restriction) {
+        let is_lifted = |node: &Expr| matches!(*self.node(*node), Node::Binary(Op::Restrict, _, of) if lifts(of));
+        if !order.iter().any(is_lifted) {
             return e;
         }
         let mut image: FastMap<Expr, Expr> = FastMap::default();
         for node in order {
             let new = match *self.node(node) {
-                Node::Binary(Op::Restrict, a, _) => image[&a],
+                Node::Binary(Op::Restrict, a, of) if lifts(of) => image[&a],
                 Node::Unary(op, a) => self.unary(op, image[&a]),
                 Node::Binary(op, a, b) => self.binary(op, image[&a], image[&b]),
                 Node::Constant(_) | Node::Pi | Node::Leaf(_) => node,
@@ -466,6 +480,32 @@ impl Graph {
             image.insert(node, new);
         }
         image[&e]
+    }
+
+    /// Whether a formula is analytic in a leaf, wherever everything in it that depends on the leaf has a value: nothing
+    /// that moves with the leaf may touch an edge. (An argument that passes through infinity does so at an edge of its own.)
+    pub fn is_analytic_in(&self, e: Expr, leaf: Leaf) -> bool {
+        let mut moving: FastSet<Expr> = FastSet::default();
+        for node in self.reachable([e]) {
+            if matches!(self.node(node), Node::Leaf(l) if *l == leaf) {
+                moving.insert(node);
+            }
+            let Some((op, a, b)) = operation(self, node) else { continue };
+            let moves = [moving.contains(&a), moving.contains(&b)];
+            let touches = |edge: &Edge| match edge.place {
+                Place::Zero(term) | Place::ZeroWhile(term, _) => {
+                    term.names().iter().zip(moves).any(|(named, moves)| *named && moves)
+                }
+                Place::Infinity => false,
+            };
+            if row(op).edges.iter().any(touches) {
+                return false;
+            }
+            if moves.contains(&true) {
+                moving.insert(node);
+            }
+        }
+        true
     }
 
     /// The edges of a node: where it is not analytic though its arguments are.

@@ -3,13 +3,11 @@
 //! **In:** a field, and what its initial values and coefficients are. **Out:** what [`Trajectory`] integrates from, and the
 //! trajectory. **Guaranteed:** what is integrated together is, bit for bit, what it is alone.
 
-use std::collections::BTreeMap;
-
 use super::abreast::Halt;
-use super::core::{Constant, Core, Orbit, fresh};
+use super::core::{Constant, Core, Orbit};
+use super::definitions::{Definitions, Rates};
 use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
-use super::hoist::hoist;
 use super::start::{self, Start};
 use super::taylor::Flow;
 use super::trajectory::{Plan, Trajectory};
@@ -69,33 +67,8 @@ impl Core {
         initial: &[(Leaf, Expr)],
         start: &Start,
     ) -> Result<Begun, FlowError> {
-        let mut states = Vec::new();
-        for &leaf in field.states() {
-            let basic = fresh(graph, "state");
-            let e = graph.leaf(basic);
-            self.definitions.insert(leaf, e);
-            states.push(basic);
-        }
-        // The states are basic, so their rates can be resolved before the orbit exists.
-        let mut image: BTreeMap<Leaf, Expr> = BTreeMap::new();
-        for leaf in graph.leaves(field.rates().iter().copied()) {
-            let known = self.definition(graph, leaf)?;
-            image.insert(leaf, known);
-        }
-        let rates: Vec<Expr> =
-            field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
+        let Rates { states, rates, constants: found } = self.rates_of(graph, field)?;
         let time = self.time;
-        let mut found = Vec::new();
-        let rates = hoist(
-            graph,
-            &rates,
-            |l| l == time || states.contains(&l),
-            |graph, e| {
-                let leaf = fresh(graph, "constant");
-                found.push((leaf, e));
-                leaf
-            },
-        );
         for (leaf, e) in found {
             let value = self.constant_value(graph, e);
             self.constants.push(Constant { leaf, value });

@@ -1,21 +1,21 @@
-//! What a motion consists of, and how a leaf is traced back to states, time and constants.
+//! What a motion consists of, and the values of its constants.
 //!
-//! Every leaf a formula may name has a definition in *basic* leaves: the time, the integrated states, constants with a value,
-//! and the numbers of turns of angles. Basic leaves other than the time are symbols of their own, declared here, so that a
-//! motion that is derived from another one can give the same names to other things.
+//! Its leaves are traced back to [basic ones](super::definitions). Basic leaves other than the time are symbols of their own,
+//! declared here, so that a motion that is derived from another one can give the same names to other things.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::angle::{Angle, AngleBench, AngleBenches};
 use super::cover::BLOCK;
+use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, leaf_name};
 use super::program::{Program, Turns};
 use super::resolve::Resolution;
 use super::taylor::Flow;
 use super::trajectory::Trajectory;
 use expr::tape::Tape;
-use expr::{Expr, Graph, Leaf, Shape};
+use expr::{Expr, Graph, Leaf};
 use number::{Bounded, NoValue};
 
 /// A quantity that does not change along the motion.
@@ -47,73 +47,40 @@ pub(super) struct Core {
     pub(super) resolution: Resolution,
     pub(super) constants: Vec<Constant>,
     pub(super) angles: Vec<Arc<Angle>>,
+    /// Angles with their turns, and their derivatives: they have no cut.
+    pub(super) continued: Vec<(Expr, Expr)>,
     /// Definitions of leaves in basic leaves.
     pub(super) definitions: BTreeMap<Leaf, Expr>,
 }
 
-/// A new symbol for a number that formulas cannot name.
-pub(super) fn fresh(graph: &mut Graph, name: &str) -> Leaf {
-    let symbol = graph.declare(name, Shape::scalar(), false);
-    Leaf::now(symbol, 0)
+impl Definitions for Core {
+    fn time(&self) -> Leaf {
+        self.time
+    }
+
+    fn known(&mut self) -> &mut BTreeMap<Leaf, Expr> {
+        &mut self.definitions
+    }
+
+    fn integrated(&self) -> Option<(&[Leaf], &[Expr])> {
+        self.orbit.as_deref().map(|o| (o.states.as_slice(), o.rates.as_slice()))
+    }
+
+    fn is_constant(&self, leaf: Leaf) -> bool {
+        self.constants.iter().any(|c| c.leaf == leaf) || self.angles.iter().any(|a| a.turns == leaf)
+    }
+
+    fn continued(&self) -> &[(Expr, Expr)] {
+        &self.continued
+    }
+
+    fn at_instant(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Expr, FlowError> {
+        let value = self.value_at(graph, now, instant)?;
+        Ok(self.constant(graph, value))
+    }
 }
 
 impl Core {
-    /// An expression in basic leaves.
-    ///
-    /// # Errors
-    /// [`FlowError::UnknownLeaf`], [`FlowError::NoDerivative`].
-    pub(super) fn resolve(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
-        let mut image = BTreeMap::new();
-        for leaf in graph.leaves([e]) {
-            image.insert(leaf, self.definition(graph, leaf)?);
-        }
-        Ok(graph.substitute(e, |_, leaf| image.get(&leaf).copied()))
-    }
-
-    /// The definition of a leaf; rates are derived, values at fixed times become constants.
-    pub(super) fn definition(&mut self, graph: &mut Graph, leaf: Leaf) -> Result<Expr, FlowError> {
-        if let Some(&known) = self.definitions.get(&leaf) {
-            return Ok(known);
-        }
-        if self.is_basic(leaf) {
-            return Ok(graph.leaf(leaf));
-        }
-        let found = if leaf.instant.is_some() {
-            let value = self.at_instant(graph, leaf)?;
-            self.constant(graph, value)
-        } else if leaf.rate > 0 {
-            let lower = self.definition(graph, Leaf { rate: leaf.rate - 1, ..leaf }).map_err(|error| match error {
-                FlowError::UnknownLeaf { .. } => FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) },
-                other => other,
-            })?;
-            self.derivative(graph, lower)
-                .map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, leaf), reason })?
-        } else {
-            return Err(FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) });
-        };
-        self.definitions.insert(leaf, found);
-        Ok(found)
-    }
-
-    fn is_basic(&self, leaf: Leaf) -> bool {
-        leaf == self.time
-            || self.orbit.as_ref().is_some_and(|o| o.states.contains(&leaf))
-            || self.constants.iter().any(|c| c.leaf == leaf)
-            || self.angles.iter().any(|a| a.turns == leaf)
-    }
-
-    /// The derivative along the motion of an expression in basic leaves.
-    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
-        let rate = graph.directional_derivative(e, |graph, leaf| {
-            if leaf == self.time {
-                return Some(graph.integer(1));
-            }
-            let orbit = self.orbit.as_deref()?;
-            orbit.states.iter().position(|&l| l == leaf).map(|i| orbit.rates[i])
-        })?;
-        Ok(graph.rate_of(e, rate, |_| false))
-    }
-
     /// A new constant.
     pub(super) fn constant(&mut self, graph: &mut Graph, value: Result<Bounded, NoValue>) -> Expr {
         let leaf = fresh(graph, "constant");
@@ -140,9 +107,12 @@ impl Core {
     }
 
     /// The value of a leaf at its fixed time.
-    fn at_instant(&mut self, graph: &mut Graph, leaf: Leaf) -> Result<Result<Bounded, NoValue>, FlowError> {
-        let Some(instant) = leaf.instant else { return Ok(Err(NoValue::Unsupported)) };
-        let now = Leaf { instant: None, ..leaf };
+    fn value_at(
+        &mut self,
+        graph: &mut Graph,
+        now: Leaf,
+        instant: Expr,
+    ) -> Result<Result<Bounded, NoValue>, FlowError> {
         let instant = self.resolve(graph, instant)?;
         let value = self.definition(graph, now)?;
         let time = match self.constant_value(graph, instant) {

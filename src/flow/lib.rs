@@ -31,6 +31,7 @@ mod angle;
 mod begun;
 mod core;
 mod cover;
+mod definitions;
 mod enclosure;
 mod error;
 mod expansion;

@@ -8,7 +8,8 @@ use num_dual::Dual64;
 use super::abreast::Halt;
 use super::angle::{Angle, AngleBenches};
 use super::begun::Begun;
-use super::core::{Core, fresh};
+use super::core::Core;
+use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, Problem};
 use super::expansion::{Expansion, Memory};
 use super::field::VectorField;
@@ -148,6 +149,7 @@ impl Draft {
             resolution: Resolution::default(),
             constants: Vec::new(),
             angles: Vec::new(),
+            continued: Vec::new(),
             definitions: BTreeMap::new(),
         };
         // States that come from another motion are resolved with its definitions, which are then forgotten.
@@ -216,7 +218,11 @@ impl Draft {
                 let followed = Angle::follow(&core, turns, raw);
                 core.angles.push(Arc::new(followed));
                 let turns = graph.leaf(turns);
-                resolved = graph.add(resolved, turns);
+                let raw = resolved;
+                resolved = graph.add(raw, turns);
+                if let Ok(rate) = core.derivative(graph, raw) {
+                    core.continued.push((resolved, graph.continued(raw, rate)));
+                }
             }
             core.definitions.insert(leaf, resolved);
         }

@@ -6,6 +6,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::core::Core;
+use super::definitions::Definitions;
 use super::error::FlowError;
 use super::motion::Motion;
 use super::program::Program;

@@ -47,6 +47,8 @@ pub struct Declaration<'a> {
     pub arguments: &'a [&'a str],
     /// Its values are complex numbers.
     pub complex: bool,
+    /// Its values are continued along a motion, through any number of turns.
+    pub angle: bool,
 }
 
 /// Why a declaration is refused.
@@ -89,6 +91,7 @@ struct Entry {
     moving: bool,
     rank: usize,
     complex: bool,
+    angle: bool,
     /// Of a coordinate that is not Cartesian.
     scale: Option<Expr>,
 }
@@ -275,6 +278,7 @@ impl Scope {
                 formula: None,
                 arguments: &[],
                 complex: false,
+                angle: false,
             };
             let symbol = inner.declare(graph, argument, declaration)?;
             formal.push((symbol, Shape::scalar()));
@@ -383,6 +387,7 @@ impl Scope {
             moving,
             rank,
             complex: d.complex,
+            angle: d.angle,
             scale,
         };
         // The same name again hides the earlier one.
@@ -431,6 +436,11 @@ impl Scope {
 
     fn by_symbol(&self, symbol: Symbol) -> Option<&Entry> {
         self.entries.iter().rev().chain(&self.hidden).find(|e| e.symbol == symbol).map(|e| &**e)
+    }
+
+    /// Whether the values of a symbol are continued along a motion, through any number of turns.
+    pub fn is_angle(&self, symbol: Symbol) -> bool {
+        self.by_symbol(symbol).is_some_and(|e| e.angle)
     }
 
     /// The symbol declared under a key, in any spelling of it.

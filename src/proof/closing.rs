@@ -51,6 +51,11 @@ pub(super) struct Dynamics {
     matrix: Option<Vec<Vec<(usize, Expr)>>>,
 }
 
+/// Whether an expression is one of some symbols.
+fn is_one_of(graph: &Graph, e: Expr, symbols: &[Symbol]) -> bool {
+    matches!(graph.node(e), Node::Leaf(leaf) if leaf.instant.is_none() && symbols.contains(&leaf.symbol))
+}
+
 impl Dynamics {
     /// Differentiates as far as the rates in `asked` ask for.
     ///
@@ -60,7 +65,7 @@ impl Dynamics {
         graph: &mut Graph,
         equations: &[(Expr, Expr)],
         asked: &[Expr],
-        time: Leaf,
+        (time, angles): (Leaf, &[Symbol]),
         moves: &impl Fn(Leaf) -> bool,
     ) -> Result<Dynamics, Reason> {
         let mut out = Dynamics::default();
@@ -125,8 +130,12 @@ impl Dynamics {
         for (&(l, r), &d) in out.parts.iter().zip(&depth) {
             let (mut l, mut r) = (l, r);
             for _ in 0..d {
-                l = graph.time_derivative(l, time, moves).map_err(|_| Reason::NoDerivative)?;
-                r = graph.time_derivative(r, time, moves).map_err(|_| Reason::NoDerivative)?;
+                let continued = [l, r].iter().any(|&e| is_one_of(graph, e, angles));
+                let mut rate = |e: Expr| -> Result<Expr, Reason> {
+                    let rate = graph.time_derivative(e, time, moves).map_err(|_| Reason::NoDerivative)?;
+                    Ok(if continued { graph.continued(e, rate) } else { rate })
+                };
+                (l, r) = (rate(l)?, rate(r)?);
                 if l != r {
                     out.derived.push((l, r));
                 }

@@ -19,6 +19,8 @@ pub struct Premises {
     pub time: Option<Leaf>,
     /// Symbols that depend on time.
     pub moving: Vec<Symbol>,
+    /// Symbols whose values are continued through any number of turns: their definitions do not leap.
+    pub angles: Vec<Symbol>,
     /// Leaves that are kept free as long as something else can be solved for: parameters of the problem.
     pub parameters: Vec<Leaf>,
 }

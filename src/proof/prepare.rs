@@ -66,7 +66,7 @@ pub(super) fn with_rates(
     let tied = premises.equations.iter().any(|pair| is_tied(graph, pair));
     let of_motions = premises.equations.iter().filter(|pair| !names_fields(graph, **pair) && !is_tied(graph, pair));
     let of_motions: Vec<(Expr, Expr)> = of_motions.copied().collect();
-    let dynamics = Dynamics::of(graph, &of_motions, &asked, time, &moves)?;
+    let dynamics = Dynamics::of(graph, &of_motions, &asked, (time, &premises.angles), &moves)?;
     for &pair in &dynamics.parts {
         if !premises.equations.contains(&pair) {
             all.push(plain(&pair));

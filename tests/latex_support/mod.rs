@@ -39,8 +39,15 @@ impl World {
     /// Declares a symbol without a formula.
     pub fn with(mut self, key: &str, role: Role, word: &str) -> World {
         let (shape, diagonal) = shape(word);
-        let declaration =
-            Declaration { role, shape, diagonal, formula: None, arguments: &[], complex: word == "complex" };
+        let declaration = Declaration {
+            role,
+            shape,
+            diagonal,
+            formula: None,
+            arguments: &[],
+            complex: word == "complex",
+            angle: false,
+        };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
         self
     }
@@ -52,8 +59,15 @@ impl World {
     }
 
     pub fn define(&mut self, key: &str, role: Role, formula: &str, arguments: &[&str]) {
-        let declaration =
-            Declaration { role, shape: None, diagonal: false, formula: Some(formula), arguments, complex: false };
+        let declaration = Declaration {
+            role,
+            shape: None,
+            diagonal: false,
+            formula: Some(formula),
+            arguments,
+            complex: false,
+            angle: false,
+        };
         self.scope.declare(&mut self.graph, key, declaration).unwrap_or_else(|e| panic!("{key}: {e:?}"));
     }
 

@@ -252,7 +252,10 @@ impl Step<'_> {
         for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {
             let count = self.graph.component_count(entry.symbol);
             match entry.role {
-                Role::State | Role::Observable => premises.moving.push(entry.symbol),
+                Role::State | Role::Observable => {
+                    premises.moving.push(entry.symbol);
+                    premises.angles.extend(entry.angle.then_some(entry.symbol));
+                }
                 Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
                 Role::Coordinate => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
                 Role::Time | Role::Abbreviation | Role::Argument | Role::Field => {}
@@ -361,7 +364,10 @@ impl Step<'_> {
         let scope = &self.claim.scope;
         let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
         let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        self.graph.time_derivative(e, time, moves).map_or(Continued::Unknown, Continued::Rate)
+        match self.graph.time_derivative(e, time, moves) {
+            Ok(rate) => Continued::Rate(self.graph.continued(e, rate)),
+            Err(_) => Continued::Unknown,
+        }
     }
 
     /// Whether whole turns of an angle change a formula: it stands elsewhere than in sums and whole multiples below a sine, a

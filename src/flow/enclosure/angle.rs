@@ -6,7 +6,7 @@
 //! multiple of 2π, and only one fits.
 
 use super::{Enclosure, Reach};
-use crate::core::fresh;
+use crate::definitions::{Definitions, fresh};
 use crate::error::FlowError;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use number::{Interval, NoValue, Number, Scalar};
@@ -83,7 +83,12 @@ impl Enclosure {
         let compiled = self.compile_resolved(graph, &roots)?;
         let found = self.cells(&compiled, sides.is_some());
         self.angles.push(Angle { turns, side, cells: found });
-        Ok(graph.add(turned, d))
+        let followed = graph.add(turned, d);
+        // On each of the cells (σx, σy) is off the cut.
+        if let Ok(rate) = self.derivative(graph, turned) {
+            self.continued.push((followed, graph.continued(turned, rate)));
+        }
+        Ok(followed)
     }
 
     /// Whether an angle is continuous on a stretch, and for which σ.

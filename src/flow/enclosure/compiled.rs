@@ -4,6 +4,7 @@ use std::cell::{OnceCell, RefCell};
 
 use super::Enclosure;
 use super::sharpen::Known;
+use crate::definitions::Definitions;
 use crate::error::{FlowError, leaf_name};
 use expr::tape::{Slots, Tape};
 use expr::{Expr, Graph, Leaf};

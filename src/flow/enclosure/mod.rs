@@ -25,10 +25,9 @@ pub use step::Stop;
 
 use std::collections::BTreeMap;
 
-use super::core::fresh;
+use super::definitions::{Definitions, Rates, fresh};
 use super::error::{FlowError, leaf_name};
 use super::field::VectorField;
-use super::hoist::hoist;
 use super::motion::{Setup, Source};
 use super::start::{self, Start};
 use angle::Angle;
@@ -73,12 +72,45 @@ pub struct Enclosure {
     /// What is known of constants, where that is more.
     precise: BTreeMap<Leaf, Precise>,
     angles: Vec<Angle>,
+    /// Angles as they are followed, and their derivatives: they have no cut.
+    continued: Vec<(Expr, Expr)>,
     /// Definitions of leaves in basic leaves: time, states, constants, turns of angles.
     definitions: BTreeMap<Leaf, Expr>,
     /// Leaves that were given a definition, not derived.
     given: Vec<Leaf>,
     /// What is constant along the motion.
     integrals: Option<Integrals>,
+}
+
+impl Definitions for Enclosure {
+    fn time(&self) -> Leaf {
+        self.time
+    }
+
+    fn known(&mut self) -> &mut BTreeMap<Leaf, Expr> {
+        &mut self.definitions
+    }
+
+    fn integrated(&self) -> Option<(&[Leaf], &[Expr])> {
+        self.tube.as_deref().map(|t| (t.states.as_slice(), t.rates.as_slice()))
+    }
+
+    fn is_constant(&self, leaf: Leaf) -> bool {
+        self.constants.iter().any(|c| c.0 == leaf)
+            || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
+    }
+
+    fn continued(&self) -> &[(Expr, Expr)] {
+        &self.continued
+    }
+
+    fn at_instant(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Expr, FlowError> {
+        let (instant, value) = (self.resolve(graph, instant)?, self.definition(graph, now)?);
+        let time = self.constant_value(graph, instant);
+        let compiled = self.compile_resolved(graph, &[value])?;
+        let value = time.and_then(|time| self.value(&compiled, time)[0]);
+        Ok(self.constant(graph, value.map(Precise::enclosing)))
+    }
 }
 
 impl Enclosure {
@@ -95,6 +127,7 @@ impl Enclosure {
             constants: Vec::new(),
             precise: BTreeMap::new(),
             angles: Vec::new(),
+            continued: Vec::new(),
             definitions: BTreeMap::new(),
             given: Vec::new(),
             integrals: None,
@@ -157,32 +190,8 @@ impl Enclosure {
         if unknowns > limit {
             return Err(FlowError::TooManyUnknowns { unknowns, limit });
         }
-        let mut states = Vec::new();
-        for &leaf in field.states() {
-            let basic = fresh(graph, "state");
-            let e = graph.leaf(basic);
-            self.definitions.insert(leaf, e);
-            states.push(basic);
-        }
-        let mut image: BTreeMap<Leaf, Expr> = BTreeMap::new();
-        for leaf in graph.leaves(field.rates().iter().copied()) {
-            let known = self.definition(graph, leaf)?;
-            image.insert(leaf, known);
-        }
-        let rates: Vec<Expr> =
-            field.rates().iter().map(|&e| graph.substitute(e, |_, leaf| image.get(&leaf).copied())).collect();
+        let Rates { states, rates, constants: found } = self.rates_of(graph, field)?;
         let time = self.time;
-        let mut found = Vec::new();
-        let rates = hoist(
-            graph,
-            &rates,
-            |l| l == time || states.contains(&l),
-            |graph, e| {
-                let leaf = fresh(graph, "constant");
-                found.push((leaf, e));
-                leaf
-            },
-        );
         for (leaf, e) in found {
             let value = self.precise_value(graph, e);
             self.add_constant(leaf, value);
@@ -334,45 +343,6 @@ impl Enclosure {
         out
     }
 
-    /// An expression in basic leaves.
-    fn resolve(&mut self, graph: &mut Graph, e: Expr) -> Result<Expr, FlowError> {
-        let mut image = BTreeMap::new();
-        for leaf in graph.leaves([e]) {
-            image.insert(leaf, self.definition(graph, leaf)?);
-        }
-        Ok(graph.substitute(e, |_, leaf| image.get(&leaf).copied()))
-    }
-
-    /// The definition of a leaf; rates are derived, values at fixed times become constants.
-    fn definition(&mut self, graph: &mut Graph, leaf: Leaf) -> Result<Expr, FlowError> {
-        if let Some(&known) = self.definitions.get(&leaf) {
-            return Ok(known);
-        }
-        if self.is_basic(leaf) {
-            return Ok(graph.leaf(leaf));
-        }
-        let unknown = |graph: &Graph| FlowError::UnknownLeaf { leaf: leaf_name(graph, leaf) };
-        let found = if let Some(instant) = leaf.instant {
-            let now = Leaf { instant: None, ..leaf };
-            let (instant, value) = (self.resolve(graph, instant)?, self.definition(graph, now)?);
-            let time = self.constant_value(graph, instant);
-            let compiled = self.compile_resolved(graph, &[value])?;
-            let value = time.and_then(|time| self.value(&compiled, time)[0]);
-            self.constant(graph, value.map(Precise::enclosing))
-        } else if leaf.rate > 0 {
-            let lower = self.definition(graph, Leaf { rate: leaf.rate - 1, ..leaf }).map_err(|error| match error {
-                FlowError::UnknownLeaf { .. } => unknown(graph),
-                other => other,
-            })?;
-            self.derivative(graph, lower)
-                .map_err(|reason| FlowError::NoDerivative { leaf: leaf_name(graph, leaf), reason })?
-        } else {
-            return Err(unknown(graph));
-        };
-        self.definitions.insert(leaf, found);
-        Ok(found)
-    }
-
     /// An expression in the leaves of the motion, in those that [`Enclosure::compile_resolved`] knows.
     ///
     /// # Errors
@@ -394,24 +364,6 @@ impl Enclosure {
         let resolved = self.resolve(graph, e)?;
         let name = "an expression".to_owned();
         self.derivative(graph, resolved).map_err(|reason| FlowError::NoDerivative { leaf: name, reason })
-    }
-
-    fn is_basic(&self, leaf: Leaf) -> bool {
-        leaf == self.time
-            || self.tube.as_deref().is_some_and(|t| t.states.contains(&leaf))
-            || self.constants.iter().any(|c| c.0 == leaf)
-            || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
-    }
-
-    fn derivative(&self, graph: &mut Graph, e: Expr) -> Result<Expr, expr::NoDerivative> {
-        let rate = graph.directional_derivative(e, |graph, leaf| {
-            if leaf == self.time {
-                return Some(graph.integer(1));
-            }
-            let tube = self.tube.as_deref()?;
-            tube.states.iter().position(|&l| l == leaf).map(|i| tube.rates[i])
-        })?;
-        Ok(graph.rate_of(e, rate, |_| false))
     }
 
     fn constant(&mut self, graph: &mut Graph, value: Result<Precise, NoValue>) -> Expr {

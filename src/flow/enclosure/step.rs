@@ -26,7 +26,7 @@
 //! [Hairer, Nørsett & Wanner 1993, §I.10]: https://doi.org/10.1007/978-3-540-78862-1
 
 use super::set::{Set, faults};
-use crate::core::fresh;
+use crate::definitions::fresh;
 use crate::error::{FlowError, leaf_name};
 use crate::taylor::Flow;
 use expr::tape::{Slots, Tape};

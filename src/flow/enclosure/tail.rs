@@ -10,6 +10,7 @@
 //! [Rudin 1976, theorem 5.13]: https://archive.org/details/principlesofmath00rudi
 
 use super::Enclosure;
+use crate::definitions::Definitions;
 use expr::{Expr, Graph, Leaf, Node, Op};
 use number::{Interval, Limit, NoValue, Number, Tail};
 use std::collections::HashMap;

@@ -37,7 +37,7 @@ impl Elaborator<'_> {
     }
 
     /// Every component derived; where the function has no value, neither has its derivative.
-    fn derived(
+    pub(super) fn derived(
         &mut self,
         t: Tensor,
         span: &Range<usize>,

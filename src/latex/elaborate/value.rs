@@ -633,16 +633,9 @@ impl Elaborator<'_> {
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
         };
         self.is_total(&t, self.graph.coordinate(time), span)?;
-        let mut components = Vec::new();
-        for e in t.components {
-            let scope = self.scope;
-            let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-            match self.graph.time_derivative(e, time, moves) {
-                Ok(d) => components.push(self.graph.rate_of(e, d, |l| scope.role(l.symbol) == Some(Role::Observable))),
-                Err(reason) => return refuse("latex::derivative", reason.to_string(), span, ""),
-            }
-        }
-        Ok(Tensor { shape: t.shape, components })
+        let scope = self.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        self.derived(t, span, |this, e| this.graph.time_derivative(e, time, moves))
     }
 }
 
