@@ -71,6 +71,43 @@ fn signs_and_absolute_values() {
 }
 
 #[test]
+fn functions_with_given_values() {
+    all(&[
+        ("proved", r"x=4", "x", r"\sqrt x=2"),
+        ("refuted", r"x=2", "x", r"\sqrt x=2"),
+        ("proved", r"x^2=16", "x", r"5=2\sqrt x+1"),
+        ("proved", r"x=\frac14", "x", r"\frac1{\sqrt x}=2"),
+        ("proved", r"x=\exp(2)", "x", r"\ln x=2"),
+        ("proved", r"x=\ln2", "x", r"\exp(x)=2"),
+        ("proved", r"x=\tan1", "x", r"\arctan x=1"),
+        ("proved", r"x=\frac12", "x", r"\arccos x=\frac\pi3"),
+        ("proved", r"y=5", "x,y", r"\sqrt x=2; \sqrt{x+y}=3"),
+        ("refuted", r"y=7", "x,y", r"\sqrt x=2; \sqrt{x+y}=3"),
+        ("refuted", r"x=1", "x", r"\sqrt{x^2}=1"),
+        ("undecided", r"x=1", "x", r"\sqrt x=-1"),
+        ("undecided", r"x=1", "x", r"\arctan x=2"),
+        ("undecided", r"x=1", "x", r"\arccos x=4"),
+        ("undecided", r"x=1", "x", r"\exp(x)=0"),
+        // An end of the range, where there is a value.
+        ("unrefuted", r"x=1", "x", r"\arcsin x=\frac\pi2"),
+        ("unproved", r"x=2", "x", r"\arcsin x=\frac\pi2"),
+        ("proved", r"\dot x=0", "x: state; t: time", r"\sqrt x=2"),
+        ("proved", r"x=1", "x", r"x\ge1; x\le1"),
+        ("proved", r"x=y", "x,y", r"x\le y; y\le x"),
+        ("proved", r"q=q(0)", "q: state; t: time", r"1\le q\le1"),
+        ("refuted", r"x=1", "x", r"x\ge1; x\ge1"),
+        // Beyond its cut an angle leaps, and has no rate.
+        (
+            "proved",
+            r"\frac{d}{dt}\operatorname{atan2}(y,x)=\frac{x\dot y-y\dot x}{x^2+y^2}",
+            "x: state; y: state; t: time",
+            "",
+        ),
+        ("unproved", r"\frac{d}{dt}\operatorname{atan2}(y,x)=\frac{x\dot y}{x^2}", "x: state; y: state; t: time", ""),
+    ]);
+}
+
+#[test]
 fn branches_and_quadrants() {
     all(&[
         ("refuted", r"\arctan\frac yx=\theta", r"x,y,\theta,r", r"x=r\cos\theta; y=r\sin\theta; r>0"),

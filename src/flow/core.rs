@@ -107,12 +107,7 @@ impl Core {
     }
 
     /// The value of a leaf at its fixed time.
-    fn value_at(
-        &mut self,
-        graph: &mut Graph,
-        now: Leaf,
-        instant: Expr,
-    ) -> Result<Result<Bounded, NoValue>, FlowError> {
+    fn value_at(&mut self, graph: &mut Graph, now: Leaf, instant: Expr) -> Result<Result<Bounded, NoValue>, FlowError> {
         let instant = self.resolve(graph, instant)?;
         let value = self.definition(graph, now)?;
         let time = match self.constant_value(graph, instant) {

@@ -1,7 +1,7 @@
 //! What a step may use: the claims and systems that it names, assumptions, definitions.
 
 use super::super::comparison::{at_instant, may_leap};
-use super::super::identity::Premises;
+use super::super::identity::{Premises, solve_for_arguments};
 use super::{MOST_CASES, Pairs, Step, now, pairs};
 use crate::derivation::{Claim, Derivation, Form, Premise};
 use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
@@ -269,6 +269,7 @@ impl Step<'_> {
         self.definitions(equations, &gathered.systems, which, &mut premises);
         self.definitions_at_instants(equations, which, &mut premises);
         self.positive_parameters(equations, &mut premises);
+        solve_for_arguments(&mut self.graph, &mut premises);
         premises
     }
 

@@ -96,8 +96,7 @@ impl Definitions for Enclosure {
     }
 
     fn is_constant(&self, leaf: Leaf) -> bool {
-        self.constants.iter().any(|c| c.0 == leaf)
-            || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
+        self.constants.iter().any(|c| c.0 == leaf) || self.angles.iter().any(|a| a.turns == leaf || a.side == leaf)
     }
 
     fn continued(&self) -> &[(Expr, Expr)] {

@@ -1,0 +1,175 @@
+//! Premises that give the value of a function at something unknown: √u = 2 says that u = 4.
+//!
+//! **In:** premises. **Out:** the same, where f(u) = w with a number w is written u = f⁻¹(w), and where a ≤ b and b ≤ a is a = b.
+//! **Guaranteed:** the premises hold at the same points as before: f is one to one, and w is a value of f, which is shown by bounds of w. A
+//! number that is none contradicts the premise, and is written so. What is not shown stays as it was.
+
+use super::outcome::Premises;
+use super::witness::{Values, decimals};
+use expr::{Expr, Graph, Node, Op, Rational};
+use number::Bounded;
+
+/// Writes premises as what they say of the arguments of functions.
+pub fn solve_for_arguments(graph: &mut Graph, given: &mut Premises) {
+    for list in [&mut given.equations, &mut given.only_now] {
+        for pair in list.iter_mut() {
+            *pair = for_argument(graph, *pair).unwrap_or(*pair);
+        }
+    }
+    let both = given.not_negative.iter().filter_map(|&e| match *graph.node(e) {
+        Node::Binary(Op::Sub, a, b) => Some((a, b)),
+        Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
+    });
+    let both: Vec<(Expr, Expr)> = both.collect();
+    // Of a ≤ b and b ≤ a the one that comes first is written as an equation.
+    let twice = |&(at, &(a, b)): &(usize, &(Expr, Expr))| both[..at].contains(&(b, a));
+    given.equations.extend(both.iter().enumerate().filter(twice).map(|(_, &pair)| pair));
+}
+
+/// f(u) = w as u = f⁻¹(w), and what contradicts itself as 0 = 1.
+fn for_argument(graph: &mut Graph, (left, right): (Expr, Expr)) -> Option<(Expr, Expr)> {
+    let is_number = |graph: &Graph, e: Expr| graph.leaves([e]).is_empty();
+    let (mut u, mut w) = match (is_number(graph, left), is_number(graph, right)) {
+        (false, true) => (left, right),
+        (true, false) => (right, left),
+        (true, true) | (false, false) => return None,
+    };
+    let mut reached = None;
+    loop {
+        let next = match *graph.node(u) {
+            Node::Unary(op, a) => match inverse(graph, op, w) {
+                Some((Some(true), value)) => Some((a, value)),
+                Some((Some(false), _)) => return Some((graph.integer(0), graph.integer(1))),
+                Some((None, _)) | None => None,
+            },
+            Node::Binary(op, a, b) => match (is_number(graph, a), is_number(graph, b)) {
+                (false, true) => after(graph, op, b, w).map(|w| (a, w)),
+                (true, false) => before(graph, op, a, w).map(|w| (b, w)),
+                (true, true) | (false, false) => None,
+            },
+            Node::Leaf(_) | Node::Constant(_) | Node::Pi => None,
+        };
+        let Some(next) = next else { return reached };
+        let is_function = !matches!(graph.node(u), Node::Unary(Op::Neg, _) | Node::Binary(..));
+        (u, w) = next;
+        if is_function {
+            reached = Some(next);
+        }
+    }
+}
+
+fn bounds(graph: &Graph, w: Expr) -> Option<Bounded> {
+    decimals(graph, &[w], &Values::default()).pop().flatten()
+}
+
+/// Whether a number is positive.
+fn is_positive(graph: &Graph, w: Expr) -> Option<bool> {
+    if graph.is_zero(w) {
+        return Some(false);
+    }
+    let value = bounds(graph, w)?;
+    (!value.contains_zero()).then_some(value.value > 0.0)
+}
+
+/// Whether a number lies between −π/2 and π/2; unknown at the ends.
+fn is_within_a_quarter_turn(graph: &mut Graph, w: Expr) -> Option<bool> {
+    let (half, size) = (graph.constant(Rational::ONE / Rational::from(2)), graph.unary(Op::Abs, w));
+    let pi = graph.pi();
+    let quarter = graph.mul(half, pi);
+    let room = graph.sub(quarter, size);
+    is_positive(graph, room).filter(|_| !graph.is_zero(room))
+}
+
+/// Whether a number is certainly not 0.
+fn is_not_zero(graph: &Graph, w: Expr) -> bool {
+    bounds(graph, w).is_some_and(|value| !value.contains_zero())
+}
+
+/// u of f(u) = w for a function that is one to one, and whether there is one; `None` for other functions.
+fn inverse(graph: &mut Graph, op: Op, w: Expr) -> Option<(Option<bool>, Expr)> {
+    Some(match op {
+        Op::Neg => (Some(true), graph.neg(w)),
+        Op::Sqrt => {
+            let attained = if graph.is_zero(w) { Some(true) } else { is_positive(graph, w) };
+            (attained, graph.powi(w, 2))
+        }
+        Op::Exp => (is_positive(graph, w), graph.unary(Op::Ln, w)),
+        Op::Ln => (Some(true), graph.unary(Op::Exp, w)),
+        Op::Arcsin => (is_within_a_quarter_turn(graph, w), graph.unary(Op::Sin, w)),
+        Op::Arctan => (is_within_a_quarter_turn(graph, w), graph.unary(Op::Tan, w)),
+        Op::Arccos => {
+            let (half, pi) = (graph.constant(Rational::ONE / Rational::from(2)), graph.pi());
+            let quarter = graph.mul(half, pi);
+            let off = graph.sub(w, quarter);
+            (is_within_a_quarter_turn(graph, off), graph.unary(Op::Cos, w))
+        }
+        Op::Sin
+        | Op::Cos
+        | Op::Tan
+        | Op::Sinh
+        | Op::Cosh
+        | Op::Tanh
+        | Op::Abs
+        | Op::Powi(_)
+        | Op::Add
+        | Op::Sub
+        | Op::Mul
+        | Op::Div
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::Restrict => return None,
+    })
+}
+
+/// u of u ∘ n = w, for a number n.
+fn after(graph: &mut Graph, op: Op, n: Expr, w: Expr) -> Option<Expr> {
+    if op == Op::Add {
+        Some(graph.sub(w, n))
+    } else if op == Op::Sub {
+        Some(graph.add(w, n))
+    } else if op == Op::Mul {
+        is_not_zero(graph, n).then(|| graph.div(w, n))
+    } else {
+        (op == Op::Div).then(|| graph.mul(w, n))
+    }
+}
+
+/// u of n ∘ u = w, for a number n.
+fn before(graph: &mut Graph, op: Op, n: Expr, w: Expr) -> Option<Expr> {
+    if op == Op::Sub {
+        Some(graph.sub(n, w))
+    } else if op == Op::Div {
+        (is_not_zero(graph, n) && is_not_zero(graph, w)).then(|| graph.div(n, w))
+    } else {
+        matches!(op, Op::Add | Op::Mul).then(|| after(graph, op, n, w))?
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expr::{Leaf, Shape};
+
+    #[test]
+    fn a_number_that_is_no_value_contradicts() {
+        let mut g = Graph::new();
+        let x = g.declare("x", Shape::scalar(), false);
+        let x = g.leaf(Leaf::now(x, 0));
+        let (zero, one, two) = (g.integer(0), g.integer(1), g.integer(2));
+        let minus = g.neg(two);
+        for (op, bad, good) in
+            [(Op::Sqrt, minus, two), (Op::Exp, zero, one), (Op::Arctan, two, one), (Op::Arcsin, two, one)]
+        {
+            let f = g.unary(op, x);
+            let thrice = g.integer(3);
+            let scaled = g.mul(thrice, f);
+            let (bad, good) = (g.mul(thrice, bad), g.mul(thrice, good));
+            assert_eq!(for_argument(&mut g, (scaled, bad)), Some((zero, one)));
+            let solved = for_argument(&mut g, (good, scaled)).unwrap();
+            assert_eq!(solved.0, x);
+        }
+        let sine = g.unary(Op::Sin, x);
+        assert_eq!(for_argument(&mut g, (sine, one)), None);
+    }
+}
