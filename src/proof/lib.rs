@@ -125,6 +125,7 @@ mod lowered;
 #[cfg(feature = "certificates")]
 mod membership;
 mod memory;
+mod names;
 mod newton;
 pub mod order;
 mod orthogonal;
@@ -136,6 +137,7 @@ mod prove;
 mod range;
 mod relate;
 mod restate;
+mod ring;
 mod roots;
 mod sign;
 mod simpler;

@@ -11,24 +11,21 @@
 //! equation whose numerator is not 0 in it is no identity: [`NoCertificate::Refuted`]. That is a contradiction to any proof
 //! over finite fields, and is how each route can convict the other.
 
-use super::budget::{Coefficient, within};
+use super::budget::within;
 use super::certificate::{Certificate, Cofactor, Effort, NoCertificate, Origin, Program};
 use super::linear::Combinations;
 use super::lower::Generator;
+use super::names::{free, leaf_name, names_of, python};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
-use super::prepare::{Explicit, explicit, with_rates};
+use super::prepare::{explicit, with_rates};
 use super::prove::{Lowered, lower};
+use super::ring::{Given, Poly, Relation, Source, System, combined, denominators, integral, is_basis, map, ratio};
 use super::solve::insert_definitions;
 use super::written::{Writer, functions, meaning};
-use ::groebner::{LiftBasis, Monomial, MonomialOrder, Polynomial, PolynomialExt, verify_lift};
+use ::groebner::{LiftBasis, PolynomialExt, verify_lift};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational};
-use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
-use std::rc::Rc;
-
-type Poly = Polynomial<Coefficient>;
 
 /// Most characters of a formula that is shown in a certificate.
 const LONGEST: usize = 400;
@@ -65,50 +62,6 @@ pub(super) fn certify(
         out.push(search.certificate(&mut system, equation, sides)?);
     }
     Ok(out)
-}
-
-/// The problem before it was lowered, for the text of a certificate.
-#[derive(Clone, Copy)]
-struct Given<'a> {
-    equations: &'a [(Expr, Expr)],
-    solved: &'a Explicit,
-    /// Functions of the formulas, and what each is lowered to.
-    images: &'a FastMap<Expr, Expr>,
-}
-
-/// Why a relation holds.
-#[derive(Clone, Copy)]
-enum Source {
-    /// It is this one of the premises, definitions inserted.
-    Premise(usize),
-    /// The meaning of a variable, in words.
-    Meaning(&'static str),
-}
-
-/// A relation between the variables.
-struct Relation {
-    polynomial: Poly,
-    source: Source,
-    /// What is equal.
-    sides: (Expr, Expr),
-}
-
-/// (N, D), see [`written`](super::written).
-type Quotient = Rc<(Poly, Poly)>;
-
-/// An expression, and whether it is of the problem after lowering.
-type Place = (Expr, bool);
-
-/// A ring and the relations in it.
-struct System {
-    variables: Vec<Expr>,
-    place: FastMap<Expr, usize>,
-    relations: Vec<Relation>,
-    basis: Option<LiftBasis<Coefficient>>,
-    /// What expressions are as quotients of polynomials.
-    quotients: FastMap<Place, Quotient>,
-    /// Nothing is given but c² + s² = 1.
-    only_circles: bool,
 }
 
 struct Search<'a> {
@@ -310,16 +263,16 @@ impl Search<'_> {
         let by = ratio(&top, conclusion);
         let scale = denominators(cofactors.iter().chain([multiplier]));
         let scaled = |p: &Poly, k: &BigRational| map(p, |c| c * k);
-        let names = Names::new(self.graph, self.lowered, &system.variables);
+        let names = names_of(self.graph, self.lowered, &system.variables);
         let mut terms = Vec::new();
-        let mut occurring = vec![false; names.list.len()];
+        let mut occurring = vec![false; names.len()];
         let mut text = |p: &Poly| {
             for (m, _) in &p.terms {
                 for (seen, &k) in occurring.iter_mut().zip(m.exps()) {
                     *seen |= k > 0;
                 }
             }
-            python(p, &names.list)
+            python(p, &names)
         };
         // d·(by·N) = Σ (by·q)·p, everything times the common denominator.
         let scale = BigRational::from_integer(scale * by.denom());
@@ -332,10 +285,9 @@ impl Search<'_> {
         }
         let (conclusion, multiplier) = (text(&top), text(&scaled(multiplier, &scale)));
         let under = text(&integral(under));
-        let program = self.program(system, equation, &names.list, cofactors)?;
+        let program = self.program(system, equation, &names, cofactors)?;
         let not_zero = used.iter().map(|&e| self.raised(e)).collect();
         let variables: Vec<(String, String)> = names
-            .list
             .into_iter()
             .zip(&system.variables)
             .zip(occurring)
@@ -470,145 +422,6 @@ impl Search<'_> {
     }
 }
 
-/// The operation on quotients: over a common denominator where there is one, and nothing is cancelled.
-fn combined(op: Op, a: &(Poly, Poly), b: &(Poly, Poly), most: usize) -> Result<(Poly, Poly), NoCertificate> {
-    let times = |p: &Poly, q: &Poly| {
-        let small = p.terms.len().saturating_mul(q.terms.len()) <= 8 * most;
-        let product = if small { p * q } else { return Err(NoCertificate::TooLarge) };
-        if product.terms.len() <= most { Ok(product) } else { Err(NoCertificate::TooLarge) }
-    };
-    Ok(match op {
-        Op::Mul => (times(&a.0, &b.0)?, times(&a.1, &b.1)?),
-        Op::Div => (times(&a.0, &b.1)?, times(&a.1, &b.0)?),
-        Op::Add if a.1.terms == b.1.terms => (&a.0 + &b.0, a.1.clone()),
-        Op::Sub if a.1.terms == b.1.terms => (&a.0 - &b.0, a.1.clone()),
-        Op::Add => (&times(&a.0, &b.1)? + &times(&b.0, &a.1)?, times(&a.1, &b.1)?),
-        Op::Sub => (&times(&a.0, &b.1)? - &times(&b.0, &a.1)?, times(&a.1, &b.1)?),
-        _ => return Err(NoCertificate::TooLarge),
-    })
-}
-
-impl System {
-    /// What an expression is as a quotient: what the reader's program makes of its text.
-    fn quotient(
-        &mut self,
-        graph: &Graph,
-        origin: Given<'_>,
-        place: Place,
-        most: usize,
-    ) -> Result<Quotient, NoCertificate> {
-        let one = self.constant(&Rational::ONE);
-        let mut stack = vec![place];
-        while let Some(&at) = stack.last() {
-            if self.quotients.contains_key(&at) {
-                stack.pop();
-                continue;
-            }
-            let (e, lowered) = at;
-            let node = graph.node(e);
-            let image = origin.images.get(&e).copied().filter(|_| !lowered).map(|image| (image, true));
-            let waits: Vec<Place> = match (image, node) {
-                (Some(image), _) => vec![image],
-                (None, _) if self.place.contains_key(&e) => Vec::new(),
-                (None, Node::Leaf(leaf)) => match origin.solved.definitions.get(leaf) {
-                    Some(&value) if !lowered => vec![(value, false)],
-                    _ => return Err(NoCertificate::TooLarge),
-                },
-                (None, node) => node.children().map(|c| (c, lowered)).collect(),
-            };
-            let open: Vec<Place> = waits.iter().copied().filter(|w| !self.quotients.contains_key(w)).collect();
-            if !open.is_empty() {
-                stack.extend(open);
-                continue;
-            }
-            let value = match (waits.as_slice(), node) {
-                ([one], _) if image.is_some() || matches!(node, Node::Leaf(_)) => Rc::clone(&self.quotients[one]),
-                _ if self.place.contains_key(&e) => {
-                    let p = Poly::monomial(Monomial::var(self.place[&e], self.variables.len()), MonomialOrder::GRevLex);
-                    Rc::new((p, one.clone()))
-                }
-                (_, Node::Constant(r)) => {
-                    let (top, under) = Rational::clone(r).into_parts();
-                    Rc::new((self.constant(&Rational::from(top)), self.constant(&Rational::from(under))))
-                }
-                ([a], Node::Unary(Op::Neg, _)) => {
-                    let a = &self.quotients[a];
-                    Rc::new((&self.constant(&Rational::ZERO) - &a.0, a.1.clone()))
-                }
-                ([a], Node::Unary(Op::Powi(k), _)) if k.unsigned_abs() <= 64 => {
-                    let a = Rc::clone(&self.quotients[a]);
-                    let a = if *k < 0 { (a.1.clone(), a.0.clone()) } else { (a.0.clone(), a.1.clone()) };
-                    let mut out = (one.clone(), one.clone());
-                    for _ in 0..k.unsigned_abs() {
-                        out = combined(Op::Mul, &out, &a, most)?;
-                    }
-                    Rc::new(out)
-                }
-                ([a, b], Node::Binary(op, ..)) => Rc::new(combined(*op, &self.quotients[a], &self.quotients[b], most)?),
-                _ => return Err(NoCertificate::TooLarge),
-            };
-            if value.0.terms.len().max(value.1.terms.len()) > most {
-                return Err(NoCertificate::TooLarge);
-            }
-            self.quotients.insert(at, value);
-        }
-        self.quotients.get(&place).cloned().ok_or(NoCertificate::TooLarge)
-    }
-
-    fn constant(&self, r: &Rational) -> Poly {
-        Poly::constant(Coefficient::from(big(r)), self.variables.len(), MonomialOrder::GRevLex)
-    }
-
-    fn expand(&self, graph: &Graph, e: Expr, most_terms: usize) -> Result<Poly, NoCertificate> {
-        let mut known: FastMap<Expr, Poly> = FastMap::default();
-        let n = self.variables.len();
-        let mut stack = vec![e];
-        while let Some(&node) = stack.last() {
-            if known.contains_key(&node) {
-                stack.pop();
-                continue;
-            }
-            if let Some(&i) = self.place.get(&node) {
-                let p = Poly::monomial(Monomial::var(i, n), MonomialOrder::GRevLex);
-                known.insert(node, p);
-                continue;
-            }
-            let waiting: Vec<Expr> = graph.node(node).children().filter(|c| !known.contains_key(c)).collect();
-            if !waiting.is_empty() {
-                stack.extend(waiting);
-                continue;
-            }
-            let small = |p: &Poly, q: &Poly| {
-                if p.terms.len().saturating_mul(q.terms.len()) <= 8 * most_terms {
-                    Ok(p * q)
-                } else {
-                    Err(NoCertificate::TooLarge)
-                }
-            };
-            let value = match *graph.node(node) {
-                Node::Constant(ref r) => self.constant(r),
-                Node::Unary(Op::Neg, a) => &Poly::zero(n, MonomialOrder::GRevLex) - &known[&a],
-                Node::Unary(Op::Powi(k), a) if (0..=64).contains(&k) => {
-                    let mut out = self.constant(&Rational::ONE);
-                    for _ in 0..k {
-                        out = small(&out, &known[&a])?;
-                    }
-                    out
-                }
-                Node::Binary(Op::Add, a, b) => &known[&a] + &known[&b],
-                Node::Binary(Op::Sub, a, b) => &known[&a] - &known[&b],
-                Node::Binary(Op::Mul, a, b) => small(&known[&a], &known[&b])?,
-                _ => return Err(NoCertificate::TooLarge),
-            };
-            if value.terms.len() > most_terms {
-                return Err(NoCertificate::TooLarge);
-            }
-            known.insert(node, value);
-        }
-        known.remove(&e).ok_or(NoCertificate::TooLarge)
-    }
-}
-
 /// What a variable satisfies by its meaning.
 fn own_relation(graph: &mut Graph, lowered: &Lowered, e: Expr) -> Option<(Expr, Expr)> {
     // By itself: a square of a root would be taken apart at once.
@@ -641,79 +454,6 @@ fn not_zero(graph: &Graph, lowered: &Lowered) -> Vec<Expr> {
     out
 }
 
-/// Whether the leading terms are pairwise coprime: then the relations are a Gröbner basis (Buchberger's first criterion).
-fn is_basis(relations: &[Poly]) -> bool {
-    relations.iter().enumerate().all(|(i, p)| {
-        relations[..i].iter().all(|q| match (p.lm(), q.lm()) {
-            (Some(a), Some(b)) => a.is_coprime(b),
-            _ => true,
-        })
-    })
-}
-
-fn big(r: &Rational) -> BigRational {
-    if let Ok(n) = i64::try_from(r.clone()) {
-        return BigRational::from_integer(BigInt::from(n));
-    }
-    let integer = |text: String| text.parse::<BigInt>().unwrap_or_default();
-    BigRational::new(integer(r.numerator().to_string()), integer(r.denominator().to_string()))
-}
-
-fn map(p: &Poly, f: impl Fn(&BigRational) -> BigRational) -> Poly {
-    let terms = p.terms.iter().map(|(m, c)| (m.clone(), Coefficient::from(f(&c.big())))).collect();
-    Poly { terms, nvars: p.nvars, order: p.order.clone() }
-}
-
-/// The least common denominator of the coefficients.
-fn denominators<'p>(polynomials: impl Iterator<Item = &'p Poly>) -> BigInt {
-    let mut all = BigRational::one();
-    for (_, c) in polynomials.flat_map(|p| &p.terms) {
-        // lcm(a, b) = a·(b / gcd(a, b)): the denominator of b/a in lowest terms is a/gcd(a, b).
-        let quotient = BigRational::new(c.big().denom().clone(), all.numer().clone());
-        all = BigRational::from_integer(all.numer() * quotient.numer());
-    }
-    all.numer().clone()
-}
-
-/// The polynomial times its least common denominator.
-fn integral(p: &Poly) -> Poly {
-    let k = BigRational::from_integer(denominators(std::iter::once(p)));
-    map(p, |c| c * &k)
-}
-
-/// k with p = k·q; 1 for 0.
-fn ratio(p: &Poly, q: &Poly) -> BigRational {
-    match (p.terms.first(), q.terms.first()) {
-        (Some((_, a)), Some((_, b))) => a.big() / b.big(),
-        _ => BigRational::one(),
-    }
-}
-
-/// A polynomial with integer coefficients, as Python writes it.
-fn python(p: &Poly, names: &[String]) -> String {
-    let mut out = String::new();
-    for (m, c) in &p.terms {
-        let coefficient = c.big().numer().clone();
-        let negative = coefficient < BigInt::zero();
-        out.push_str(match (out.is_empty(), negative) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        });
-        let size = if negative { -coefficient } else { coefficient };
-        let mut parts = Vec::new();
-        for (name, &k) in names.iter().zip(m.exps()).filter(|(_, k)| **k > 0) {
-            parts.push(if k == 1 { name.clone() } else { format!("{name}**{k}") });
-        }
-        if !size.is_one() || parts.is_empty() {
-            parts.insert(0, size.to_string());
-        }
-        out.push_str(&parts.join("*"));
-    }
-    if out.is_empty() { "0".to_owned() } else { out }
-}
-
 /// A formula in LaTeX, unless it is too long to be of use.
 fn shown(graph: &Graph, e: Expr) -> String {
     // As a tree it may be far larger than as a graph.
@@ -730,189 +470,4 @@ fn shown(graph: &Graph, e: Expr) -> String {
     }
     let text = graph.to_latex(e);
     if text.chars().count() > LONGEST { long() } else { text.split_whitespace().collect::<Vec<_>>().join(" ") }
-}
-
-/// Names that Python accepts, one for each variable.
-struct Names {
-    list: Vec<String>,
-}
-
-/// Words that are no names in Python or in Lean, and names that the texts use.
-const TAKEN: &[&str] = &[
-    "False",
-    "None",
-    "True",
-    "and",
-    "as",
-    "assert",
-    "async",
-    "await",
-    "break",
-    "class",
-    "continue",
-    "def",
-    "del",
-    "elif",
-    "else",
-    "except",
-    "finally",
-    "for",
-    "from",
-    "global",
-    "if",
-    "import",
-    "in",
-    "is",
-    "lambda",
-    "nonlocal",
-    "not",
-    "or",
-    "pass",
-    "raise",
-    "return",
-    "try",
-    "while",
-    "with",
-    "yield",
-    "print",
-    "expand",
-    "symbols",
-    "d",
-    "N",
-    "D",
-    "sqrt",
-    "Abs",
-    "sin",
-    "cos",
-    "tan",
-    "exp",
-    "log",
-    "sinh",
-    "cosh",
-    "tanh",
-    "asin",
-    "acos",
-    "atan",
-    "atan2",
-    "agm",
-    "power",
-    "pi",
-    "at",
-    "by",
-    "do",
-    "end",
-    "fun",
-    "have",
-    "let",
-    "match",
-    "open",
-    "show",
-    "then",
-    "where",
-    "theorem",
-    "def",
-    "example",
-    "axiom",
-    "variable",
-    "section",
-    "namespace",
-    "instance",
-    "structure",
-    "universe",
-    "local",
-    "macro",
-    "mutual",
-    "partial",
-    "private",
-    "protected",
-    "unsafe",
-    "notation",
-    "prefix",
-    "infix",
-    "syntax",
-    "calc",
-    "suffices",
-    "obtain",
-    "key",
-    "top",
-    "same",
-    "set_option",
-    "deriving",
-    "extends",
-    "include",
-    "omit",
-    "attribute",
-    "noncomputable",
-    "opaque",
-    "abbrev",
-];
-
-impl Names {
-    fn new(graph: &Graph, lowered: &Lowered, variables: &[Expr]) -> Names {
-        let mut list: Vec<String> = Vec::new();
-        for &e in variables {
-            let wish = match *graph.node(e) {
-                Node::Leaf(leaf) => match lowered.generators.get(leaf) {
-                    Some(Generator::Cosine(a)) => format!("cos{}", argument(graph, *a)),
-                    Some(Generator::Sine(a)) => format!("sin{}", argument(graph, *a)),
-                    Some(Generator::Exponential(a)) => format!("exp{}", argument(graph, *a)),
-                    Some(_) => "f".to_owned(),
-                    None => leaf_name(graph, leaf),
-                },
-                Node::Unary(Op::Sqrt, _) => "root".to_owned(),
-                _ => "absolute".to_owned(),
-            };
-            let name = free(wish, &list);
-            list.push(name);
-        }
-        Names { list }
-    }
-}
-
-/// A name that is not taken, as near to this one as there is.
-fn free(wish: String, list: &[String]) -> String {
-    // A certificate's text has relations p1, p2 …, cofactors q1, q2 …, and parts of long texts e1, e2 …, f1, f2 …
-    let numbered = |name: &str| {
-        let rest = name.strip_prefix(['p', 'q', 'e', 'f', 'h']);
-        rest.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
-    };
-    let is_free = |name: &String| !list.contains(name) && !TAKEN.contains(&name.as_str()) && !numbered(name);
-    match is_free(&wish) {
-        true => wish,
-        false => (2..).map(|n| format!("{wish}_{n}")).find(is_free).unwrap_or(wish),
-    }
-}
-
-fn argument(graph: &Graph, e: Expr) -> String {
-    match *graph.node(e) {
-        Node::Leaf(leaf) => format!("_{}", leaf_name(graph, leaf)),
-        _ => String::new(),
-    }
-}
-
-/// The letters and digits of a leaf's LaTeX name, without the commands for its typeface.
-fn leaf_name(graph: &Graph, leaf: Leaf) -> String {
-    let mut text = graph.name(leaf.symbol).to_owned();
-    for face in [r"\boldsymbol", r"\mathbf", r"\mathrm", r"\mathcal", r"\vec", r"\bf", r"\rm"] {
-        text = text.replace(face, "");
-    }
-    let mut out: String = text.chars().filter(char::is_ascii_alphanumeric).collect();
-    if !out.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        out.insert(0, 'x');
-    }
-    out.extend(graph.component_indices(leaf.symbol, leaf.component).iter().map(u16::to_string));
-    out.push_str(match leaf.rate {
-        0 => "",
-        1 => "_dot",
-        2 => "_ddot",
-        _ => "_rate",
-    });
-    for coordinate in graph.coordinates().zip(leaf.partials.orders()).filter(|(_, n)| *n > 0) {
-        let (by, n) = coordinate;
-        out.push_str(&format!("_d{}{}", leaf_name(graph, by), if n > 1 { n.to_string() } else { String::new() }));
-    }
-    if leaf.instant.is_some() {
-        out.push_str("_then");
-    }
-    out
 }
