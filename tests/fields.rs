@@ -324,3 +324,255 @@ fn coordinates_that_are_refused() {
         assert!(found.contains(message), "{symbols:?}: {found}");
     }
 }
+
+#[test]
+fn poisson_brackets() {
+    let plane = r"q: state; p: state, momentum of q; m: positive; k; c";
+    let fields = "p: coordinate, momentum of q; f(q,p), g(q,p), h(q,p): field; V(q): field";
+    let space = r"{\bf q}: state, 3; {\bf p}: state, 3, momentum of {\bf q}; m, k: positive; {\bf L} = {\bf q}\times{\bf p}; r: observable = |{\bf q}|; H = \frac{{\bf p}^2}{2m}-\frac kr; {\bf A}: observable = {\bf p}\times({\bf q}\times{\bf p})-\frac{mk}{r}{\bf q}";
+    let hamilton = r"q: state; p: state, momentum of q; m: positive; H = \frac{p^2}{2m}+q^4; G = q^2p\sin t";
+    let equations = r"\dot q=\{q,H\}; \dot p=\{p,H\}";
+    let action = r"\varphi; J: positive, momentum of \varphi; m, \omega: positive; q = \sqrt{\frac{2J}{m\omega}}\sin\varphi; p = \sqrt{2m\omega J}\cos\varphi";
+    all(&[
+        ("proved", r"\{q,p\}=1", plane, ""),
+        ("refuted", r"\{p,q\}=1", plane, ""),
+        ("proved", r"\left\{q^2,p^2\right\}=4qp", plane, ""),
+        ("proved", r"\{q,p\}^2+2\{p,q\}=-1", plane, ""),
+        ("proved", r"\frac{d}{dt}\{q^2,p\}=2\dot q", plane, ""),
+        ("proved", r"\{q^2,p\}(0)=2q(0)", plane, ""),
+        ("proved", r"\{kq,cp\}=kc", plane, ""),
+        ("proved", r"\{|q|,p\}=1", plane, "q>0"),
+        ("refuted", r"\{|q|,p\}=1", plane, ""),
+        // A value at a point says nothing of slopes.
+        ("unproved", r"\{q^2,p\}=0", plane, "q=1"),
+        ("proved", r"\{q^2,p\}=2", plane, "q=1"),
+        // What observables stand for.
+        ("proved", r"\{E,p\}=kq", r"E: observable = \frac12kq^2; q: state; p: state, momentum of q; k", ""),
+        ("refuted", r"\{E,p\}=0", r"E: observable = \frac12kq^2; q: state; p: state, momentum of q; k", ""),
+        // The theorems, for any functions.
+        ("proved", r"\{f,\{g,h\}\}+\{g,\{h,f\}\}+\{h,\{f,g\}\}=0", fields, ""),
+        ("refuted", r"\{f,\{g,h\}\}=\{\{f,g\},h\}", fields, ""),
+        ("proved", r"\{f,gh\}=\{f,g\}h+g\{f,h\}", fields, ""),
+        ("proved", r"\{f,g\}=-\{g,f\}", fields, ""),
+        ("refuted", r"\{f,g\}=0", fields, ""),
+        ("proved", r"\{V,p\}=V'", fields, ""),
+        ("proved", r"\{f,p\}=\frac{\partial f}{\partial q}", fields, ""),
+        ("proved", r"\{f,g\}=0", fields, "g=f^2"),
+        ("proved", r"\{f,p\}=1", fields, "f=q"),
+        ("unproved", r"\{f,p\}=0", fields, "f=q; q=0"),
+        ("unproved", r"\{f,g\}=0", fields, r"\{f,h\}=0"),
+        // With components.
+        ("proved", r"\{q_i,p_j\}=\delta_{ij}", space, ""),
+        ("proved", r"\{q_i,p_i\}=3", space, ""),
+        ("proved", r"\{L_i,L_j\}=\epsilon_{ijk}L_k", space, ""),
+        ("refuted", r"\{L_i,L_j\}=-\epsilon_{ijk}L_k", space, ""),
+        ("proved", r"\{{\bf L},H\}=0", space, ""),
+        ("proved", r"\{{\bf A},H\}=0", space, ""),
+        ("proved", r"\{A_i,L_j\}=\epsilon_{ijk}A_k", space, ""),
+        ("proved", r"\{A_1,A_2\}=-2mHL_3", space, ""),
+        ("refuted", r"\{A_1,A_2\}=2mHL_3", space, ""),
+        // Along motions.
+        ("proved", r"\dot G=\{G,H\}+\frac{\partial G}{\partial t}", hamilton, equations),
+        ("unproved", r"\dot G=\{G,H\}", hamilton, equations),
+        ("unproved", r"\dot G=\{H,G\}+\frac{\partial G}{\partial t}", hamilton, equations),
+        // Canonical transformations.
+        ("proved", r"\{q,p\}=1", action, ""),
+        ("refuted", r"\{q,p\}=2", action, ""),
+        ("proved", r"\{q^2,\frac{p}{2q}\}=1", plane, ""),
+        ("refuted", r"\{q^2,\frac pq\}=1", plane, ""),
+        (
+            "proved",
+            r"\{a,a^*\}=-\mathrm i",
+            r"a: complex = \frac{q+\mathrm ip}{\sqrt2}; q: state; p: state, momentum of q",
+            "",
+        ),
+        // ∇ acts on places, not on momenta.
+        ("proved", r"\nabla^2f=\frac{\partial^2f}{\partial q^2}", fields, ""),
+    ]);
+}
+
+#[test]
+fn variational_derivatives() {
+    let spring = r"L = \frac12m\dot q^2-\frac12kq^2; q: state; m: positive; k";
+    let wave = r"L = \frac12(\partial_tu)^2-\frac12(c\partial_xu)^2; u(x,t): field; c";
+    let quantum = r"\psi(x,t): field, complex; V(x): field; h, m: positive; L = \operatorname{Re}(\mathrm ih\psi^*\partial_t\psi)-\frac{h^2}{2m}|\partial_x\psi|^2-V|\psi|^2";
+    all(&[
+        ("proved", r"\frac{\delta L}{\delta q}=-m\ddot q-kq", spring, ""),
+        ("refuted", r"\frac{\delta L}{\delta q}=-kq", spring, ""),
+        ("refuted", r"\frac{\delta L}{\delta q}=m\ddot q-kq", spring, ""),
+        (
+            "proved",
+            r"\frac{\delta L}{\delta q}=\frac{\partial L}{\partial q}-\frac{d}{dt}\frac{\partial L}{\partial\dot q}",
+            spring,
+            "",
+        ),
+        (
+            "proved",
+            r"\frac{d}{dt}\left(\dot q\frac{\partial L}{\partial\dot q}-L\right)=0",
+            spring,
+            r"\frac{\delta L}{\delta q}=0",
+        ),
+        ("proved", r"\frac{\delta L}{\delta q}=\frac{d^4q}{dt^4}", r"L = \frac12\ddot q^2; q: state", ""),
+        ("proved", r"\frac{\delta L}{\delta q}=-1", r"L = t\dot q; q: state", ""),
+        // A total derivative.
+        ("proved", r"\frac{\delta L}{\delta q}=0", r"L = q^2\dot q\sin t+\frac13q^3\cos t; q: state", ""),
+        ("proved", r"\frac{\delta E}{\delta q}=q", r"E: observable = \frac12q^2; q: state", ""),
+        ("refuted", r"\frac{\delta L}{\delta q}=1", r"L = |q|; q: state", ""),
+        ("proved", r"\frac{\delta L}{\delta q}=1", r"L = |q|; q: state", "q>0"),
+        (
+            "proved",
+            r"\frac{\delta L}{\delta{\bf q}}=-m\ddot{\bf q}",
+            r"L = \frac12m\dot{\bf q}^2; {\bf q}: state, 3; m",
+            "",
+        ),
+        ("proved", r"\frac{\delta L}{\delta q_2}=-m\ddot q_2", r"L = \frac12m\dot{\bf q}^2; {\bf q}: state, 3; m", ""),
+        // A Kronecker symbol, as before.
+        ("proved", r"\frac{\delta_{11}}{2}=\frac12", "x", ""),
+        // Fields.
+        ("proved", r"\frac{\delta L}{\delta u}=c^2\partial_x^2u-\partial_t^2u", wave, ""),
+        ("refuted", r"\frac{\delta L}{\delta u}=c^2\partial_x^2u+\partial_t^2u", wave, ""),
+        (
+            "proved",
+            r"\frac{\partial}{\partial t}\left(\frac12(\partial_tu)^2+\frac12(c\partial_xu)^2\right)=c^2\frac{\partial}{\partial x}(\partial_xu\,\partial_tu)",
+            wave,
+            r"\frac{\delta L}{\delta u}=0",
+        ),
+        (
+            "proved",
+            r"\frac{\delta H}{\delta u}=3u^2+\partial_x^2u",
+            r"H = u^3-\frac12(\partial_xu)^2; u(x,t): field",
+            "",
+        ),
+        ("proved", r"\frac{\delta H}{\delta u}=\partial_x^4u", r"H = \frac12(\partial_x^2u)^2; u(x,t): field", ""),
+        (
+            "proved",
+            r"\frac{\delta H}{\delta u}=0",
+            r"H = \partial_xu\,\partial_t^2u+\partial_tu\,\partial_t\partial_xu; u(x,t): field",
+            "",
+        ),
+        (
+            "proved",
+            r"\frac{\delta\ell}{\delta y}=-\frac{y''}{(1+(y')^2)^{3/2}}",
+            r"\ell = \sqrt{1+(y')^2}; y(x): field",
+            "",
+        ),
+        (
+            "proved",
+            r"\frac{\delta L}{\delta\psi^*}=\mathrm ih\partial_t\psi+\frac{h^2}{2m}\partial_x^2\psi-V\psi",
+            quantum,
+            "",
+        ),
+        (
+            "refuted",
+            r"\frac{\delta L}{\delta\psi}=\mathrm ih\partial_t\psi+\frac{h^2}{2m}\partial_x^2\psi-V\psi",
+            quantum,
+            "",
+        ),
+        (
+            "proved",
+            r"\frac{\delta L}{\delta\psi}=-\mathrm ih\partial_t\psi^*+\frac{h^2}{2m}\partial_x^2\psi^*-V\psi^*",
+            quantum,
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn following_a_flow() {
+    let plane = r"{\bf v}(x,y,t): field, 2, velocity; f(x,y,t), g(x,y,t), \rho(x,y,t): field";
+    all(&[
+        ("proved", r"\frac{Df}{Dt}=\frac{\partial f}{\partial t}+({\bf v}\cdot\nabla)f", plane, ""),
+        ("refuted", r"\frac{Df}{Dt}=\frac{\partial f}{\partial t}", plane, ""),
+        ("proved", r"\frac{D}{Dt}(fg)=f\frac{Dg}{Dt}+g\frac{Df}{Dt}", plane, ""),
+        ("proved", r"\frac{D{\bf v}}{Dt}=\frac{\partial{\bf v}}{\partial t}+({\bf v}\cdot\nabla){\bf v}", plane, ""),
+        ("proved", r"\frac{Dx}{Dt}=v_1", plane, ""),
+        ("proved", r"\frac{Dt}{Dt}=1", plane, ""),
+        ("proved", r"\frac{D\rho}{Dt}+\rho\nabla\cdot{\bf v}=0", plane, r"\partial_t\rho+\nabla\cdot(\rho{\bf v})=0"),
+        ("refuted", r"\frac{D\rho}{Dt}=0", plane, r"\partial_t\rho+\nabla\cdot(\rho{\bf v})=0"),
+        ("proved", r"\frac{Du}{Dt}=\partial_tu+u\partial_xu", "u(x,t): field, velocity", ""),
+        ("proved", r"\frac{D}{Dt}(x-ct)=-c", "u(x,t): field, velocity = 0; c", ""),
+        // Unit vectors that do not turn what is a number.
+        (
+            "proved",
+            r"\frac{Df}{Dt}=\partial_tf+w_1\partial_rf+\frac{w_2}{r}\partial_\theta f",
+            r"t: time; r: coordinate; \theta: coordinate = r; {\bf w}(r,\theta,t): field, 2, velocity; f(r,\theta,t): field",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn what_mechanics_does_not_say_is_refused() {
+    let pair = "q: state; p: state, momentum of q";
+    for (text, symbols) in [
+        // No canonical variables, or not enough.
+        (r"\{q,p\}=1", "q, p: state"),
+        (r"\{q,s\}=0", "q: state; p: state, momentum of q; s: state"),
+        (r"\{c,q\}=0", "q: state; p: state, momentum of q; c"),
+        (r"\{q,\dot q\}=0", pair),
+        (r"\{q(0),p\}=0", pair),
+        (r"\{E(0),p\}=0", "q: state; p: state, momentum of q; E: observable = q^2"),
+        (r"\{\dot E,p\}=0", "q: state; p: state, momentum of q; E: observable = q^2"),
+        (r"\{V,p\}=0", "q: state; p: state, momentum of q; V(x): field"),
+        // A set, a group, two vectors.
+        (r"q=\{0,1\}", pair),
+        (r"\{q+p\}=0", pair),
+        (r"\{q,p,q\}=0", pair),
+        (r"\{q,p\}_q=1", pair),
+        (r"\{{\bf q},{\bf p}\}=0", r"{\bf q}: state, 3; {\bf p}: state, 3, momentum of {\bf q}"),
+        // What is put in the place of an argument depends on the variables.
+        (r"f(q)=0", r"q: state; p: state, momentum of q; f(a) = \{a^2,p\}"),
+        (r"f(q)=0", r"q: state; f(a) = \frac{\partial(a^2)}{\partial q}"),
+        (r"f(q)=0", r"q: state; f(a) = \frac{d}{dt}(a^2)"),
+        (r"f(x)=0", r"x: coordinate; f(a) = \partial_x(a^2)"),
+        (r"f(q)=0", r"q: state; f(a) = \frac{\delta(a^2)}{\delta q}"),
+        // Along the motion, or by the time alone?
+        (r"\dot f=0", "p: coordinate, momentum of q; f(q,p,t): field"),
+        // No pairs.
+        (r"p=0", "q: state; p: momentum of q"),
+        (r"p=0", "q: state; p: state, 3, momentum of q"),
+        (r"p=0", "q: state, 2x3; p: state, 3x2, momentum of q"),
+        (r"p=0", "q, s: state; p: state, momentum of q; P: state, momentum of q"),
+        (r"p=0", "q: state; p: state, momentum of q; s: state, momentum of p"),
+        (r"p=0", "p: state, momentum of p"),
+        (r"p=0", "p: state, momentum of s"),
+        // Which flow, of what shape, and which sign of the time?
+        (r"\frac{Df}{Dt}=0", "f(x,t): field"),
+        (r"\frac{Df}{Dt}=0", r"f(x,y,t): field; {\bf v}(x,y,t): field, 3, velocity"),
+        (
+            r"\frac{Df}{Dt}=0",
+            r"f(x,y,t): field; {\bf v}(x,y,t): field, 2, velocity; {\bf w}(x,y,t): field, 2, velocity",
+        ),
+        (r"\frac{Df}{Dt}=\frac ft", "f(x,t), v(x,t): field; w(x,t): field, velocity; D"),
+        (r"\frac{Df}{Dx}=0", "f(x,t), v(x,t): field; w(x,t): field, velocity"),
+        (r"\frac{Dq}{Dt}=0", "v(x,t): field, velocity; q: state"),
+        (
+            r"\frac{D{\bf w}}{Dt}=0",
+            r"t: time; r: coordinate; \theta: coordinate = r; {\bf w}(r,\theta,t): field, 2, velocity",
+        ),
+        (r"f(x)=0", r"v(x,t): field, velocity; f(a) = \frac{D(a^2)}{Dt}"),
+        (r"\Box u=0", "u(x,t): field; c"),
+        // Over what is it integrated, and what is varied?
+        (r"\frac{\delta L}{\delta u}=0", "L = tu^2; u(x): field; t: coordinate"),
+        (r"\frac{\delta L}{\delta u}=0", "L = vu^2; u(x), v(x,y): field"),
+        (r"\frac{\delta L}{\delta u}=0", "L = qu^2; u(x,t): field; q: state"),
+        (r"\frac{\delta L}{\delta q}=0", "L = uq^2; u(x,t): field; q: state"),
+        (r"\frac{\delta L}{\delta q}=0", "L = xq^2; x: coordinate; q: state"),
+        (r"\frac{\delta L}{\delta q}=0", r"L = q(0)^2; q: state"),
+        (r"\frac{\delta L}{\delta m}=0", r"L = m\dot q^2; q: state; m"),
+        (r"\frac{\delta L}{\delta Q}=q", r"L = \frac12q^2; Q = -q; q: state"),
+        (r"\frac{\delta L}{\delta\dot q}=0", r"L = \dot q^2; q: state"),
+        (r"\frac{\delta S}{\delta q}=0", "q: state; S"),
+        (r"\frac{\delta^2L}{\delta q^2}=0", "L = q^2; q: state"),
+        (r"\frac{\delta L}{\delta u}=0", r"r: coordinate; \theta: coordinate = r; u(r,\theta): field; L = u^2"),
+    ] {
+        let mut derivation = rederive::derivation::Derivation::blank();
+        let typed: Vec<(String, String)> = symbols.split("; ").map(|s| (s.to_owned(), s.to_owned())).collect();
+        if derivation.declare_typed(&typed).is_err() {
+            continue;
+        }
+        let proposition =
+            rederive::check::Proposition { formula: text.to_owned(), given: Vec::new(), throughout: false };
+        assert!(rederive::check::prove(&mut derivation, &proposition).is_err(), "{text}, {symbols}: it is read");
+    }
+}

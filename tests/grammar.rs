@@ -34,6 +34,14 @@ fn world(symbols: &[(usize, String)]) -> World {
             // A key as wide as the column.
             None => line.rsplit_once(' ').unwrap_or_else(|| panic!("line {number}")),
         };
+        let (rest, of) = match rest.split_once(" momentum of ") {
+            Some((rest, of)) => (rest, Some(of)),
+            None => (rest, None),
+        };
+        let (rest, velocity) = match rest.strip_suffix(" velocity") {
+            Some(rest) => (rest, true),
+            None => (rest, false),
+        };
         let (role, more) = rest.trim().split_once(' ').unwrap_or((rest.trim(), ""));
         for key in keys.split(", ") {
             let role = match role {
@@ -45,12 +53,19 @@ fn world(symbols: &[(usize, String)]) -> World {
                 "field" => Role::Field,
                 _ => Role::Abbreviation,
             };
-            let by_formula = matches!(role, Role::Field | Role::Coordinate) && !matches!(more, "" | "3" | "complex");
+            let by_formula = matches!(role, Role::Field | Role::Coordinate | Role::Observable)
+                && !matches!(more, "" | "3" | "complex");
             if role == Role::Abbreviation || by_formula {
                 let arguments: &[&str] = if key.contains(r"(\alpha)") { &[r"\alpha"] } else { &[] };
                 w.define(key, role, more, arguments);
             } else {
                 w = w.with(key, role, more);
+            }
+            if let (true, Some(field)) = (velocity, w.scope.symbol(key)) {
+                w.scope.set_velocity(key, field).unwrap_or_else(|e| panic!("line {number}: {e:?}"));
+            }
+            if let (Some(of), Some(momentum)) = (of, w.scope.symbol(key)) {
+                w.scope.set_momentum(&w.graph, momentum, of).unwrap_or_else(|e| panic!("line {number}: {e:?}"));
             }
         }
     }

@@ -75,6 +75,51 @@ fn the_cache_says_what_a_whole_check_says() {
 }
 
 #[test]
+fn what_says_what_formulas_mean_is_content() {
+    let file = r"
+[derivation]
+title = 'a'
+concerns = 'b'
+
+[conventions]
+signature = '+---'
+
+[symbols]
+'t' = { role = 'time' }
+'x' = { role = 'coordinate' }
+'c' = { role = 'parameter' }
+'q' = { role = 'parameter' }
+'p' = { role = 'parameter', momentum-of = 'q' }
+'v(x,t)' = { role = 'field', velocity = true }
+'w(x,t)' = { role = 'field' }
+
+[[claim]]
+id = 'all'
+says = 'c'
+ranges = { 'x' = [1, 2], 't' = [1, 2], 'c' = 1, 'q' = [1, 2], 'p' = [1, 2], 'v' = 'x', 'w' = 0 }
+always = ['\Box(t^2)=2', '\{q,p\}=1', '\frac{Dx}{Dt}=x']
+";
+    let mut cache = Cache::default();
+    assert!(!step(&mut cache, file).is_empty());
+    for (old, new) in [
+        ("+---", "-+++"),
+        (
+            "'q' = { role = 'parameter' }\n'p' = { role = 'parameter', momentum-of = 'q' }",
+            "'p' = { role = 'parameter' }\n'q' = { role = 'parameter', momentum-of = 'p' }",
+        ),
+        (
+            "velocity = true }\n'w(x,t)' = { role = 'field' }",
+            "velocity = false }\n'w(x,t)' = { role = 'field', velocity = true }",
+        ),
+    ] {
+        let other = file.replacen(old, new, 1);
+        assert!(other != file, "{old}");
+        assert!(!step(&mut cache, &other).is_empty(), "{old}");
+        step(&mut cache, file);
+    }
+}
+
+#[test]
 fn a_premise_that_becomes_wrong_is_noticed_in_what_follows() {
     let file = r"
 [derivation]

@@ -148,7 +148,7 @@ fn contents(derivation: &Derivation) -> Option<Contents> {
     root.remove("derivation");
     // Of the conventions, the texts are only shown; these say what a formula means.
     let meant = |name: &str| root.get("conventions")?.get(name)?.as_str().map(str::to_owned);
-    let conventions = format!("{:?}\n", ["log", "i", "units"].map(meant));
+    let conventions = format!("{:?}\n", ["log", "i", "units", "signature"].map(meant));
     root.remove("conventions");
     let id = |table: &toml::Value| Some(table.get("id")?.as_str()?.to_owned());
     let mut symbols = String::new();

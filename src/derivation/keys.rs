@@ -17,8 +17,20 @@ pub const FILE: &[&str] = &[
 /// Keys of `[derivation]`.
 pub const DERIVATION: &[&str] = &["id", "title", "concerns", "source", "remark", "encoded-by"];
 /// Keys of a symbol.
-pub const SYMBOL: &[&str] =
-    &["role", "shape", "unit", "positive", "angle", "complex", "formula", "scale", "arguments", "says"];
+pub const SYMBOL: &[&str] = &[
+    "role",
+    "shape",
+    "unit",
+    "positive",
+    "angle",
+    "complex",
+    "formula",
+    "scale",
+    "momentum-of",
+    "velocity",
+    "arguments",
+    "says",
+];
 /// Keys of `[system.…]`.
 pub const SYSTEM: &[&str] = &["says", "label", "states", "fields", "equations"];
 /// Keys of `[[trajectory]]`.

@@ -15,7 +15,7 @@ use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};
 use files::Why;
-use latex::{self, Logarithm, Relation, RelationKind, Scope, Statement};
+use latex::{self, Logarithm, Relation, RelationKind, Scope, Signature, Statement};
 
 /// Largest size of a derivation file, in bytes.
 pub const LARGEST_FILE: u64 = 4 << 20;
@@ -166,6 +166,14 @@ impl<'s> Loader<'s> {
                                         let message = format!("`log` is `natural` or `decimal`, not `{other}`");
                                         problems.note("derivation::wrong-type", value.span(), message);
                                     }
+                                }
+                            }
+                            if key.get_ref() == "signature" {
+                                match text.trim() {
+                                    "+---" => self.out.scope.set_signature(Signature::Time),
+                                    "-+++" => self.out.scope.set_signature(Signature::Space),
+                                    // A sentence for the reader: `\Box` is then refused.
+                                    _ => {}
                                 }
                             }
                             // Any other text is for the reader of the report.

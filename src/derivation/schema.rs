@@ -58,6 +58,8 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[symbols]", "angle") => flag("Its values along a motion are continued without jumps by 2π"),
         ("[symbols]", "formula") => formula("The definition of an observable or abbreviation"),
         ("[symbols]", "scale") => formula("The scale factor of a coordinate that is not Cartesian"),
+        ("[symbols]", "momentum-of") => formula("The coordinate to which this momentum belongs"),
+        ("[symbols]", "velocity") => flag("The field with which the derivative D/Dt moves"),
         ("[symbols]", "arguments") => formulas("Names of arguments: the abbreviation is then a function"),
         ("[symbols]", "says") => text("What it stands for"),
         ("[system.…]", "says") => text("What the system is"),

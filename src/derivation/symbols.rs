@@ -130,6 +130,11 @@ impl Loader<'_> {
             Some(value) => Some(literal_of(problems, value, "scale")?),
             None => None,
         };
+        let place = match table.get("momentum-of") {
+            Some(value) => Some(literal_of(problems, value, "momentum-of")?),
+            None => None,
+        };
+        let velocity = table.boolean(problems, "velocity") == Some(true);
         let defined = matches!(role, Role::Observable | Role::Abbreviation);
         if defined != formula.is_some() && role != Role::Field {
             let role = ROLES.iter().find(|(_, r)| *r == role).map_or("", |(word, _)| word);
@@ -175,6 +180,16 @@ impl Loader<'_> {
                 }
             },
         };
+        if velocity && let Err(error) = scope.set_velocity(name, entry.symbol) {
+            self.note_declaration(name, span, None, error);
+            return None;
+        }
+        if let Some(place) = &place
+            && let Err(error) = scope.set_momentum(&self.out.graph, entry.symbol, place.text)
+        {
+            self.note_declaration(name, span, Some(place), error);
+            return None;
+        }
         Some(entry)
     }
 

@@ -3,7 +3,7 @@
 //! A declaration is `NAMES`, `NAMES: WORDS`, `NAME = FORMULA` or `NAME: WORDS = FORMULA`. Names are separated by commas; words,
 //! too: a role, a shape, `positive`, `angle`, or `constant` for a parameter with a fixed value. Without a role a symbol is a parameter, with a formula an abbreviation. For
 //! instance `x, y`, `I: diagonal 3, positive`, `\theta: state`, `r = \sqrt{x^2+y^2}`, `f(\alpha) = \sin\alpha`. The formula of a coordinate
-//! is its scale factor, `\theta: coordinate = r`.
+//! is its scale factor, `\theta: coordinate = r`; a momentum says of what it is one, `p: state, momentum of q`.
 //!
 //! Where a state or an observable is declared, and no time, `t` is the time. What stands in the parentheses of a field,
 //! `u(x,t): field`, and is not declared, is a coordinate.
@@ -91,14 +91,40 @@ impl Derivation {
         });
         let coordinates = self.unnamed_coordinates(&all);
         all.splice(0..0, coordinates);
+        let mut paired = false;
         for (source, typed) in &all {
+            // Formulas may have brackets, and stand behind all that has none.
+            if !paired && problems.is_empty() && typed.formula.is_some() && typed.role != Role::Coordinate {
+                problems.extend(self.pair_typed(&all));
+                paired = true;
+            }
             for (name, span) in &typed.names {
                 if let Err(found) = self.declare_one(source, typed, name, span) {
                     problems.extend(found);
                 }
             }
         }
+        if !paired && problems.is_empty() {
+            problems = self.pair_typed(&all);
+        }
         if problems.is_empty() { Ok(()) } else { Err(problems) }
+    }
+
+    /// Joins momenta to their coordinates, all being declared. What is wrong with them.
+    fn pair_typed(&mut self, all: &[(Arc<Source>, Typed)]) -> Vec<Diagnostic> {
+        let mut problems = Vec::new();
+        for (source, typed) in all {
+            let Some((of, start)) = &typed.momentum_of else { continue };
+            let Some(momentum) = typed.names.first().and_then(|(name, _)| self.scope.symbol(name)) else { continue };
+            match self.scope.set_momentum(&self.graph, momentum, of) {
+                Ok(()) => {}
+                Err(DeclareError::Key(found)) => problems.push(Diagnostic::of_formula(source, *start, found)),
+                Err(DeclareError::Formula(found)) => {
+                    problems.extend(found.into_iter().map(|p| Diagnostic::of_formula(source, *start, p)));
+                }
+            }
+        }
+        problems
     }
 
     /// What stands in the parentheses of fields and is not declared: coordinates, and `t` is the time.
@@ -161,6 +187,11 @@ impl Derivation {
                 DeclareError::Formula(found) => at(typed.formula.as_ref().map_or(0, |(_, start)| *start), found),
             }
         })?;
+        if typed.velocity
+            && let Err(DeclareError::Key(found)) = self.scope.set_velocity(name, symbol)
+        {
+            return Err(vec![Diagnostic::of_formula(source, span.start, found)]);
+        }
         let constant = self.scope.definition(symbol).and_then(|t| t.as_scalar()).filter(|_| typed.constant);
         if typed.constant && !constant.is_some_and(|value| self.graph.leaves([value]).is_empty()) {
             let message = format!("the value of the constant `{name}` is not a number");
@@ -185,6 +216,12 @@ impl Derivation {
     }
 }
 
+/// Words before the coordinate to which a momentum belongs.
+const MOMENTUM: &str = "momentum of ";
+
+/// The word for the field with which D/Dt moves.
+const VELOCITY: &str = "velocity";
+
 /// One declaration.
 struct Typed {
     /// Names, with their places.
@@ -196,6 +233,10 @@ struct Typed {
     positive: bool,
     angle: bool,
     complex: bool,
+    /// The field with which D/Dt moves.
+    velocity: bool,
+    /// The coordinate whose momentum it is, and where that begins.
+    momentum_of: Option<(String, usize)>,
     /// The formula, and where it begins.
     formula: Option<(String, usize)>,
 }
@@ -253,21 +294,29 @@ impl Typed {
             positive: false,
             angle: false,
             complex: false,
+            velocity: false,
+            momentum_of: None,
             formula,
         };
         let words = colon.map_or(Vec::new(), |at| parts(text, at + 1..head.end));
         let (mut positive, mut complex) = (0..0, 0..0);
         for span in words {
             let word = &text[span.clone()];
+            if let Some(of) = word.strip_prefix(MOMENTUM) {
+                out.momentum_of = Some((of.to_owned(), span.start + MOMENTUM.len()));
+                continue;
+            }
             match (word, ROLES.iter().find(|(known, _)| *known == word), parse_shape(word)) {
                 ("positive", ..) => (out.positive, positive) = (true, span),
                 ("angle", ..) => out.angle = true,
+                (VELOCITY, ..) => out.velocity = true,
                 ("complex", ..) => (out.complex, complex) = (true, span),
                 (CONSTANT, ..) => (out.constant, out.role) = (true, Role::Parameter),
                 (_, Some((_, role)), _) => out.role = *role,
                 (_, None, Some(shape)) => out.shape = Some(shape),
                 _ => {
-                    let known = [CONSTANT, "positive", "angle", "complex", "diagonal 3", "3x3"];
+                    let known =
+                        [CONSTANT, "positive", "angle", "complex", VELOCITY, "momentum of q", "diagonal 3", "3x3"];
                     let known = ROLES.iter().map(|(word, _)| *word).chain(known);
                     let hint = match nearest(word, known.clone()) {
                         Some(near) => format!("did you mean `{near}`?"),
@@ -290,6 +339,11 @@ impl Typed {
                 if defined { "this needs a formula, after `=`" } else { "a symbol of this role has no formula" };
             let hint = "observables and abbreviations are defined by a formula, fields may be, nothing else is";
             return Err(problem(head, "derivation::bad-role", message.into(), hint));
+        }
+        if out.momentum_of.is_some() && out.names.len() > 1 {
+            let span = out.names[1].1.clone();
+            let hint = "declare each momentum by itself";
+            return Err(problem(span, "derivation::bad-role", "a coordinate has one momentum".into(), hint));
         }
         if out.formula.is_some() && out.names.len() > 1 {
             let span = out.names[1].1.clone();

@@ -153,7 +153,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, Vec<Problem>> {
                             "left" => (['(', '[', '|', '.'], r"\lvert"),
                             _ => ([')', ']', '|', '.'], r"\rvert"),
                         };
-                        let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil"];
+                        let whole = [r"\lfloor", r"\rfloor", r"\lceil", r"\rceil", r"\{", r"\}"];
                         if whole.iter().any(|w| next.starts_with(w)) {
                             // A bracket that says by itself which side it is on.
                         } else if !next.starts_with(signs) && !next.starts_with(bar) {

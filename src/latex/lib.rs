@@ -29,7 +29,7 @@ use std::ops::Range;
 
 pub use parse::whole_part;
 pub use printed::printed;
-pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope};
+pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope, Signature};
 pub use syntax::RelationKind;
 
 use diag::Problem;

@@ -1,5 +1,6 @@
 //! Which symbols there are, and what a written symbol refers to.
 
+mod canonical;
 mod field;
 
 use std::sync::Arc;
@@ -132,6 +133,12 @@ pub struct Scope {
     hidden: Vec<Filed>,
     /// Names of several letters, the longest first.
     words: Vec<Name>,
+    /// Pairs of canonical variables: a coordinate, and its momentum.
+    pairs: Vec<(Symbol, Symbol)>,
+    /// The field with which `\frac{D}{Dt}` moves.
+    velocity: Option<Symbol>,
+    /// Which sign the time has in `\Box`.
+    signature: Option<Signature>,
     /// What `\log` is.
     logarithm: Option<Logarithm>,
     /// Whether `i` is the imaginary unit by a convention of the file.
@@ -147,6 +154,15 @@ pub enum Logarithm {
     Natural,
     /// That of base 10.
     Decimal,
+}
+
+/// The signs of a metric: which of time and space counts positive, by a convention of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signature {
+    /// `+---`: □ = ∂ₜ²/c² − ∇².
+    Time,
+    /// `-+++`: □ = ∇² − ∂ₜ²/c².
+    Space,
 }
 
 /// What a written symbol refers to.
@@ -203,6 +219,9 @@ impl Scope {
             entries: Vec::new(),
             hidden: Vec::new(),
             words: Vec::new(),
+            pairs: Vec::new(),
+            velocity: None,
+            signature: None,
             logarithm: None,
             imaginary: false,
             units: false,
@@ -233,6 +252,15 @@ impl Scope {
     /// Whether `i` is the imaginary unit: something is complex, or the file says so.
     pub(super) fn speaks_of_complex_numbers(&self) -> bool {
         self.imaginary || self.entries.iter().any(|e| e.complex)
+    }
+
+    /// Says which sign the time has in `\Box`.
+    pub fn set_signature(&mut self, signature: Signature) {
+        self.signature = Some(signature);
+    }
+
+    pub(super) fn signature(&self) -> Option<Signature> {
+        self.signature
     }
 
     pub(super) fn logarithm(&self) -> Option<Logarithm> {

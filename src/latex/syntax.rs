@@ -116,6 +116,8 @@ pub enum NodeKind {
         /// Written `[a,b]`, not with `\times`.
         bracket: bool,
     },
+    /// A Poisson bracket, `\{f,g\}`.
+    Poisson(Box<Node>, Box<Node>),
     /// A quotient.
     Quotient {
         /// The numerator.
@@ -166,6 +168,13 @@ pub enum NodeKind {
         by: Vec<Node>,
         /// How it is written.
         form: PartialForm,
+    },
+    /// A variational derivative.
+    Variation {
+        /// The density that is varied.
+        of: Box<Node>,
+        /// What is varied in it.
+        by: Box<Node>,
     },
     /// An operator of vector analysis before something.
     Nabla {
@@ -228,6 +237,13 @@ pub enum Nabla {
     },
     /// `({\bf v}\cdot\nabla)f`: along a direction.
     Along(Box<Node>),
+    /// `\Box f`: the operator of waves.
+    Wave,
+    /// `\frac{Df}{Dt}`: following the flow.
+    Following {
+        /// Written `\frac{Df}{Dt}`, not `\frac{D}{Dt}f`.
+        fraction: bool,
+    },
 }
 
 /// Where time goes in a limit.
@@ -325,9 +341,9 @@ impl Node {
             NodeKind::Sum(terms) => terms.iter().map(|(_, n)| n).collect(),
             NodeKind::Product(parts) | NodeKind::Dot(parts) | NodeKind::Tuple(parts) => parts.iter().collect(),
             NodeKind::Function(_, _, arguments) => arguments.iter().collect(),
-            NodeKind::Cross { left, right, .. } => vec![left, right],
+            NodeKind::Cross { left, right, .. } | NodeKind::Poisson(left, right) => vec![left, right],
             NodeKind::Quotient { top, bottom, .. } => vec![top, bottom],
-            NodeKind::Derivative { of, by, .. } => vec![of, by],
+            NodeKind::Derivative { of, by, .. } | NodeKind::Variation { of, by } => vec![of, by],
             NodeKind::Partial { of, by, .. } => std::iter::once(&**of).chain(by).collect(),
             NodeKind::Nabla { of, action: Nabla::Along(direction) } => vec![direction, of],
             NodeKind::Nabla { of, .. } => vec![of],

@@ -231,6 +231,13 @@ impl Text {
             }
             NodeKind::Nabla { of, action } => {
                 match action {
+                    Nabla::Wave => self.put(r"\Box "),
+                    Nabla::Following { fraction: false } => self.put(r"\frac{D}{Dt}"),
+                    Nabla::Following { fraction: true } => {
+                        self.put(r"\frac{D");
+                        self.node(of, Least::Factor);
+                        return self.put("}{Dt}");
+                    }
                     Nabla::Gradient => self.put(r"\nabla "),
                     Nabla::Divergence => self.put(r"\nabla\cdot "),
                     Nabla::Curl => self.put(r"\nabla\times "),
@@ -243,6 +250,20 @@ impl Text {
                     }
                 }
                 self.node(of, Least::Factor);
+            }
+            NodeKind::Variation { of, by } => {
+                self.put(r"\frac{\delta ");
+                self.node(of, Least::Factor);
+                self.put(r"}{\delta ");
+                self.node(by, Least::Factor);
+                self.put("}");
+            }
+            NodeKind::Poisson(left, right) => {
+                self.put(r"\{");
+                self.node(left, Least::Sum);
+                self.put(",");
+                self.node(right, Least::Sum);
+                self.put(r"\}");
             }
             NodeKind::Differential { of, upright } => {
                 self.put(if *upright { r"\mathrm{d}" } else { "d" });
@@ -387,7 +408,10 @@ fn between(before: &Node, after: &Node) -> &'static str {
     let open = match &before.kind {
         NodeKind::Derivative { of, operator: true, .. }
         | NodeKind::Partial { of, form: PartialForm::Operator | PartialForm::Subscript, .. }
-        | NodeKind::Nabla { of, .. } => !matches!(of.kind, NodeKind::Group(..)),
+        | NodeKind::Nabla { of, .. } => {
+            let closed = matches!(before.kind, NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. });
+            !closed && !matches!(of.kind, NodeKind::Group(..))
+        }
         _ => false,
     };
     if open || after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {

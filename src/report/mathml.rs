@@ -293,6 +293,15 @@ impl Markup {
             }
             NodeKind::Nabla { of, action } => {
                 match action {
+                    Nabla::Wave => self.put("<mo>□</mo>"),
+                    Nabla::Following { fraction: false } => {
+                        self.put("<mfrac><mi>D</mi><mrow><mi>D</mi><mi>t</mi></mrow></mfrac>");
+                    }
+                    Nabla::Following { fraction: true } => {
+                        self.put("<mfrac><mrow><mi>D</mi>");
+                        self.node(of, Least::Factor);
+                        return self.put("</mrow><mrow><mi>D</mi><mi>t</mi></mrow></mfrac>");
+                    }
                     Nabla::Gradient => self.put("<mo>∇</mo>"),
                     Nabla::Divergence => self.put("<mo>∇</mo><mo>⋅</mo>"),
                     Nabla::Curl => self.put("<mo>∇</mo><mo>×</mo>"),
@@ -305,6 +314,20 @@ impl Markup {
                     }
                 }
                 self.node(of, Least::Factor);
+            }
+            NodeKind::Variation { of, by } => {
+                self.put("<mfrac><mrow><mo rspace=\"0\">δ</mo>");
+                self.node(of, Least::Factor);
+                self.put("</mrow><mrow><mo rspace=\"0\">δ</mo>");
+                self.node(by, Least::Factor);
+                self.put("</mrow></mfrac>");
+            }
+            NodeKind::Poisson(left, right) => {
+                self.put("<mrow><mo>{</mo>");
+                self.node(left, Least::Sum);
+                self.put("<mo>,</mo>");
+                self.node(right, Least::Sum);
+                self.put("<mo>}</mo></mrow>");
             }
             NodeKind::Differential { of, upright } => {
                 self.put(if *upright { "<mi mathvariant=\"normal\">d</mi>" } else { "<mi>d</mi>" });

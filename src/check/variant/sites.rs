@@ -244,6 +244,8 @@ impl<'a> Sites<'a> {
             | NodeKind::Derivative { .. }
             | NodeKind::Partial { .. }
             | NodeKind::Nabla { .. }
+            | NodeKind::Poisson(..)
+            | NodeKind::Variation { .. }
             | NodeKind::Differential { .. }
             | NodeKind::Tuple(_)
             | NodeKind::Matrix(_)

@@ -55,6 +55,8 @@ fn degree(node: &Node) -> Elaborated<Option<i32>> {
         | NodeKind::Derivative { .. }
         | NodeKind::Partial { .. }
         | NodeKind::Nabla { .. }
+        | NodeKind::Poisson(..)
+        | NodeKind::Variation { .. }
         | NodeKind::At { .. }
         | NodeKind::Factorial(_)
         | NodeKind::Limit(..) => match node.children().into_iter().find(|n| holds_differential(n)) {

@@ -159,7 +159,9 @@ impl Elaborator<'_> {
                 Ok(usage)
             }
             NodeKind::Derivative { of, by, .. } => self.pieces([&**of, by]),
-            NodeKind::Partial { .. } | NodeKind::Nabla { .. } => self.pieces(node.children()),
+            NodeKind::Partial { .. } | NodeKind::Nabla { .. } | NodeKind::Poisson(..) | NodeKind::Variation { .. } => {
+                self.pieces(node.children())
+            }
             NodeKind::At { of, time, .. } => self.pieces([&**of, time]),
             NodeKind::Factorial(a)
             | NodeKind::Differential { of: a, .. }

@@ -3,6 +3,7 @@
 //! An index that occurs twice or more in a term, and is not free on the left side, is summed over; powers count. Where a
 //! sum stops is decided once, before anything is computed, see [`indices`].
 
+mod bracket;
 mod conjugate;
 mod differentials;
 mod indices;
@@ -10,6 +11,7 @@ mod partial;
 mod scripts;
 mod symbol;
 mod value;
+mod variation;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::super::scope::Role;
+use super::super::scope::{Role, Signature};
 use super::super::syntax::{Nabla, Node, NodeKind, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, refuse};
@@ -29,7 +29,7 @@ impl Elaborator<'_> {
         Ok(value.as_scalar().and_then(|e| self.leaf(e)).and_then(|leaf| self.graph.coordinate(leaf)))
     }
 
-    fn leaf(&self, e: Expr) -> Option<Leaf> {
+    pub(super) fn leaf(&self, e: Expr) -> Option<Leaf> {
         match self.graph.node(e) {
             expr::Node::Leaf(leaf) => Some(*leaf),
             _ => None,
@@ -54,7 +54,19 @@ impl Elaborator<'_> {
         Ok(Tensor { shape: t.shape, components })
     }
 
+    /// Refuses the derivative of what names an argument of a function: what is put in its place may change, too.
+    pub(super) fn names_no_argument(&self, t: &Tensor, span: &Range<usize>) -> Elaborated<()> {
+        let leaves = self.graph.leaves(t.components.iter().copied());
+        let Some(leaf) = leaves.into_iter().find(|l| self.scope.role(l.symbol) == Some(Role::Argument)) else {
+            return Ok(());
+        };
+        let message = format!("`{}` stands for anything, and may change", self.graph.leaf_latex(leaf));
+        let hint = "write the derivative where the function is applied, or derive by the argument";
+        refuse("latex::derivative", message, span, hint)
+    }
+
     pub(super) fn by_coordinate(&mut self, t: Tensor, at: usize, span: &Range<usize>) -> Elaborated<Tensor> {
+        self.names_no_argument(&t, span)?;
         self.derived(t, span, |this, e| this.graph.derivative_by(e, at))
     }
 
@@ -86,6 +98,11 @@ impl Elaborator<'_> {
             [only] if primed => Some(*only),
             _ => self.scope.time().filter(|time| coordinates.contains(time)),
         };
+        if !primed && coordinates.iter().any(|c| self.scope.is_canonical(c.symbol)) {
+            let message = "is this the derivative along the motion, or by the time alone?";
+            let hint = r"write `\frac{\partial f}{\partial t}`, and `\{f,H\}+\frac{\partial f}{\partial t}`";
+            return refuse("latex::ambiguous", message, span, hint);
+        }
         match by.and_then(|leaf| self.graph.coordinate(leaf)) {
             Some(at) => self.by_coordinate(t, at, span),
             None => {
@@ -157,6 +174,9 @@ impl Elaborator<'_> {
                 let hint = "give the field a `formula` where it is declared, or make this a coordinate of it";
                 return refuse("latex::derivative", message, &by.span, hint);
             }
+            if self.scope.role(leaf.symbol) != Some(Role::Argument) {
+                self.names_no_argument(&value, span)?;
+            }
             match self.scope.role(leaf.symbol) {
                 Some(Role::State | Role::Parameter | Role::Time | Role::Argument) if leaf.instant.is_none() => {}
                 _ => {
@@ -222,7 +242,7 @@ impl Elaborator<'_> {
     }
 
     /// Observables replaced by what they stand for.
-    fn spelled_out(&mut self, mut t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
+    pub(super) fn spelled_out(&mut self, mut t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
         for _ in 0..DEEPEST_FORMULAS {
             let leaves = self.graph.leaves(t.components.iter().copied());
             let scope = self.scope;
@@ -326,20 +346,98 @@ impl Elaborator<'_> {
                 }
                 Ok(tensor::of_numbers(self.graph, Shape::vector(3), &parts))
             }
-            Nabla::Along(direction) => {
-                let along = self.tensor(direction)?;
+            Nabla::Wave => {
+                if curved && !number {
+                    return refuse("latex::unsupported", turning, &of.span, "write the components out");
+                }
+                let (speed, signature) = self.waves(span)?;
+                let slopes = self.gradient(&value, &space, span)?;
+                let here = self.divergence(slopes, &space, span)?;
+                let first = self.by_time(value, span)?;
+                let second = self.by_time(first, span)?;
+                let square = self.graph.mul(speed, speed);
+                let later = self.each(second, |g, e| g.div(e, square));
+                let pairs = later.components.iter().zip(&here.components);
+                let components = pairs
+                    .map(|(&time, &space)| match signature {
+                        Signature::Time => self.graph.sub(time, space),
+                        Signature::Space => self.graph.sub(space, time),
+                    })
+                    .collect();
+                Ok(Tensor { shape: here.shape, components })
+            }
+            Nabla::Along(_) | Nabla::Following { .. } => {
+                let along = if let Nabla::Along(direction) = action {
+                    self.tensor(direction)?
+                } else {
+                    self.velocity(n, span)?
+                };
                 if along.shape.is_complex() || !vector(&along) {
-                    return refuse("latex::shape", vectors, &direction.span, "");
+                    return refuse("latex::shape", vectors, span, "");
                 }
                 if curved && !number {
                     return refuse("latex::unsupported", turning, &of.span, "write the components out");
                 }
                 let slopes = self.gradient(&value, &space, span)?;
                 let each = slopes.into_iter().zip(&along.components);
-                let terms = each.map(|(slope, &by)| self.each(slope, |g, e| g.mul(by, e))).collect();
+                let mut terms: Vec<Tensor> = each.map(|(slope, &by)| self.each(slope, |g, e| g.mul(by, e))).collect();
+                if matches!(action, Nabla::Following { .. }) {
+                    terms.insert(0, self.by_time(value.clone(), span)?);
+                }
                 Ok(self.sum_of(terms).unwrap_or(value))
             }
         }
+    }
+
+    /// The derivative by the time, all places being held fixed.
+    fn by_time(&mut self, t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
+        let Some(time) = self.scope.time() else {
+            let hint = "give one the role `time`";
+            return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
+        };
+        self.names_no_argument(&t, span)?;
+        match self.graph.coordinate(time) {
+            Some(at) => self.by_coordinate(t, at, span),
+            None => self.derived(t, span, |this, e| this.graph.partial_derivative(e, time)),
+        }
+    }
+
+    /// The speed of waves and the sign of the time in `\Box`.
+    fn waves(&mut self, span: &Range<usize>) -> Elaborated<(Expr, Signature)> {
+        let Some(signature) = self.scope.signature() else {
+            let hint = r#"say `signature = "+---"` or `signature = "-+++"` under [conventions]"#;
+            return refuse("latex::ambiguous", "the sign of `\\Box` is not clear", span, hint);
+        };
+        let hint = "declare `c`, the speed of the waves; where it is 1, as an abbreviation with this formula";
+        let speed = self.scope.symbol("c").and_then(|c| match self.scope.definition(c) {
+            Some(value) => value.as_scalar(),
+            None => (self.graph.component_count(c) == 1).then(|| self.graph.leaf(Leaf::now(c, 0))),
+        });
+        let constant = |l: &Leaf| self.scope.role(l.symbol) == Some(Role::Parameter);
+        match speed {
+            Some(speed) if self.graph.leaves([speed]).iter().all(constant) => Ok((speed, signature)),
+            Some(_) | None => refuse("latex::derivative", "`\\Box` needs a constant `c`", span, hint),
+        }
+    }
+
+    /// The velocity with which `\frac{D}{Dt}` moves, in n coordinates of space; of one, it may be a number.
+    fn velocity(&mut self, n: usize, span: &Range<usize>) -> Elaborated<Tensor> {
+        let Some(symbol) = self.scope.velocity() else {
+            let hint = "declare the field of velocities with `velocity = true`";
+            return refuse("latex::derivative", "which flow is followed is not said", span, hint);
+        };
+        let components: Vec<Expr> = match self.scope.definition(symbol) {
+            Some(formula) => formula.components.clone(),
+            None => {
+                let count = self.graph.component_count(symbol) as u16;
+                (0..count).map(|c| self.graph.leaf(Leaf::now(symbol, c))).collect()
+            }
+        };
+        if components.len() != n {
+            let message = format!("a velocity of {n} components is needed here, as there are coordinates of space");
+            return refuse("latex::shape", message, span, "");
+        }
+        Ok(Tensor { shape: Shape::vector(n as u16), components })
     }
 
     /// Every component by a formula.

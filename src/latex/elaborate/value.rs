@@ -283,6 +283,8 @@ impl Elaborator<'_> {
             }
             NodeKind::Partial { of, by, .. } => self.partial(of, by, &node.span).map(Value::Tensor),
             NodeKind::Nabla { of, action } => self.nabla(of, action, &node.span).map(Value::Tensor),
+            NodeKind::Poisson(left, right) => self.bracket(left, right, &node.span).map(Value::Tensor),
+            NodeKind::Variation { of, by } => self.variation(of, by, &node.span).map(Value::Tensor),
             NodeKind::Differential { of, .. } => {
                 if let NodeKind::Symbol(s) = &of.kind
                     && matches!(self.resolve(s, &of.span)?.role, Role::Parameter | Role::Argument)
@@ -632,6 +634,7 @@ impl Elaborator<'_> {
             let hint = "give one the role `time`";
             return refuse("latex::derivative", "no symbol is declared as the time", span, hint);
         };
+        self.names_no_argument(&t, span)?;
         self.is_total(&t, self.graph.coordinate(time), span)?;
         let scope = self.scope;
         let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));

@@ -42,6 +42,7 @@ impl Parser<'_> {
                     | "infty"
                     | "rfloor"
                     | "rceil"
+                    | "}"
             ),
             _ => false,
         }
@@ -117,6 +118,7 @@ impl Parser<'_> {
         let clear = match &node.kind {
             NodeKind::Group(..) | NodeKind::Matrix(_) | NodeKind::Absolute(_) | NodeKind::Tuple(_) => true,
             NodeKind::Cross { bracket, .. } => *bracket,
+            NodeKind::Poisson(..) => self.is('^'),
             NodeKind::Number(_) | NodeKind::Pi | NodeKind::Identity | NodeKind::At { bar: None, .. } => true,
             NodeKind::Conjugate(_) => true,
             NodeKind::Function(..) => self.follows_whole_part(),
@@ -449,7 +451,12 @@ impl Parser<'_> {
             "lfloor" => self.whole_part("floor", "rfloor", start).map(Some),
             "lceil" => self.whole_part("ceil", "rceil", start).map(Some),
             "partial" => self.partial(start).map(Some),
+            "{" => self.poisson(start).map(Some),
             "nabla" => self.nabla(start).map(Some),
+            "Box" => {
+                self.bump();
+                self.acting(Nabla::Wave, start).map(Some)
+            }
             "Delta" if self.begins_laplacian() => {
                 self.bump();
                 self.acting(Nabla::Laplacian { delta: true }, start).map(Some)

@@ -87,6 +87,12 @@ impl Parser<'_> {
         if let Some(derivative) = self.partial_fraction(start)? {
             return Ok(derivative);
         }
+        if let Some(derivative) = self.following_fraction(start)? {
+            return Ok(derivative);
+        }
+        if let Some(derivative) = self.variation_fraction(start)? {
+            return Ok(derivative);
+        }
         let top = Box::new(self.argument()?);
         let bottom = Box::new(self.argument()?);
         Ok(self.node(NodeKind::Quotient { top, bottom, slash: false }, start))
@@ -180,7 +186,7 @@ impl Parser<'_> {
     }
 
     /// Position of the token behind the group that opens at the present place.
-    fn behind_group(&self) -> Option<usize> {
+    pub(super) fn behind_group(&self) -> Option<usize> {
         let mut depth = 0usize;
         for (i, token) in self.tokens.iter().enumerate().skip(self.at) {
             match token.kind {

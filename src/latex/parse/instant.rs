@@ -233,6 +233,8 @@ impl Parser<'_> {
             | NodeKind::Derivative { .. }
             | NodeKind::Partial { .. }
             | NodeKind::Nabla { .. }
+            | NodeKind::Poisson(..)
+            | NodeKind::Variation { .. }
             | NodeKind::Differential { .. } => false,
             NodeKind::Symbol(s) if self.scope.is_moving(&s.name, s.sub.as_deref()) || s.arguments.is_some() => false,
             _ => node.children().into_iter().all(|n| self.is_explicit(n)),

@@ -18,7 +18,7 @@ impl Parser<'_> {
         let fraction = command(n, &["frac", "tfrac", "dfrac"])
             && *self.kind_after(n + 1) == Kind::Sign('{')
             && command(n + 2, &["partial"]);
-        fraction || command(n, &["partial", "nabla"])
+        fraction || command(n, &["partial", "nabla", "Box"])
     }
 
     /// In a fraction, behind `\frac`: a partial derivative, if this is one.
@@ -72,6 +72,103 @@ impl Parser<'_> {
                 Ok(Some(node))
             }
         }
+    }
+
+    /// In a fraction, behind `\frac`: a derivative that follows the flow, `\frac{Df}{Dt}`, if this is one.
+    pub(super) fn following_fraction(&mut self, start: usize) -> Parsed<Option<Node>> {
+        let d = |p: &Self, i: usize| *p.kind_after(i) == Kind::Sign('{') && *p.kind_after(i + 1) == Kind::Letter('D');
+        let below = self.behind_group().and_then(|i| i.checked_sub(self.at));
+        if !d(self, 0) || !below.is_some_and(|b| d(self, b)) {
+            return Ok(None);
+        }
+        if self.scope.declares("D") {
+            if self.scope.velocity().is_none() {
+                return Ok(None);
+            }
+            let hint = r"write `\frac{\partial u}{\partial t}+({\bf v}\cdot\nabla)u`, or a product with `\cdot`";
+            let message = "`D` is declared: a derivative, or a quotient of products?";
+            return refuse("latex::ambiguous", message, start..self.span().end, hint);
+        }
+        let back = self.at;
+        self.bump();
+        if self.spelled_name()?.is_some() {
+            self.at = back;
+            return Ok(None);
+        }
+        self.bump();
+        let span = self.span();
+        let of = match self.is('}') {
+            true => None,
+            false => self.factor()?,
+        };
+        if !self.is('}') || of.as_ref().is_some_and(is_raised) {
+            let message = "it is not clear what is derived";
+            let hint = r"put it into parentheses, `\frac{D(…)}{Dt}`";
+            return refuse("latex::ambiguous", message, span.start..self.span().end, hint);
+        }
+        self.expect('}')?;
+        self.expect('{')?;
+        self.bump();
+        let (by, span) = (self.span(), self.span());
+        let name = self.single_name()?.map(|(name, _)| name);
+        if name.is_none() || name.as_deref() != self.scope.time_name() || !self.is('}') {
+            let hint = r"write `\frac{Du}{Dt}`, t being the time";
+            return refuse("latex::derivative", "a flow is followed along the time", by.start..span.end, hint);
+        }
+        self.expect('}')?;
+        let Some(of) = of else { return self.acting(Nabla::Following { fraction: false }, start).map(Some) };
+        self.rate_is_clear(&of)?;
+        let kind = NodeKind::Nabla { of: Box::new(of), action: Nabla::Following { fraction: true } };
+        Ok(Some(self.node(kind, start)))
+    }
+
+    /// In a fraction, behind `\frac`: a variational derivative, if this is one.
+    pub(super) fn variation_fraction(&mut self, start: usize) -> Parsed<Option<Node>> {
+        if !self.begins_variation()? {
+            return Ok(None);
+        }
+        self.bump();
+        self.bump();
+        let span = self.span();
+        let of = self.factor()?.filter(|of| self.is('}') && !is_raised(of));
+        let Some(of) = of else {
+            let message = "it is not clear what is varied";
+            let hint =
+                r"put it into parentheses, `\frac{\delta(…)}{\delta q}`, and write derivatives of the first order";
+            return refuse("latex::ambiguous", message, span.start..self.span().end, hint);
+        };
+        self.expect('}')?;
+        let below = self.span();
+        let by = match self.begins_variation()? {
+            false => None,
+            true => {
+                self.bump();
+                self.bump();
+                self.factor()?.filter(|by| self.is('}') && matches!(by.kind, NodeKind::Symbol(_)) && !is_raised(by))
+            }
+        };
+        let Some(by) = by else {
+            let message = r"the denominator of a variational derivative is `\delta` and one symbol";
+            let hint = r"write `\frac{\delta L}{\delta q}`, L being the density";
+            return refuse("latex::derivative", message, below.start..self.span().end, hint);
+        };
+        self.expect('}')?;
+        self.rate_is_clear(&of)?;
+        let kind = NodeKind::Variation { of: Box::new(of), by: Box::new(by) };
+        Ok(Some(self.node(kind, start)))
+    }
+
+    /// Whether `{\delta` begins here, and is no Kronecker symbol and no declared name.
+    fn begins_variation(&mut self) -> Parsed<bool> {
+        let delta = matches!(self.kind_after(1), Kind::Command(c) if c == "delta");
+        if !self.is('{') || !delta || matches!(self.kind_after(2), Kind::Sign('_' | '^')) {
+            return Ok(false);
+        }
+        let back = self.at;
+        self.bump();
+        let name = self.single_name()?.map(|(name, _)| name);
+        self.at = back;
+        Ok(name.as_deref() == Some(r"\delta") && !self.scope.declares(r"\delta"))
     }
 
     /// Behind `\partial` in a denominator: a symbol, as often as its superscript says.
@@ -169,6 +266,28 @@ impl Parser<'_> {
         Ok(node)
     }
 
+    /// At `\{`: a Poisson bracket. Braces that are printed around anything else have no meaning.
+    pub(super) fn poisson(&mut self, start: usize) -> Parsed<Node> {
+        let span = self.span();
+        self.bump();
+        let outer = std::mem::replace(&mut self.bars, 0);
+        let left = self.sum()?;
+        if !self.eat(',') {
+            let hint = "write parentheses around a group";
+            let message = "braces that are printed are a Poisson bracket, `\\{f,g\\}`";
+            return refuse("latex::unknown-command", message, span, hint);
+        }
+        let right = self.sum()?;
+        self.bars = outer;
+        if !self.is_command("}") {
+            let message =
+                format!("{} stands where a Poisson bracket of two formulas is closed by `\\}}`", self.shown());
+            return refuse("latex::unbalanced", message, span.start..self.span().end, "");
+        }
+        self.bump();
+        Ok(self.node(NodeKind::Poisson(Box::new(left), Box::new(right)), start))
+    }
+
     /// `({\bf v}\cdot\nabla)`, and what it acts on, if this begins here.
     pub(super) fn derivative_along(&mut self, start: usize) -> Parsed<Option<Node>> {
         let Some(close) = self.closing().filter(|_| self.is('(')) else { return Ok(None) };
@@ -201,9 +320,10 @@ impl Parser<'_> {
         };
         self.rate_is_clear(&of)?;
         let open = match &of.kind {
-            NodeKind::Group(..) => None,
+            NodeKind::Group(..) | NodeKind::Poisson(..) => None,
             NodeKind::Symbol(_) => Some(Open::Operator { clear: true }),
-            NodeKind::Partial { form: PartialForm::Fraction, .. } => Some(Open::Operator { clear: true }),
+            NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. }
+            | NodeKind::Partial { form: PartialForm::Fraction, .. } => Some(Open::Operator { clear: true }),
             NodeKind::Partial { .. } | NodeKind::Nabla { .. } => self.open_here().cloned(),
             _ => Some(Open::Operator { clear: false }),
         };

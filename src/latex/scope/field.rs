@@ -8,7 +8,7 @@ use super::super::elaborate::Elaborator;
 use super::super::syntax::{Name, SubItem};
 use super::{Arguments, DeclareError, Entry, Filed, Role, Scope, bad_key};
 use diag::Problem;
-use expr::{Expr, Graph, Leaf, Shape, Tensor};
+use expr::{Expr, Graph, Leaf, Shape, Symbol, Tensor};
 
 impl Scope {
     /// The coordinates that stand in the parentheses of a field's name.
@@ -100,15 +100,37 @@ impl Scope {
     /// The scale factors of the coordinates of space, 1 unless another is declared; `None` where all are Cartesian.
     pub(in super::super) fn scale_factors(&self, graph: &mut Graph) -> Option<Vec<Expr>> {
         let one = graph.integer(1);
-        let space = || self.entries.iter().filter(|e| is_of_space(&e.name, e.role));
+        let space = || self.entries.iter().filter(|e| self.is_place(e));
         let factors = space().flat_map(|e| vec![e.scale.unwrap_or(one); graph.component_count(e.symbol)]).collect();
         space().any(|e| e.scale.is_some()).then_some(factors)
     }
 
-    /// The coordinates of space: all but the time, and but `t`.
+    /// The coordinates of space: all but the time, but `t`, and but momenta.
     pub(in super::super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
-        let symbols = self.entries.iter().filter(|e| is_of_space(&e.name, e.role)).map(|e| e.symbol);
+        let symbols = self.entries.iter().filter(|e| self.is_place(e)).map(|e| e.symbol);
         symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
+    }
+
+    /// Says that a field is the velocity with which `\frac{D}{Dt}` moves.
+    ///
+    /// # Errors
+    /// [`DeclareError::Key`], where there is one already, or where it is no field of real numbers.
+    pub fn set_velocity(&mut self, key: &str, symbol: Symbol) -> Result<(), DeclareError> {
+        let real = self.by_symbol(symbol).is_some_and(|e| e.role == Role::Field && e.rank < 2 && !e.complex);
+        if !real || self.velocity.is_some_and(|other| self.by_name(other)) {
+            return Err(bad_key("the velocity is one field, a real vector", key, "leave `velocity` out"));
+        }
+        self.velocity = Some(symbol);
+        Ok(())
+    }
+
+    /// The velocity that is declared, unless another declaration hides it.
+    pub(in super::super) fn velocity(&self) -> Option<Symbol> {
+        self.velocity.filter(|symbol| self.by_name(*symbol))
+    }
+
+    fn by_name(&self, symbol: Symbol) -> bool {
+        self.entries.iter().any(|e| e.symbol == symbol)
     }
 
     /// The coordinate of this name, if it is one number.
@@ -120,7 +142,12 @@ impl Scope {
 
     /// Whether there are coordinates of space.
     pub(in super::super) fn has_space(&self) -> bool {
-        self.entries.iter().any(|e| is_of_space(&e.name, e.role))
+        self.entries.iter().any(|e| self.is_place(e))
+    }
+
+    /// Whether ∇ acts on a symbol: on a coordinate of space that is no momentum.
+    fn is_place(&self, e: &Filed) -> bool {
+        is_of_space(&e.name, e.role) && !self.is_momentum(e.symbol)
     }
 
     /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
