@@ -23,6 +23,7 @@ mod complex;
 mod constants;
 mod contributing;
 mod corpus;
+mod counted;
 mod derivation_docs;
 mod derivation_errors;
 mod determinism;

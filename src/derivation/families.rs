@@ -337,7 +337,7 @@ impl Loader<'_> {
     }
 
     /// A whole number, 0 or more.
-    fn whole(&mut self, value: &Value<'_>, key: &str) -> Option<u64> {
+    pub(super) fn whole(&mut self, value: &Value<'_>, key: &str) -> Option<u64> {
         let DeValue::Integer(number) = value.get_ref() else {
             self.problems.wrong_type(value, key, "a whole number");
             return None;

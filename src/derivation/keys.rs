@@ -79,6 +79,8 @@ pub const READING: &[&str] = &[
 ];
 /// Keys of `[[claim]]` beside those of a reading.
 pub const CLAIM: &[&str] = &["place", "label", "conclusion", "rests-on", "reading"];
+/// Keys of an `at` that says which of the times are meant.
+pub const AT: &[&str] = &["when", "direction", "count"];
 /// Keys of `same-motion`.
 pub const SAME_MOTION: &[&str] = &["as", "of"];
 /// Keys of `independent`.
@@ -113,6 +115,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("vary", VARIED),
     ("[[claim]] and [[claim.reading]]", READING),
     ("[[claim]]", CLAIM),
+    ("at", AT),
     ("same-motion", SAME_MOTION),
     ("independent", INDEPENDENT),
     ("exists", EXISTS),
