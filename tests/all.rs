@@ -62,6 +62,7 @@ mod latex_refused;
 mod latex_robust;
 mod latex_typeset;
 mod layering;
+mod maps;
 mod mutants;
 mod number_laws;
 mod package;

@@ -39,7 +39,7 @@ pub const TRAJECTORY: &[&str] = &[
 /// Keys of an initial value that is solved for.
 pub const GUESS: &[&str] = &["near", "within"];
 /// Keys of `[[family]]`.
-pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where"];
+pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where", "map"];
 /// Keys of `[[domain]]`.
 pub const DOMAIN: &[&str] = &["id", "says", "ranges"];
 /// Keys of a symbol that varies.

@@ -101,6 +101,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[family]]", "where") => {
             formulas("Inequalities that every member satisfies; others are rejected and counted")
         }
+        ("[[family]]", "map") => json!({
+            "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2,
+            "description": "Two symbols of `vary`, to the right and upwards: the report shows where over these a claim holds",
+        }),
         ("[[domain]]", "id") => id("Its id"),
         ("[[domain]]", "says") => text("For the reader"),
         ("[[domain]]", "ranges") => {

@@ -17,6 +17,7 @@ mod family;
 mod findings;
 mod folded;
 mod graph;
+mod map;
 mod matrix;
 mod motions;
 mod packed;
