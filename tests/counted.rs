@@ -158,7 +158,6 @@ fn members_are_tried_and_compared_at_the_time_that_is_counted() {
 }
 
 #[test]
-#[expect(clippy::disallowed_methods, reason = "what is expected is compared with room for how a platform rounds")]
 fn a_measure_is_taken_at_the_time_that_is_counted() {
     let measure = |id: &str, at: &str| format!("[[measure]]\nid = '{id}'\nsays = 's'\nformula = 't'\nat = {at}\n");
     let text = format!(

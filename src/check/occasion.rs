@@ -28,7 +28,7 @@ const STEP: f64 = 4.0;
 /// Fewest distances.
 const FEWEST: usize = 4;
 /// Most distances.
-const STEPS: i32 = 40;
+const STEPS: usize = 40;
 /// The ratio of left − right to the distance varies by at most this factor where it passes 0 once, with a speed.
 const PROPORTION: f64 = 3.0;
 
@@ -191,7 +191,8 @@ impl<'a> Sides<'a> {
             self.zeros.peaks.iter().filter(beyond).filter(|x| (**x - t).abs() < next).copied().collect();
         let most = self.at(&peaks).iter().filter_map(|x| x.as_ref().ok()).map(|x| x.value.abs()).fold(0.0, f64::max);
         let least = (8.0 * slack).max(16.0 * f64::EPSILON * t.abs()).max(1e-15 * (to - from));
-        let distances: Vec<f64> = (0..STEPS).map(|k| least * STEP.powi(k)).take_while(|d| *d <= room).collect();
+        let distances = std::iter::successors(Some(least), |d| Some(STEP * d)).take(STEPS);
+        let distances: Vec<f64> = distances.take_while(|d| *d <= room).collect();
         let times: Vec<f64> = distances.iter().map(|d| t + sign * d).collect();
         let (mut lowest, mut highest, mut positive, mut seen) = (f64::INFINITY, 0.0_f64, None, 0);
         for (distance, value) in distances.iter().zip(self.at(&times)) {
