@@ -19,6 +19,7 @@ use super::comparison::{Comparison, Group};
 use super::describe::{Describer, incomplete, short};
 use super::doubt::{known, open_events};
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
+use super::occasion;
 use super::trial::{Course, Trial, Tried, Values};
 use super::weigh::{Left, weigh};
 use crate::derivation::{Across, Dependence, Derivation, Form, NoOther};
@@ -61,15 +62,16 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
         let t = course.stage.initial_time(course.trajectory);
         return Ok(Taken { t, values: course.values(t) });
     };
-    let Some(zeros) = course.zeros(event) else {
+    let found = trial.claim.at.as_ref().and_then(|at| occasion::of_event(trial.graph, at, event, course));
+    let Some(found) = found else {
         return Err(Finding::open("the event has no meaning on this motion").into());
     };
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
     let trial = Trial { course, ..*trial };
-    if let Some(reason) = open_events(&trial, zeros, counts) {
+    if let Some(reason) = open_events(&trial, &found, counts) {
         return Err(Finding::open(reason).into());
     }
-    let (Some(&t), Some(&slack)) = (zeros.times.first(), zeros.slack.first()) else {
+    let (Some(&t), Some(&slack)) = (found.zeros.times.first(), found.zeros.slack.first()) else {
         let reason = "the event does not happen on the member that it is compared with";
         return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
     };

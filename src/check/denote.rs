@@ -272,7 +272,7 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
         1 => readings.swap_remove(0),
         _ => Proposition::Each(Quantifier::Every, readings),
     };
-    let at = claim.at.as_ref().and_then(|w| at_event(graph, &w.value));
+    let at = claim.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
     let compared: Vec<&Comparison> =
         parts.iter().filter(|p| p.is_compared()).flat_map(|p| &p.group.comparisons).collect();
     let steep = exponents(graph, &claim.scope, &compared);

@@ -10,6 +10,7 @@ use super::comparison::Group;
 use super::describe::{incomplete, short};
 use super::measured::{MeasuredGroup, Measurements, measure};
 use super::met::{self, BESIDE};
+use super::occasion::Events;
 use super::program::{Part, What};
 use super::trial::{Trial, Tried};
 use super::weigh::{Judged, Left};
@@ -132,12 +133,16 @@ pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -
 }
 
 /// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
-pub(super) fn open_events(trial: &Trial, zeros: &Zeros, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
-    let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
+pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
+    let text = trial.claim.at.as_ref().map_or("", |at| at.equation.text.as_str());
+    let zeros = &events.zeros;
     if trial.program.leaps_at {
         return Some(format!(
             "an angle or a whole part in `{text}` leaps, and whether the sides meet there cannot be told"
         ));
+    }
+    if let Some(doubt) = &events.doubt {
+        return Some(doubt.clone());
     }
     if let Some(&t) = zeros.touching.first() {
         return Some(format!(
@@ -161,14 +166,14 @@ pub(super) fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
 }
 
 /// What is known of a part that was tried at events: where some may be missing, it is not known to be true, or void.
-pub(super) fn only_at_events(trial: &Trial, zeros: &Zeros, finding: Finding) -> Finding {
+pub(super) fn only_at_events(trial: &Trial, events: &Events, finding: Finding) -> Finding {
     // Where the sides have no value, they do not meet.
     let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
     // What is found at a leap is no event for certain, either.
-    let refutes = trial.program.leaps_at;
-    match (known(&finding).decided(), open_events(trial, zeros, counts)) {
+    let refutes = trial.program.leaps_at || events.all;
+    match (known(&finding).decided(), open_events(trial, events, counts)) {
         (Some(truth), Some(reason)) if refutes || truth != Truth::False => {
-            let reason = format!("it was tried at {} events, but {reason}", zeros.times.len());
+            let reason = format!("it was tried at {} events, but {reason}", events.zeros.times.len());
             reopened(finding, Possible::ANY, reason)
         }
         _ => finding,

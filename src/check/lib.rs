@@ -35,6 +35,7 @@ mod measure;
 mod measured;
 mod memory;
 mod met;
+mod occasion;
 mod part;
 mod picture;
 mod program;
@@ -368,7 +369,7 @@ fn check_and(
         let weighed = altered.as_ref().map(|altered| {
             let late = options.limits.reached().is_some();
             let found: Vec<Option<Found>> = verdicts.iter().enumerate().map(|of| found(of).filter(|_| !late)).collect();
-            altered.weigh(start_of[t], &course, &found)
+            altered.weigh(&derivation.graph, start_of[t], &course, &found)
         });
         let measured = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
         let drawn = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };

@@ -3,8 +3,9 @@
 use super::account::Measurement;
 use super::denote::at_event;
 use super::describe::incomplete;
+use super::occasion;
 use super::trial::Course;
-use crate::derivation::Derivation;
+use crate::derivation::{Derivation, Event};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
 
@@ -28,7 +29,7 @@ pub(super) fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled
     }
     let one = |(index, m): (usize, &derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
-        let at = m.at.as_ref().and_then(|w| at_event(graph, &w.value));
+        let at = m.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));
         Some(Compiled { index, formula, at, tape: None })
     };
     measures.iter().enumerate().filter_map(one).collect()
@@ -67,17 +68,23 @@ impl Compiled {
         let times = match self.at {
             None => vec![(derivation.trajectories[trajectory].initial_time, None)],
             Some(_) => {
-                let text = measure.at.as_ref().map_or("", |w| w.text.as_str());
-                match self.at.and_then(|e| course.stage.zeros(trajectory, e)) {
-                    Some(zeros) => {
+                let text = measure.at.as_ref().map_or("", |at| at.equation.text.as_str());
+                let event = measure.at.as_ref().zip(self.at);
+                match event.and_then(|(at, e)| occasion::of_event(&derivation.graph, at, e, course)) {
+                    Some(found) => {
+                        let zeros = &found.zeros;
                         let partial = zeros.incomplete.first();
                         out.reason =
                             partial.map(|p| format!("the search for `{text}` is incomplete: {}", incomplete(p)));
                         if let (true, Some(t)) = (zeros.times.is_empty(), zeros.touching.first()) {
                             out.reason = Some(format!("the sides of `{text}` only touch, near t = {t:.6}"));
                         }
+                        if found.doubt.is_some() {
+                            out.reason.clone_from(&found.doubt);
+                        }
                         if zeros.times.is_empty() && out.reason.is_none() {
-                            out.reason = Some(format!("`{text}` does not happen on this motion"));
+                            let event = measure.at.as_ref().map(Event::says).unwrap_or_default();
+                            out.reason = Some(format!("{event} does not happen on this motion"));
                         }
                         zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect()
                     }

@@ -16,13 +16,14 @@ use super::independence::{self, Gradients};
 use super::limit::limit;
 use super::measured::{MeasuredGroup, Measurements, measure, measure_first};
 use super::met;
+use super::occasion::{self, Events};
 use super::program::{Assumption, Program, What};
 use super::same_motion;
 use super::stage::Stage;
 use super::steep;
 use super::telling::silence;
 use super::weigh::{Judged, Left, weigh};
-use crate::derivation::{Claim, Derivation};
+use crate::derivation::{Claim, Derivation, Event};
 use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Motion, Points, Zeros};
 use crate::number::{Bounded, NoValue};
@@ -183,8 +184,8 @@ pub(super) fn try_claim(
     let hypotheses: Vec<Finding> =
         (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &measured, (h, &along), &met)).collect();
     // Parts at events, or at all of these times.
-    let zeros = program.at.and_then(|e| course.zeros(e));
-    let parts = match (&program.at, zeros) {
+    let events = occasion::of_claim(trial.graph, (trial.claim, program), course);
+    let parts = match (&program.at, &events) {
         (None, _) => {
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
@@ -193,7 +194,8 @@ pub(super) fn try_claim(
             };
             (0..program.parts.len()).map(each).collect()
         }
-        (Some(event), Some(zeros)) if !zeros.times.is_empty() => {
+        (Some(event), Some(found)) if !found.zeros.times.is_empty() => {
+            let zeros = &found.zeros;
             let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
             let points = match program.parts.iter().any(special) {
                 true => {
@@ -212,11 +214,11 @@ pub(super) fn try_claim(
             let tried = Tried { times: &zeros.times, points: &points, left };
             let each = |position| {
                 let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
-                only_at_events(trial, zeros, finding)
+                only_at_events(trial, found, finding)
             };
             (0..program.parts.len()).map(each).collect()
         }
-        (Some(_), zeros) => program.parts.iter().map(|_| no_event(trial, zeros)).collect(),
+        (Some(_), found) => program.parts.iter().map(|_| no_event(trial, found.as_ref())).collect(),
     };
     decide(parts, hypotheses)
 }
@@ -491,19 +493,19 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
 }
 
 /// What is known of a part where the event of a claim is not found.
-fn no_event(trial: &Trial, zeros: Option<&Zeros>) -> Finding {
+fn no_event(trial: &Trial, events: Option<&Events>) -> Finding {
     let course = trial.course;
-    if let Some(reason) = zeros.and_then(|z| open_events(trial, z, |_| true)) {
+    if let Some(reason) = events.and_then(|found| open_events(trial, found, |_| true)) {
         return Finding::open(reason);
     }
     if let Some(problem) = course.motion.problem() {
         return Finding::open(problem.to_string());
     }
-    let text = trial.claim.at.as_ref().map_or("", |w| w.text.as_str());
+    let event = trial.claim.at.as_ref().map(Event::says).unwrap_or_default();
     let (from, to) = course.stage.span(course.trajectory);
     Finding::sampled(
         Possible::VOID,
-        Evidence::because(format!("`{text}` does not happen between t = {from} and t = {to}")),
+        Evidence::because(format!("{event} does not happen between t = {from} and t = {to}")),
     )
 }
 

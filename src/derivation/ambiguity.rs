@@ -24,7 +24,7 @@ impl Loader<'_> {
         self.moving_limits(claim);
         let said = self.signed_forms(claim);
         let relations = |w: &Written<Statement>| w.value.relations.iter().any(|r| r.has_branches);
-        let at = claim.at.iter().filter(|w| relations(w));
+        let at = claim.at.iter().map(|at| &at.equation).filter(|w| relations(w));
         let assumed: Vec<Range<usize>> =
             claim.assuming.iter().filter(|w| relations(w)).chain(at).map(|w| w.span.clone()).collect();
         let mut refuse = |span: &Range<usize>, message: &str| {

@@ -133,6 +133,7 @@ impl Loader<'_> {
             }
             self.confine(&mut claim, &[&reading, table]);
             self.refuse_ambiguity(&claim);
+            self.refuse_a_single_time(&claim);
             if reading.get("expect").is_some() {
                 self.expect(&mut claim, &reading);
             } else if !has_forms(table) {
@@ -147,6 +148,7 @@ impl Loader<'_> {
             self.forms(&mut base, table);
             self.confine(&mut base, &[table]);
             self.refuse_ambiguity(&base);
+            self.refuse_a_single_time(&base);
             self.expect(&mut base, table);
             self.out.claims.push(base);
         }
@@ -176,8 +178,8 @@ impl Loader<'_> {
             let statements = self.statements(&formula, &claim.scope);
             claim.assuming.extend(statements);
         }
-        if let Some(formula) = table.formula(&mut self.problems, "at") {
-            claim.at = self.event(&formula, &claim.scope);
+        if table.get("at").is_some() {
+            claim.at = self.at(table, &claim.scope);
         }
         if table.get("follows-from").is_some() {
             claim.follows_from = self.follows_from(table, claim, ids);
@@ -518,7 +520,7 @@ impl Loader<'_> {
         }
         let formula: Option<Literal<'_>> = table.formula(&mut self.problems, "formula");
         let formula = formula.and_then(|f| self.quantity(&f, &scope));
-        let at = table.formula(&mut self.problems, "at").and_then(|f| self.event(&f, &scope));
+        let at = self.at(&table, &scope);
         let trajectories = match table.get("trajectories") {
             Some(_) => self.some_trajectories(&table),
             None => (0..self.out.trajectories.len()).collect(),

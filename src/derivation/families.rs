@@ -12,7 +12,7 @@ use super::keys;
 use super::load::Loader;
 use super::model::{GivenValue, Motion, Written};
 use super::motions::{ValueOf, undotted};
-use super::table::{Table, Value};
+use super::table::{Literal, Table, Value};
 use super::values::Known;
 use expr::{Expr, Leaf, Tensor};
 use latex::{RelationKind, Role, Scope};
@@ -90,6 +90,7 @@ impl Loader<'_> {
         self.out.given.truncate(given);
         let motion = motion?;
         let constraints = self.constraints(table, (&parameters, &motion), &scope, &leaves);
+        let map = self.map_over(table, &vary);
         let text = self.text_of_members(&base, &vary, &scope);
         let where_span = table.get("where").map(|v| v.span());
         (self.problems.found.len() == before).then(|| Family {
@@ -101,12 +102,44 @@ impl Loader<'_> {
             draws,
             seed,
             constraints,
+            map,
             where_span,
             parameters,
             motion,
             text,
             span: place,
         })
+    }
+
+    /// The two symbols of its map.
+    fn map_over(&mut self, table: &Table<'_, '_>, vary: &[Varied]) -> Option<[usize; 2]> {
+        let value = table.get("map")?;
+        let names = table.formulas(&mut self.problems, "map");
+        let [across, up] = names.as_slice() else {
+            let message = "a map is over two of the symbols that vary";
+            self.problems
+                .note("derivation::bad-family", value.span(), message)
+                .hint("for instance map = ['a', 'b']: the first to the right, the second upwards");
+            return None;
+        };
+        let mut place = |name: &Literal<'_>| {
+            let found = vary.iter().position(|v| v.name == name.text.trim());
+            if found.is_none() {
+                let known: Vec<&str> = vary.iter().map(|v| v.name.as_str()).collect();
+                let message = format!("this family does not vary `{}`", name.printed());
+                self.problems
+                    .note("derivation::bad-family", name.span.clone(), message)
+                    .hint(format!("it varies {}", known.join(", ")));
+            }
+            found
+        };
+        let (across, up) = (place(across)?, place(up)?);
+        if across == up {
+            let message = "a map is over two different symbols";
+            self.problems.note("derivation::bad-family", value.span(), message);
+            return None;
+        }
+        Some([across, up])
     }
 
     /// A number that a spread is given by. As it is written, it has the unit of what it is given to.
@@ -337,7 +370,7 @@ impl Loader<'_> {
     }
 
     /// A whole number, 0 or more.
-    fn whole(&mut self, value: &Value<'_>, key: &str) -> Option<u64> {
+    pub(super) fn whole(&mut self, value: &Value<'_>, key: &str) -> Option<u64> {
         let DeValue::Integer(number) = value.get_ref() else {
             self.problems.wrong_type(value, key, "a whole number");
             return None;

@@ -163,6 +163,8 @@ pub struct Family {
     pub seed: u64,
     /// What members must satisfy.
     pub constraints: Vec<Constraint>,
+    /// The two of those that vary over which the report has a map: to the right, and upwards.
+    pub map: Option<[usize; 2]>,
     /// Where the constraints stand in the file.
     pub where_span: Option<Range<usize>>,
     /// The parameters of the trajectory, in what varies.

@@ -51,7 +51,7 @@ pub const TRAJECTORY: &[&str] = &[
 /// Keys of an initial value that is solved for.
 pub const GUESS: &[&str] = &["near", "within"];
 /// Keys of `[[family]]`.
-pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where"];
+pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where", "map"];
 /// Keys of `[[domain]]`.
 pub const DOMAIN: &[&str] = &["id", "says", "ranges"];
 /// Keys of a symbol that varies.
@@ -91,6 +91,8 @@ pub const READING: &[&str] = &[
 ];
 /// Keys of `[[claim]]` beside those of a reading.
 pub const CLAIM: &[&str] = &["place", "label", "conclusion", "rests-on", "reading"];
+/// Keys of an `at` that says which of the times are meant.
+pub const AT: &[&str] = &["when", "direction", "count"];
 /// Keys of `same-motion`.
 pub const SAME_MOTION: &[&str] = &["as", "of"];
 /// Keys of `independent`.
@@ -125,6 +127,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("vary", VARIED),
     ("[[claim]] and [[claim.reading]]", READING),
     ("[[claim]]", CLAIM),
+    ("at", AT),
     ("same-motion", SAME_MOTION),
     ("independent", INDEPENDENT),
     ("exists", EXISTS),

@@ -19,6 +19,7 @@ mod claims;
 mod conditions;
 mod constants;
 mod dependence;
+mod event;
 mod families;
 mod family;
 pub mod keys;
@@ -40,6 +41,7 @@ mod values;
 
 pub use claims::DEFAULT_PRECISION;
 pub use dependence::{Dependence, NoOther};
+pub use event::{Direction, Event, Occasion};
 pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{

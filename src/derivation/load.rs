@@ -259,22 +259,6 @@ impl<'s> Loader<'s> {
         statements
     }
 
-    /// An event: one `=` between scalars.
-    pub fn event(&mut self, formula: &Literal<'_>, scope: &Scope) -> Option<Written<Statement>> {
-        let mut statements = self.statements(formula, scope);
-        let statement = statements.pop()?;
-        let plain = |r: &Relation| is_equation(r) && r.left.shape.rank() == 0 && r.right.shape.rank() == 0;
-        let single = statements.is_empty() && statement.value.relations.len() == 1;
-        if !single || !statement.value.relations.iter().all(plain) {
-            let message = "an event is one equation between scalars";
-            self.problems
-                .note("derivation::not-an-event", formula.span.clone(), message)
-                .hint(r"for instance '\theta=0'");
-            return None;
-        }
-        Some(statement)
-    }
-
     /// Notes the problems that were found in a formula.
     pub fn note_formula(&mut self, formula: &Literal<'_>, found: Vec<diag::Problem>) {
         let source = self.problems.source;

@@ -8,6 +8,7 @@ use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
 use super::dependence::{Dependence, NoOther};
+use super::event::Event;
 use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
@@ -495,8 +496,8 @@ pub struct Claim {
     pub assuming: Vec<Written<Statement>>,
     /// What it says; never empty. It holds if all of them hold.
     pub forms: Vec<Form>,
-    /// A relation between scalars, `=`: the claim is tried only at the times at which it holds.
-    pub at: Option<Written<Statement>>,
+    /// The claim is tried only at these times.
+    pub at: Option<Event>,
     /// Claims, systems and symbols that it follows from.
     pub follows_from: Vec<String>,
     /// The precision that is asked for, relative.
@@ -553,9 +554,8 @@ pub struct Measure {
     pub says: String,
     /// A scalar.
     pub formula: Written<Tensor>,
-    /// A relation between scalars, `=`: the quantity is taken at the times at which it holds. Without it, at the initial
-    /// time.
-    pub at: Option<Written<Statement>>,
+    /// The quantity is taken at these times. Without it, at the initial time.
+    pub at: Option<Event>,
     /// The motions on which it is measured: positions in [`Derivation::trajectories`], increasing.
     pub trajectories: Vec<usize>,
     /// Its unit as written.

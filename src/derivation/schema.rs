@@ -103,6 +103,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[family]]", "where") => {
             formulas("Inequalities that every member satisfies; others are rejected and counted")
         }
+        ("[[family]]", "map") => json!({
+            "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2,
+            "description": "Two symbols of `vary`, to the right and upwards: the report shows where over these a claim holds",
+        }),
         ("[[domain]]", "id") => id("Its id"),
         ("[[domain]]", "says") => text("For the reader"),
         ("[[domain]]", "ranges") => {
@@ -168,7 +172,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             "ranges" => values(
                 "The claim is about all these values, and no motion: [from, to] for a range, one number or formula for a fixed value",
             ),
-            "at" => formula("An equation between scalars: the claim is tried only when it holds"),
+            "at" => part(
+                "at",
+                "When the claim is tried: an equation between scalars, or which of the times at which it holds",
+            ),
             "expect-units" => json!({
                 "enum": ["inconsistent"], "description": "The units of its formulas are expected not to agree",
             }),
@@ -209,7 +216,14 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[measure]]", "id") => id("Its id"),
         ("[[measure]]", "says") => text("What it is"),
         ("[[measure]]", "formula") => formula("A scalar"),
-        ("[[measure]]", "at") => formula("When it is taken; without it, at the initial time"),
+        ("[[measure]]", "at") => part("at", "When it is taken; without it, at the initial time"),
+        ("at", "when") => formula("An equation between scalars"),
+        ("at", "direction") => json!({
+            "enum": ["up", "down"], "description": "The times at which left − right changes its sign, from − to + or from + to −",
+        }),
+        ("at", "count") => json!({
+            "type": "integer", "minimum": 1, "description": "The n-th of them after the start of the span",
+        }),
         ("[[measure]]", "trajectories") => ids("Where it is measured; all unless given"),
         ("[[measure]]", "unit") => text("Its unit"),
         ("[[condition]]", "id") => id("Its id"),
@@ -253,6 +267,7 @@ const TABLES: &[&str] = &[
     "vary",
     "[[claim]] and [[claim.reading]]",
     "[[claim]]",
+    "at",
     "same-motion",
     "independent",
     "exists",
@@ -313,6 +328,7 @@ pub fn schema() -> Value {
         "varied": object(&["vary"], &[]),
         "claim": object(&[reading, "[[claim]]"], &["id", "says"]),
         "reading": object(&[reading], &["id", "says"]),
+        "at": { "anyOf": [{ "$ref": "#/definitions/formula" }, object(&["at"], &["when"])] },
         "same-motion": object(&["same-motion"], &["as", "of"]),
         "independent": object(&["independent"], &["functions"]),
         "independent-of": object(&["independent-of"], &["of", "with"]),

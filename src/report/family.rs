@@ -2,7 +2,7 @@
 
 use super::numbers::{count, size, time, value};
 use crate::check::{FamilyAccount, MemberAccount};
-use crate::derivation::{Claim, Dependence, Form};
+use crate::derivation::{Claim, Dependence, Event, Form};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
@@ -20,8 +20,9 @@ pub(super) fn compared(claim: &Claim) -> Option<String> {
             format!("Scales as a power of {with}, whose exponent is {} to within {}", value(power), value(to))
         }
     };
-    let when = claim.at.as_ref().map_or("", |_| ", when first");
-    let event = claim.at.as_ref().map(|at| format!(" ${}$", at.text)).unwrap_or_default();
+    let when = claim.at.as_ref().map_or("", |at| if at.occasion.count.is_some() { ", when" } else { ", when first" });
+    let event = |at: &Event| format!(" ${}${}", at.equation.text, at.occasion.words());
+    let event = claim.at.as_ref().map(event).unwrap_or_default();
     Some(format!("{says}, between members that differ in it alone{when}{event}"))
 }
 

@@ -7,6 +7,7 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
+use crate::check::family::{Axis, FamilyMap};
 use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
@@ -249,7 +250,7 @@ fn member(of: &MemberAccount) -> Value {
 /// An entry of `families`.
 fn on_family(family: &FamilyAccount) -> Value {
     let outcome = family.verdict.outcome();
-    json!({
+    let mut out = json!({
         "family": family.family,
         "verdict": outcome.word(),
         "strength": outcome.strength(),
@@ -275,5 +276,24 @@ fn on_family(family: &FamilyAccount) -> Value {
         "first_undecided": family.first_undecided.as_ref().map(member),
         "closest_call": family.closest_call.as_ref().map(member),
         "closest_gap": family.closest_gap.map(number),
+    });
+    if let Some(map) = &family.map {
+        out["map"] = of_map(map);
+    }
+    out
+}
+
+/// The map of a family: two axes with the least and greatest value of each cell, and the counts row by row from below.
+fn of_map(map: &FamilyMap) -> Value {
+    let axis = |axis: &Axis| {
+        let cells: Vec<Value> = axis.cells.iter().map(|(from, to)| json!([number(*from), number(*to)])).collect();
+        json!({ "name": axis.name, "cells": cells })
+    };
+    let rows: Vec<&[[u64; 4]]> = map.cells.chunks(map.across.cells.len().max(1)).collect();
+    json!({
+        "across": axis(&map.across),
+        "up": axis(&map.up),
+        "counts": ["holds", "fails", "not_applicable", "undecided"],
+        "rows": rows,
     })
 }

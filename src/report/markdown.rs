@@ -366,7 +366,7 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
     for measure in &derivation.measures {
         out.push_str(&format!("**{}**: {}, {}", measure.id, prose(&measure.says), math(&measure.formula.text)));
         if let Some(at) = &measure.at {
-            out.push_str(&format!(" where {}", math(&at.text)));
+            out.push_str(&format!(" where {}{}", math(&at.equation.text), at.occasion.words()));
         }
         out.push_str(&measure.unit.as_ref().map(|u| format!(", in {}", prose(u))).unwrap_or_default());
         out.push_str(".\n\n");

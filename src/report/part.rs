@@ -34,7 +34,7 @@ pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
         "of": swept.part.of(),
     });
     let claim = |c: &SweptClaim| {
-        json!({
+        let mut line = json!({
             "claim": c.id,
             "reading": c.reading,
             "members": c.tally.members,
@@ -48,7 +48,11 @@ pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
             "closest_call": ranked(c.tally.closest_call),
             "first_undecided": c.tally.first_undecided,
             "first_defect": c.tally.first_defect,
-        })
+        });
+        if !c.tally.map.is_empty() {
+            line["map"] = json!(c.tally.map);
+        }
+        line
     };
     let lines = std::iter::once(head).chain(swept.claims.iter().map(claim));
     let mut out: String = lines.map(|line| format!("{line}\n")).collect();
@@ -89,6 +93,12 @@ fn head(of: &Value) -> Option<Swept> {
     })
 }
 
+fn cells(of: &Value) -> Option<Vec<[u64; 4]>> {
+    let counts =
+        |cell: &Value| cell.as_array()?.iter().map(Value::as_u64).collect::<Option<Vec<u64>>>()?.try_into().ok();
+    of.as_array()?.iter().map(counts).collect()
+}
+
 fn claim(of: &Value) -> Option<SweptClaim> {
     let ranked = |v: &Value| Some(Ranked { number: count(v, "number")?, measure: text(v, "measure")?.parse().ok()? });
     let tally = Tally {
@@ -103,6 +113,7 @@ fn claim(of: &Value) -> Option<SweptClaim> {
         closest_call: or_null(of, "closest_call", ranked)?,
         first_undecided: or_null(of, "first_undecided", Value::as_u64)?,
         first_defect: or_null(of, "first_defect", Value::as_u64)?,
+        map: of.get("map").map_or(Some(Vec::new()), cells)?,
     };
     let reading = or_null(of, "reading", |v| v.as_str().map(str::to_owned))?;
     Some(SweptClaim { id: text(of, "claim")?, reading, tally })
@@ -164,6 +175,7 @@ mod tests {
             first_failing: Some(7),
             clearest_failing: Some(Ranked { number: 9, measure: f64::INFINITY }),
             closest_call: Some(Ranked { number: 1 << 40, measure: 0.1 + 0.2 }),
+            map: vec![[0; 4], [1 << 60, 5, 0, u64::MAX]],
             ..Tally::default()
         };
         Swept {

@@ -299,7 +299,16 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
         ("failures", whole("Of those that were drawn, how many fail or are undecided")),
         ("draws", whole("To how many of those that were drawn the claim applies, or may apply")),
     ]);
-    object(&[
+    let pair = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
+    let axis = object(&[("name", text("The symbol that varies")), ("cells", list(pair))]);
+    let four = json!({ "type": "array", "items": { "type": "integer", "minimum": 0 }, "minItems": 4, "maxItems": 4 });
+    let map = object(&[
+        ("across", axis.clone()),
+        ("up", axis),
+        ("counts", json!({ "const": ["holds", "fails", "not_applicable", "undecided"] })),
+        ("rows", list(list(four))),
+    ]);
+    let family = object(&[
         ("family", text("Its id")),
         ("verdict", json!({ "enum": verdicts })),
         ("strength", json!({ "enum": ["sampled", null] })),
@@ -323,7 +332,8 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
             "closest_gap",
             json!({ "type": ["number", "null"], "description": "How near the sides of an inequality come in it, against the size of their terms" }),
         ),
-    ])
+    ]);
+    with_optional(family, &[("map", map)])
 }
 
 /// What one motion alone could have decided.

@@ -364,7 +364,7 @@ impl<'d> Checker<'d> {
         for claim in &self.derivation.claims {
             let (name, expected) = (claim.name(), claim.expect_inconsistent_units);
             let before = self.out.formulas.len();
-            for written in claim.assuming.iter().chain(&claim.at) {
+            for written in claim.assuming.iter().chain(claim.at.iter().map(|at| &at.equation)) {
                 self.statement("claim", &name, written, expected);
             }
             for form in &claim.forms {
@@ -397,7 +397,7 @@ impl<'d> Checker<'d> {
     fn measures(&mut self) {
         for measure in &self.derivation.measures {
             if let Some(at) = &measure.at {
-                self.statement("measure", &measure.id, at, false);
+                self.statement("measure", &measure.id, &at.equation, false);
             }
             let mut fault = None;
             if let (Some(unit), Some(e)) = (&measure.measured_in, measure.formula.value.as_scalar())

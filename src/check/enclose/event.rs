@@ -9,6 +9,7 @@
 use super::cover::{Along, Judgement, Ranges};
 use super::ready::{Ready, Shown, certain, changes_sign};
 use crate::check::program::What;
+use crate::derivation::{Direction, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
 use crate::number::{Interval, Scalar};
@@ -17,14 +18,16 @@ use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
 /// Most steps of Newton's method for one event.
 const STEPS: usize = 40;
 
-/// Stretches with one event each.
+/// Stretches with one event each, of those that are meant.
 ///
 /// # Errors
 /// The stretch on which there may be another one.
 pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, String> {
     let (mut found, mut ending) = (Vec::new(), Vec::new());
+    // Events are counted, whether the assumptions are met at them or not.
+    let all = !ready.occasion.is_any();
     let judge = |time: Interval, ranges: &Ranges| {
-        if ready.selected(ranges) == Some(false) {
+        if !all && ready.selected(ranges) == Some(false) {
             return Judgement::Settled;
         }
         let Ok(reach) = &ranges[place] else {
@@ -53,6 +56,9 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
     };
     along.cover(&ready.roots, judge, |_| false)?;
     for time in ending {
+        if all && starts(ready, (place, rate), along, time) {
+            continue;
+        }
         let wider = widened(time, along.span);
         let ranges = along.over(&ready.roots, wider);
         let monotone = ranges[rate].as_ref().is_ok_and(|r| !r.range().contains(0.0));
@@ -69,8 +75,44 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             }
         }
     }
-    let found = united(found);
+    let found = meant(ready, rate, along, united(found))?;
     Ok(found.into_iter().map(|time| confined(ready, (place, rate), along, time)).collect())
+}
+
+/// Whether the only event of a stretch is the start of the span, which is not counted: e is 0 there exactly, and monotone from
+/// there on.
+fn starts(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, time: Interval) -> bool {
+    let (from, _) = along.span;
+    let here = along.over(&ready.roots, Interval::point(from));
+    let exactly = here[place].as_ref().is_ok_and(|r| r.range() == Interval::point(0.0));
+    let whole = along.over(&ready.roots, time);
+    time.lo() == from && exactly && whole[rate].as_ref().is_ok_and(|r| !r.range().contains(0.0))
+}
+
+/// Those of all events, in order, that are meant.
+///
+/// # Errors
+/// Which way an event is passed is not certain.
+fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) -> Result<Vec<Interval>, String> {
+    let Occasion { direction, count } = ready.occasion;
+    let mut out = Vec::new();
+    for time in found {
+        if let Some(wanted) = direction {
+            let ranges = along.over(&ready.roots, time);
+            let slope = ranges[rate].as_ref().map(|r| r.range()).ok().filter(|r| !r.contains(0.0));
+            let Some(slope) = slope else {
+                return Err(format!("which way the event at t = {:.6} is passed is not certain", time.mid()));
+            };
+            let way = if slope.lo() > 0.0 { Direction::Up } else { Direction::Down };
+            if way != wanted {
+                continue;
+            }
+        }
+        out.push(time);
+    }
+    let Some(count) = count else { return Ok(out) };
+    let place = usize::try_from(count - 1).ok();
+    Ok(place.and_then(|n| out.get(n).copied()).into_iter().collect())
 }
 
 /// A stretch with a quarter of its length added at each end, inside the span.
@@ -165,6 +207,7 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
         return Shown::Nothing("no single sign of ± is shown to serve".to_owned());
     }
     let reason = match counted {
+        1 if ready.occasion.count.is_some() => "at the event that is counted".to_owned(),
         1 => "at the only event in the span".to_owned(),
         n => format!("at all {n} events in the span"),
     };
@@ -181,6 +224,9 @@ pub(super) fn refuted(
     along: &mut Along,
     near: f64,
 ) -> Result<Witness, String> {
+    if !ready.occasion.is_any() {
+        return Err("whether it is one of the events that are meant is seen from all of them".to_owned());
+    }
     // Around the event of the witness there need be no other: a change of sign is enough.
     let (from, to) = along.span;
     for part in [1e-9, 1e-7, 1e-5, 1e-3] {

@@ -174,6 +174,9 @@ fn independent(rows: &[Vec<TaylorModel>]) -> Result<bool, NoValue> {
 fn exactly(asked: &Asked, along: &mut Along, constraints: usize, all: &[&[Expr]]) -> Result<(usize, usize), String> {
     let t = Rational::try_from(along.enclosure.initial_time()).map_err(|_| "the start is not a number".to_owned())?;
     let (graph, time) = (&mut along.graph, along.enclosure.time());
+    if asked.claim.at.as_ref().is_some_and(|at| !at.occasion.is_any()) {
+        return Err("the start is none of the times that are counted".to_owned());
+    }
     if let Some(at) = asked.program.at {
         let there = at_start(graph, at, asked.start, time, &t);
         if !graph.is_zero(there) {

@@ -10,7 +10,7 @@
 use super::cover::{Along, Ranges, Selection};
 use crate::check::comparison::Group;
 use crate::check::program::{Part, Program, What};
-use crate::derivation::Claim;
+use crate::derivation::{Claim, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
@@ -69,6 +69,8 @@ pub(super) struct Ready<'a> {
     pub signs: usize,
     /// Where what vanishes at the events of the claim stands, and its rate.
     pub event: Option<(usize, usize)>,
+    /// Which of these events are meant.
+    pub occasion: Occasion,
     pub scale: f64,
     /// The median size that the sides have for certain; 0 where they may vanish.
     pub known: f64,
@@ -184,7 +186,8 @@ impl<'a> Ready<'a> {
         };
         let (roots, group, signs) = (Selection::new(roots), &part.group, said.signs);
         let (scale, known, precision) = (1.0, 0.0, claim.precision);
-        Ok(Ready { part, group, roots, sides, selectors, said, signs, event, scale, known, precision })
+        let occasion = claim.at.as_ref().map(|at| at.occasion).unwrap_or_default();
+        Ok(Ready { part, group, roots, sides, selectors, said, signs, event, occasion, scale, known, precision })
     }
 
     /// Looks at more than the comparisons: where the first of the further expressions stands.

@@ -4,6 +4,7 @@
 //! only as what it was counted as, so that a tally that was made elsewhere, by another program or of another file, is seen.
 
 use super::confidence::{CONFIDENCE, failing_share};
+use super::map::{FamilyMap, Scale};
 use super::tally::{Ranked, Tally, deviation, gap};
 use crate::derivation::{Derivation, Family};
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
@@ -73,6 +74,8 @@ pub struct FamilyAccount {
     pub failing_share: Option<FailingShare>,
     /// Why not all members were tried.
     pub stopped: Option<String>,
+    /// Where it holds and where it fails, over two of the symbols that vary.
+    pub map: Option<FamilyMap>,
 }
 
 impl FamilyAccount {
@@ -92,6 +95,8 @@ pub(super) struct Counted<'a> {
     /// What the claim asks for.
     pub precision: f64,
     pub tally: &'a Tally,
+    /// The scales of the map, across and up.
+    pub scales: Option<&'a [Scale; 2]>,
     /// Why the members that are left were not tried.
     pub stopped: Option<&'a str>,
 }
@@ -191,6 +196,11 @@ impl Counted<'_> {
             first_undecided: tally.first_undecided.map(|n| told(n, &open)).transpose()?,
             failing_share: is_sample.then(share),
             stopped: self.stopped.map(str::to_owned),
+            map: self.scales.map(|[across, up]| FamilyMap {
+                across: across.axis.clone(),
+                up: up.axis.clone(),
+                cells: tally.map.clone(),
+            }),
         })
     }
 }

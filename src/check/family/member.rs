@@ -9,6 +9,7 @@
 
 use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
+use super::map::Scale;
 use crate::derivation::{Derivation, Family, NoOther, Spread};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
@@ -89,6 +90,30 @@ impl Members {
         let leaves: Vec<Leaf> = family.vary.iter().map(|v| v.leaf).collect();
         let tape = if roots.is_empty() { None } else { Tape::compile(graph, &leaves, &roots).ok() };
         Ok(Members { family: family.clone(), numbers, kinds: links().map(|(kind, ..)| *kind).collect(), tape })
+    }
+
+    /// The two scales of the map, if it has one: across, and up.
+    pub fn scales(&self) -> Option<[Scale; 2]> {
+        let scale = |n: usize| {
+            let (varied, numbers) = (self.family.vary.get(n)?, self.numbers.get(n)?);
+            let at = |position: u64| match &varied.spread {
+                Spread::Grid { count, logarithmic, .. } => {
+                    on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
+                }
+                Spread::Values(_) | Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => f64::NAN,
+            };
+            Some(Scale::new(&varied.name, &varied.spread, numbers, &at))
+        };
+        let [across, up] = self.family.map?;
+        Some([scale(across)?, scale(up)?])
+    }
+
+    /// The cell of the map in which a member lies.
+    pub fn cell(&self, scales: &[Scale; 2], number: u64, values: &[f64]) -> Option<usize> {
+        let [across, up] = self.family.map?;
+        let positions = self.positions(number);
+        let place = |scale: &Scale, n: usize| Some(scale.place(*positions.get(n)?, *values.get(n)?));
+        Some(place(&scales[1], up)? * scales[0].axis.cells.len() + place(&scales[0], across)?)
     }
 
     /// The member with a number, the first of which is 1.

@@ -11,6 +11,7 @@
 
 mod account;
 mod confidence;
+mod map;
 mod member;
 mod parts;
 mod sweep;
@@ -23,6 +24,7 @@ use rayon::prelude::*;
 
 pub use account::{FailingShare, FamilyAccount, MemberAccount};
 pub use confidence::{CONFIDENCE, failing_share};
+pub use map::{Axis, FamilyMap};
 pub use parts::{Join, Joined, MOST_PARTS, Part, PartFault, Swept, SweptClaim};
 pub use sweep::sweep;
 pub use tally::{Ranked, Tally};
@@ -40,6 +42,7 @@ use crate::expr::{Leaf, Rational};
 use crate::flow::Motion;
 use crate::verdict::Verdict;
 use account::{Counted, Otherwise};
+use map::Scale;
 use member::{MOST_DRAWS, Member, Members};
 
 /// So many numbers are looked at between two looks at the limits. It does not depend on the machine.
@@ -168,11 +171,17 @@ impl Families {
             if tallies.iter().any(|t| t.members == 0) && stopped.is_none() {
                 return Err(CheckError::Problems(vec![troupe.empty()]));
             }
+            let scales = members.scales();
             let again = troupe.again(tallies.iter().flat_map(Tally::kept).collect())?;
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
                 let (size, precision) = (members.family.size(), claim.precision);
-                let counted = Counted { size, precision, tally, stopped: stopped.as_deref() };
+                // A map of another size is none of this family.
+                if tally.map.len() != scales.as_ref().map_or(0, cells) {
+                    return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
+                }
+                let scales = scales.as_ref();
+                let counted = Counted { size, precision, tally, scales, stopped: stopped.as_deref() };
                 let member = |number: u64| {
                     let one: &One = again.get(&number)?;
                     Some((one.values.as_deref()?, one.verdicts.get(n)?))
@@ -281,7 +290,9 @@ impl<'a> Troupe<'a> {
     ) -> Result<(Vec<Tally>, Option<String>), CheckError> {
         let prepared = self.prepared();
         let claims = &self.derivation.claims;
-        let mut tallies = vec![Tally::default(); claims.len()];
+        let scales = self.members.scales();
+        let empty = Tally { map: vec![[0; 4]; scales.as_ref().map_or(0, cells)], ..Tally::default() };
+        let mut tallies = vec![empty; claims.len()];
         let (first, last) = numbers.into_inner();
         let mut next = first;
         while next <= last {
@@ -306,10 +317,14 @@ impl<'a> Troupe<'a> {
                 budget.numbers = budget.numbers.saturating_sub(rejected);
                 budget.steps = budget.steps.saturating_sub(steps);
                 tallies.iter_mut().for_each(|t| t.rejected += rejected);
-                if values.is_some() {
+                if let Some(values) = values {
+                    let cell = scales.as_ref().and_then(|scales| self.members.cell(scales, number, &values));
                     budget.members = budget.members.saturating_sub(1);
                     let of_claims = tallies.iter_mut().zip(claims).zip(&verdicts);
-                    of_claims.for_each(|((t, claim), verdict)| t.count(number, verdict, claim.precision));
+                    for ((tally, claim), verdict) in of_claims {
+                        tally.count(number, verdict, claim.precision);
+                        cell.iter().for_each(|cell| tally.locate(*cell, verdict));
+                    }
                 }
             }
             if late {
@@ -492,6 +507,11 @@ impl<'a> Troupe<'a> {
         };
         CheckError::Problems(found.into_iter().take(1).map(told).collect())
     }
+}
+
+/// How many cells a map has.
+fn cells([across, up]: &[Scale; 2]) -> usize {
+    across.axis.cells.len() * up.axis.cells.len()
 }
 
 /// That hardly any draw satisfies the constraints.

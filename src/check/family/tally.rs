@@ -45,6 +45,8 @@ pub struct Tally {
     pub first_undecided: Option<u64>,
     /// The member with the smallest number on which the program contradicts itself.
     pub first_defect: Option<u64>,
+    /// On how many members of each cell of the family's map it holds, fails, does not apply, is undecided; nothing without a map.
+    pub map: Vec<[u64; 4]>,
 }
 
 /// How far the sides of a refuting point are apart, in units of the error bound of their difference. Rounding alone is an error.
@@ -100,6 +102,19 @@ impl Tally {
         }
     }
 
+    /// Counts a member in its cell of the map.
+    pub(super) fn locate(&mut self, cell: usize, verdict: &Verdict) {
+        let kind = match verdict.outcome() {
+            Outcome::Holds(_) => 0,
+            Outcome::Fails(_) => 1,
+            Outcome::NotApplicable(_) => 2,
+            Outcome::Undecided => 3,
+        };
+        if let Some(counts) = self.map.get_mut(cell) {
+            counts[kind] += 1;
+        }
+    }
+
     /// Adds what was counted of other members.
     pub fn join(&mut self, other: &Tally) {
         let Tally { members, rejected, holds, fails, not_applicable, undecided, .. } = other;
@@ -114,6 +129,11 @@ impl Tally {
         self.closest_call = leading(self.closest_call, other.closest_call, |x| x);
         self.first_undecided = first(self.first_undecided, other.first_undecided);
         self.first_defect = first(self.first_defect, other.first_defect);
+        // A tally of no members has no cells.
+        self.map.resize(self.map.len().max(other.map.len()), [0; 4]);
+        for (here, there) in self.map.iter_mut().zip(&other.map) {
+            here.iter_mut().zip(there).for_each(|(a, b)| *a = a.saturating_add(*b));
+        }
     }
 
     /// The numbers of the members that are kept.
@@ -130,8 +150,11 @@ impl Tally {
         let sum = all.iter().try_fold(0_u64, |sum, n| sum.checked_add(*n));
         let looked_at = if drawn { Some(self.members) } else { self.members.checked_add(self.rejected) };
         let measured = [self.clearest_failing, self.closest_call];
+        let mapped = |kind: usize| self.map.iter().try_fold(0_u64, |sum, cell| sum.checked_add(cell[kind]));
         if sum != Some(self.members) {
             Some("its counts do not add up")
+        } else if !self.map.is_empty() && all.iter().enumerate().any(|(kind, n)| mapped(kind) != Some(*n)) {
+            Some("its map does not add up")
         } else if looked_at != Some(size) {
             Some("it does not count every number")
         } else if self.kept().any(|n| !numbers.contains(&n)) || measured.iter().flatten().any(|r| r.measure.is_nan()) {
@@ -183,6 +206,9 @@ mod tests {
         }
     }
 
+    /// The cells of a map.
+    const CELLS: u64 = 5;
+
     #[test]
     fn any_partition_in_any_order_gives_the_same() {
         let mut draws = Draws::new(11);
@@ -191,7 +217,11 @@ mod tests {
             let verdicts: Vec<Option<Verdict>> =
                 (0..size).map(|_| (!draws.bits().is_multiple_of(6)).then(|| verdict(&mut draws))).collect();
             let one = |tally: &mut Tally, number: u64| match &verdicts[number as usize - 1] {
-                Some(verdict) => tally.count(number, verdict, 1e-9),
+                Some(verdict) => {
+                    tally.count(number, verdict, 1e-9);
+                    tally.map.resize(CELLS as usize, [0; 4]);
+                    tally.locate((number % CELLS) as usize, verdict);
+                }
                 None => tally.rejected += 1,
             };
             let mut whole = Tally::default();

@@ -42,6 +42,7 @@ use rayon::prelude::*;
 
 use super::CheckError;
 use super::account::ClaimAccount;
+use super::occasion;
 use super::program::Program;
 use super::trial::{Course, Values};
 use crate::derivation::{Claim, Derivation};
@@ -226,14 +227,14 @@ impl Altered {
     }
 
     /// Tries all variants on one motion; `found` has an entry for each claim that was tried there.
-    pub fn weigh(&self, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
+    pub fn weigh(&self, graph: &Graph, start: usize, course: &Course, found: &[Option<Found>]) -> Weighed {
         let mut out = Weighed { rejections: Vec::new(), kept: Vec::new(), of_claims: Vec::new() };
         let kept = rejection::spread(course.times.len(), KEPT);
         out.kept = kept.into_iter().map(|i| (course.times[i], course.points.row(i))).collect();
         let mut memory = Memory::default();
         for (k, found) in found.iter().enumerate() {
             let (rejections, own) = match found {
-                Some(found) => self.rejections(k, start, course, found, &mut memory).unwrap_or_default(),
+                Some(found) => self.rejections(graph, (k, start), course, found, &mut memory).unwrap_or_default(),
                 None => Default::default(),
             };
             out.rejections.push(rejections);
@@ -247,8 +248,8 @@ impl Altered {
     /// What a motion says of the k-th claim, and points that are the claim's own; `None` where nothing was tried.
     fn rejections(
         &self,
-        k: usize,
-        start: usize,
+        graph: &Graph,
+        (k, start): (usize, usize),
         course: &Course,
         found: &Found,
         memory: &mut Memory,
@@ -259,6 +260,7 @@ impl Altered {
         if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
         }
+        let events = occasion::of_claim(graph, (claim, found.program), course);
         // The point at which the claim fails most clearly is always among those used.
         let mut own: Vec<Values> = Vec::new();
         if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {
@@ -266,14 +268,14 @@ impl Altered {
                 Ok(i) if found.program.at.is_none() => course.points.row(i),
                 _ if found.program.at.is_none() => course.values(witness.t),
                 _ => {
-                    let zeros = found.program.at.and_then(|e| course.zeros(e))?;
+                    let zeros = &events.as_ref()?.zeros;
                     let i = zeros.times.iter().position(|&t| t == witness.t)?;
                     course.values_at_event(witness.t, zeros.slack[i])
                 }
             });
         }
-        if let Some(event) = found.program.at {
-            let zeros = course.zeros(event)?;
+        if found.program.at.is_some() {
+            let zeros = &events.as_ref()?.zeros;
             let times = zeros.times.iter().zip(&zeros.slack).filter(|(t, _)| found.counts(**t));
             own.extend(times.take(rejection::MOST_TIMES).map(|(&t, &slack)| course.values_at_event(t, slack)));
         }

@@ -122,7 +122,9 @@ fn article(derivation: &Derivation, account: &Account, graph: &DerivationGraph, 
                     "."
                 }
             }
-            @if let Some(at) = declared.and_then(|d| d.at.as_ref()) { p { "Tried when " (formula(&at.text, scope)) "." } }
+            @if let Some(at) = declared.and_then(|d| d.at.as_ref()) {
+                p { "Tried when " (formula(&at.equation.text, scope)) (at.occasion.words()) "." }
+            }
             @if let Some(remark) = &claim.remark {
                 p.remark { span.quiet { "Remark of the file: " } (prose(remark, scope)) }
             }

@@ -16,7 +16,7 @@ use super::packed::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
 use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
-use crate::derivation::{Claim, Derivation};
+use crate::derivation::{Claim, Derivation, Event};
 use crate::latex::Scope;
 
 /// Values of the second character.
@@ -61,7 +61,9 @@ pub(super) fn json(derivation: &Derivation, account: &Account, folds: &[String])
             }
         }
         let event = declared.and_then(|d| Some((d, d.at.as_ref()?)));
-        (pairs, event.map(|(d, at)| tight(&formula(&at.text, &d.scope).into_string())))
+        let shown =
+            |at: &Event, scope| format!("{}{}", formula(&at.equation.text, scope).into_string(), at.occasion.words());
+        (pairs, event.map(|(d, at)| tight(&shown(at, &d.scope))))
     };
     let each: Vec<_> = account.claims.par_iter().map(of_claim).collect();
     let (mut claims, mut events) = (serde_json::Map::new(), serde_json::Map::new());

@@ -3,6 +3,8 @@
 use maud::{Markup, html};
 
 use super::super::family;
+use super::super::tally::name;
+use super::map;
 use super::text::prose;
 use crate::check::ClaimAccount;
 use crate::latex::Scope;
@@ -19,6 +21,7 @@ pub(super) fn blocks(claim: &ClaimAccount, scope: &Scope) -> Markup {
                     ". " (prose(&family::sentence(&family::counts(of)), scope))
                 }
                 @if let Some(text) = family::confidence(of) { p.quiet { (prose(&family::sentence(&text), scope)) } }
+                @if let Some(map) = &of.map { (map::figure(map, &name(claim), scope)) }
                 @for shown in family::shown(of) {
                     details {
                         summary { (prose(&shown.named(), scope)) }

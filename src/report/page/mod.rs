@@ -17,6 +17,7 @@ mod family;
 mod findings;
 mod folded;
 mod graph;
+mod map;
 mod matrix;
 mod motions;
 mod packed;
@@ -236,7 +237,7 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
                 h3 { (measure.id) }
                 p {
                     (prose(&measure.says, &derivation.scope)) ": " (formula(&measure.formula.text, &derivation.scope))
-                    @if let Some(at) = &measure.at { ", taken when " (formula(&at.text, &derivation.scope)) }
+                    @if let Some(at) = &measure.at { ", taken when " (formula(&at.equation.text, &derivation.scope)) (at.occasion.words()) }
                 }
                 details {
                     summary { "Values" }
