@@ -1,13 +1,17 @@
 //! Two motions compared, state by state, at the same times.
 
+use std::sync::Arc;
+
 use super::comparison::{Comparison, Group};
 use super::describe::Describer;
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
+use super::program::What;
+use super::stage;
 use super::trial::{Trial, Tried};
 use super::weigh::{Left, weigh};
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
-use crate::flow::Sample;
+use crate::flow::{Points, Sample};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 use crate::verdict::Finding;
@@ -25,6 +29,33 @@ pub(super) fn leaves(derivation: &Derivation) -> Vec<Leaf> {
 fn components(derivation: &Derivation, symbol: Symbol) -> Vec<Leaf> {
     let count = derivation.graph.component_count(symbol);
     (0..count).map(|component| Leaf::now(symbol, component as u16)).collect()
+}
+
+/// The times at which a claim that compares its motion with others is tried: those of all of them, since each may do something
+/// where another does not. Nothing, where the claim compares none, or is tried at events.
+pub(super) fn times_of_both(trial: &Trial) -> Option<(Vec<f64>, Arc<Points>)> {
+    let Trial { program, course, .. } = *trial;
+    let others = program.parts.iter().filter_map(|part| match part.what {
+        What::SameMotion(other, _) => course.stage.motion(other),
+        What::Every
+        | What::Denied
+        | What::Defined
+        | What::Constant
+        | What::Value
+        | What::Limit(_)
+        | What::Independent
+        | What::Across => None,
+    });
+    let (from, to) = course.stage.span(course.trajectory);
+    let theirs: Vec<f64> = others.flat_map(stage::sample_times).filter(|t| (from..=to).contains(t)).collect();
+    if theirs.is_empty() || program.at.is_some() {
+        return None;
+    }
+    let mut times: Vec<f64> = course.times.iter().copied().chain(theirs).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let points = Arc::new(times.iter().map(|&t| course.values(t)).collect());
+    Some((times, points))
 }
 
 /// Compares the states `of` of a motion with those of another.

@@ -205,6 +205,22 @@ fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usiz
     families.into_values().collect()
 }
 
+/// The times at which a motion is sampled.
+pub(super) fn sample_times(motion: &Motion) -> Vec<f64> {
+    thinned(motion.sample_times(DENSITY))
+}
+
+/// Times, at most about [`MOST_SAMPLES`] of them, the last one among them.
+fn thinned(times: Vec<f64>) -> Vec<f64> {
+    if times.len() <= MOST_SAMPLES {
+        return times;
+    }
+    let (step, last) = (times.len().div_ceil(MOST_SAMPLES), times.last().copied());
+    let mut some: Vec<f64> = times.into_iter().step_by(step).collect();
+    some.extend(last.filter(|t| some.last() != Some(t)));
+    some
+}
+
 impl Stage {
     /// Builds the motions that are tried, and those that they are derived from or compared with.
     ///
@@ -347,12 +363,7 @@ impl Stage {
                 times.insert(at, end);
             }
         }
-        if times.len() > MOST_SAMPLES {
-            let step = times.len().div_ceil(MOST_SAMPLES);
-            let last = times.last().copied();
-            times = times.into_iter().step_by(step).collect();
-            times.extend(last.filter(|t| times.last() != Some(t)));
-        }
+        let times = thinned(times);
         let points = motion.along(&times);
         let kept = self.keeping.then(|| (times.clone(), points.clone()));
         let points = points.arranged(&built.places);

@@ -172,9 +172,11 @@ pub(super) fn try_claim(
     if program.parts.iter().any(special) && met.more.take().is_some() {
         met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
     }
-    let (times, points) = match &met.more {
-        Some(more) => (&more.times, &more.points),
-        None => (&course.times, &course.points),
+    let shared = same_motion::times_of_both(trial);
+    let (times, points) = match (&met.more, &shared) {
+        (Some(more), _) => (&more.times, &more.points),
+        (None, Some((times, points))) => (times, points),
+        (None, None) => (&course.times, &course.points),
     };
     let describer = Describer::new(trial, times, points);
     let mut measured = measure(program, points, None);

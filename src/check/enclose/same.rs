@@ -109,6 +109,14 @@ impl Same {
             for (name, compared) in self.names.iter().zip(self.compared(along, time)) {
                 match compared {
                     Ok((d, _)) if d.magnitude() <= room => largest = largest.max(d.magnitude()),
+                    // Not to within a precision: they differ.
+                    Ok((d, _))
+                        if !d.contains(0.0)
+                            && let Some(witness) = self.apart(along, time.mid()) =>
+                    {
+                        let reason = lie_apart(&witness);
+                        return Shown::Fails(witness, reason);
+                    }
                     Ok((d, _)) => {
                         open = Some(format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi()));
                         break;
@@ -143,7 +151,11 @@ impl Same {
         let every = pieces.len().div_ceil(POINTS).max(1);
         let found = near.or_else(|| pieces.iter().step_by(every).find_map(|time| self.apart(along, time.mid())));
         let found = found.ok_or_else(|| format!("at t = {} the enclosures of the two motions overlap", sampled.t))?;
-        let reason = format!("certified, the enclosures of the two motions lie apart: at t = {}", found.t);
+        let reason = lie_apart(&found);
         Ok((found, reason))
     }
+}
+
+fn lie_apart(witness: &Witness) -> String {
+    format!("certified, the enclosures of the two motions lie apart: at t = {}", witness.t)
 }
