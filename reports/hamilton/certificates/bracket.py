@@ -1,4 +1,4 @@
-# hamilton / bracket: The angular momentum turns the Runge-Lenz vector: so say their Poisson brackets.
+# hamilton / bracket: The angular momentum turns the Runge-Lenz vector, and the two components of this make an angular momentum, with the Hamiltonian for a factor: so say their Poisson brackets.
 #
 # Given: the definitions, the assumptions and canonical.
 #
@@ -146,12 +146,12 @@ def numbers_agree(names, functions, definitions, variables):
         sys.exit("no numbers were found for which the functions have values")
 
 
-# Equation 1: (p_y\cdot p_y-\frac{m\cdot k-\frac{m\cdot k\cdot x}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot x}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot (-y)-p_y\cdot (-y)\cdot p_y+(p_y\cdot (-p_x)-\frac{-\frac{m\cdot k\cdot x}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot y}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot x-(x\cdot p_y-y\cdot p_x+x\cdot p_y)\cdot (-p_x) = -A_y
+# Equation 1: (p_y\cdot p_y-\frac{m\cdot k-\frac{m\cdot k\cdot x}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot x}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot (-y)-p_y\cdot (-y)\cdot p_y+((p_y\cdot (-p_x)-\frac{-\frac{m\cdot k\cdot x}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot y}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot x-(x\cdot p_y-y\cdot p_x+x\cdot p_y)\cdot (-p_x)) = -A_y
 # where A_y = -p_x\cdot (x\cdot p_y-y\cdot p_x)-\frac{m\cdot k\cdot y}{\sqrt{x^2+y^2}}
 # root stands for \sqrt{x^2+y^2}
 check(
     names=["root", "k", "m", "py", "px", "y", "x", "Ay"],
-    left="(py*py - (m*k - m*k*x/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*(-y) - py*(-y)*py + (py*(-px) - (-(m*k*x/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*x - (x*py - y*px + x*py)*(-px)",
+    left="(py*py - (m*k - m*k*x/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*(-y) - py*(-y)*py + ((py*(-px) - (-(m*k*x/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*x - (x*py - y*px + x*py)*(-px))",
     right="-Ay",
     relations=[
     ],
@@ -168,12 +168,12 @@ check(
 )
 
 
-# Equation 2: (-p_x\cdot p_y-\frac{-\frac{m\cdot k\cdot y}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot x}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot (-y)-(-(x\cdot p_y-y\cdot p_x+p_x\cdot (-y)))\cdot p_y+(-p_x\cdot (-p_x)-\frac{m\cdot k-\frac{m\cdot k\cdot y}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot y}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot x-(-p_x\cdot x)\cdot (-p_x) = A_x
+# Equation 2: (-p_x\cdot p_y-\frac{-\frac{m\cdot k\cdot y}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot x}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot (-y)-(-(x\cdot p_y-y\cdot p_x+p_x\cdot (-y)))\cdot p_y+((-p_x\cdot (-p_x)-\frac{m\cdot k-\frac{m\cdot k\cdot y}{\sqrt{x^2+y^2}}\cdot \frac{2\cdot y}{2\cdot \sqrt{x^2+y^2}}}{\sqrt{x^2+y^2}})\cdot x-(-p_x\cdot x)\cdot (-p_x)) = A_x
 # where A_x = p_y\cdot (x\cdot p_y-y\cdot p_x)-\frac{m\cdot k\cdot x}{\sqrt{x^2+y^2}}
 # root stands for \sqrt{x^2+y^2}
 check(
     names=["root", "k", "m", "py", "px", "y", "x", "Ax"],
-    left="(-(px*py) - (-(m*k*y/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*(-y) - (-(x*py - y*px + px*(-y)))*py + (-(px*(-px)) - (m*k - m*k*y/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*x - (-(px*x))*(-px)",
+    left="(-(px*py) - (-(m*k*y/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*(-y) - (-(x*py - y*px + px*(-y)))*py + ((-(px*(-px)) - (m*k - m*k*y/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*x - (-(px*x))*(-px))",
     right="Ax",
     relations=[
     ],
@@ -181,6 +181,88 @@ check(
     definitions={
         "Ax": "py*(x*py - y*px) - m*k*x/sqrt(x**2 + y**2)",
     },
+    functions={
+        "sqrt(x**2 + y**2)": "root",
+    },
+    variables={
+        "root": "sqrt(x**2 + y**2)",
+    },
+)
+
+
+# Equation 3: (an expression of 197 operations) = -2\cdot m\cdot (\frac{p_x^2+p_y^2}{2\cdot m}-\frac{k}{r})\cdot \ell
+# where r = \sqrt{x^2+y^2}
+# where \ell = x\cdot p_y-y\cdot p_x
+# root stands for \sqrt{x^2+y^2}
+# k stands for k
+# m stands for m
+# py stands for p_y
+# px stands for p_x
+# y stands for y
+# x stands for x
+check(
+    names=["root", "k", "m", "py", "px", "y", "x", "r", "ell"],
+    left="(py*py - (m*k - m*k*x/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*(-(x*py - y*px + px*(-y))) - py*(-y)*(-(px*py) - (-(m*k*y/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2)) + ((py*(-px) - (-(m*k*x/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*(-(px*x)) - (x*py - y*px + x*py)*(-(px*(-px)) - (m*k - m*k*y/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2)))",
+    right="-(2*m*((px**2 + py**2)/(2*m) - k/r)*ell)",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "x**2 + y**2", "-4*root*k*m**2*px*y + 4*root*k*m**2*py*x"),
+    ],
+    d="1",
+    definitions={
+        "r": "sqrt(x**2 + y**2)",
+        "ell": "x*py - y*px",
+    },
+    functions={
+        "sqrt(x**2 + y**2)": "root",
+    },
+    variables={
+        "root": "sqrt(x**2 + y**2)",
+    },
+)
+
+
+# Equation 4: (an expression of 174 operations) = 0
+# root stands for \sqrt{x^2+y^2}
+# k stands for k
+# m stands for m
+# px stands for p_x
+# y stands for y
+# x stands for x
+check(
+    names=["root", "k", "m", "py", "px", "y", "x"],
+    left="(py*py - (m*k - m*k*x/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*(2*px/(2*m)) - py*(-y)*(-((-(k/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))) + ((py*(-px) - (-(m*k*x/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*(2*py/(2*m)) - (x*py - y*px + x*py)*(-((-(k/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))))",
+    right="0",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "x**2 + y**2", "-8*root**3*k*m*px"),
+    ],
+    d="1",
+    functions={
+        "sqrt(x**2 + y**2)": "root",
+    },
+    variables={
+        "root": "sqrt(x**2 + y**2)",
+    },
+)
+
+
+# Equation 5: (an expression of 178 operations) = 0
+# root stands for \sqrt{x^2+y^2}
+# k stands for k
+# m stands for m
+# py stands for p_y
+# y stands for y
+# x stands for x
+check(
+    names=["root", "k", "m", "py", "px", "y", "x"],
+    left="(-(px*py) - (-(m*k*y/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))*(2*px/(2*m)) - (-(x*py - y*px + px*(-y)))*(-((-(k/sqrt(x**2 + y**2)*(2*x/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))) + ((-(px*(-px)) - (m*k - m*k*y/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2))))/sqrt(x**2 + y**2))*(2*py/(2*m)) - (-(px*x))*(-((-(k/sqrt(x**2 + y**2)*(2*y/(2*sqrt(x**2 + y**2)))))/sqrt(x**2 + y**2))))",
+    right="0",
+    relations=[
+        # because of what the variables stand for: a root is squared
+        ("root**2", "x**2 + y**2", "-8*root**3*k*m*py"),
+    ],
+    d="1",
     functions={
         "sqrt(x**2 + y**2)": "root",
     },

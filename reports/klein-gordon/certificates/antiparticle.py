@@ -146,22 +146,22 @@ def numbers_agree(names, functions, definitions, variables):
         sys.exit("no numbers were found for which the functions have values")
 
 
-# Equation 1: \frac{1}{c^2}\cdot (-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2}))-(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2}))+(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})))+(\frac{m\cdot c}{\hbar})^{2}\cdot (-\operatorname{Im}(\phi(x,y,z,t))) = 0
+# Equation 1: \frac{-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})}{c\cdot c}-(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2}))+(-\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})))+(\frac{m\cdot c}{\hbar})^{2}\cdot (-\operatorname{Im}(\phi(x,y,z,t))) = 0
+# phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 # phixyzt2_dz2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})
 # phixyzt2_dy2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})
 # phixyzt2_dx2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})
-# phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 # phixyzt2 stands for \operatorname{Im}(\phi(x,y,z,t))
 # hbar stands for \hbar
 # c stands for c
 # m stands for m
 check(
-    names=["phixyzt2_dz2", "phixyzt1_dz2", "phixyzt2_dy2", "phixyzt1_dy2", "phixyzt2_dx2", "phixyzt1_dx2", "phixyzt2_dt2", "phixyzt1_dt2", "phixyzt2", "phixyzt1", "hbar", "c", "m"],
-    left="1/c**2*(-phixyzt2_dt2) - (-phixyzt2_dx2 + (-phixyzt2_dy2) + (-phixyzt2_dz2)) + (m*c/hbar)**2*(-phixyzt2)",
+    names=["phixyzt2_dt2", "phixyzt1_dt2", "phixyzt2_dz2", "phixyzt1_dz2", "phixyzt2_dy2", "phixyzt1_dy2", "phixyzt2_dx2", "phixyzt1_dx2", "phixyzt2", "phixyzt1", "hbar", "c", "m"],
+    left="(-phixyzt2_dt2)/(c*c) - (-phixyzt2_dx2 + (-phixyzt2_dy2) + (-phixyzt2_dz2)) + (m*c/hbar)**2*(-phixyzt2)",
     right="0",
     relations=[
-        # because of what is given: \frac{1}{c^2}\cdot \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})-(\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Im}(\phi(x,y,z,t)) = 0
-        ("1/c**2*phixyzt2_dt2 - (phixyzt2_dx2 + phixyzt2_dy2 + phixyzt2_dz2) + (m*c/hbar)**2*phixyzt2", "0", "-1"),
+        # because of what is given: \frac{\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})}{c\cdot c}-(\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Im}(\phi(x,y,z,t)) = 0
+        ("phixyzt2_dt2/(c*c) - (phixyzt2_dx2 + phixyzt2_dy2 + phixyzt2_dz2) + (m*c/hbar)**2*phixyzt2", "0", "-1"),
     ],
     d="1",
 )

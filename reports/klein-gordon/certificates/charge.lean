@@ -8,20 +8,20 @@
 import Mathlib
 
 -- (an expression of 77 operations) = 0
+-- phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
+-- phixyzt1_dt2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 -- phixyzt2_dz2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})
 -- phixyzt1_dz2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})
 -- phixyzt2_dy2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})
 -- phixyzt1_dy2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})
 -- phixyzt2_dx2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})
 -- phixyzt1_dx2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})
--- phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
--- phixyzt1_dt2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 -- phixyzt2 stands for \operatorname{Im}(\phi(x,y,z,t))
 -- phixyzt1 stands for \operatorname{Re}(\phi(x,y,z,t))
 -- hbar stands for \hbar
 -- c stands for c
 -- m stands for m
-theorem equation_1 (phixyzt2_dz2 phixyzt1_dz2 phixyzt2_dy2 phixyzt1_dy2 phixyzt2_dx2 phixyzt1_dx2 phixyzt2_dt2 phixyzt1_dt2 phixyzt2 phixyzt1 hbar c m : ℝ)
+theorem equation_1 (phixyzt2_dt2 phixyzt1_dt2 phixyzt2_dz2 phixyzt1_dz2 phixyzt2_dy2 phixyzt1_dy2 phixyzt2_dx2 phixyzt1_dx2 phixyzt2 phixyzt1 hbar c m : ℝ)
     (h1 : phixyzt1*c^4*m^2 - phixyzt1_dz2*hbar^2*c^2 - phixyzt1_dy2*hbar^2*c^2 - phixyzt1_dx2*hbar^2*c^2 + phixyzt1_dt2*hbar^2 = 0)
     (h2 : phixyzt2*c^4*m^2 - phixyzt2_dz2*hbar^2*c^2 - phixyzt2_dy2*hbar^2*c^2 - phixyzt2_dx2*hbar^2*c^2 + phixyzt2_dt2*hbar^2 = 0)
     (hd : (hbar^2*c^2 : ℝ) ≠ 0) : (-phixyzt1_dz2*phixyzt2*c^2 - phixyzt1_dy2*phixyzt2*c^2 - phixyzt1_dx2*phixyzt2*c^2 + phixyzt2_dz2*phixyzt1*c^2 + phixyzt2_dy2*phixyzt1*c^2 + phixyzt2_dx2*phixyzt1*c^2 + phixyzt1_dt2*phixyzt2 - phixyzt2_dt2*phixyzt1 : ℝ) / (c^2) = 0 := by
@@ -29,6 +29,6 @@ theorem equation_1 (phixyzt2_dz2 phixyzt1_dz2 phixyzt2_dy2 phixyzt1_dy2 phixyzt2
   have top : (-phixyzt1_dz2*phixyzt2*c^2 - phixyzt1_dy2*phixyzt2*c^2 - phixyzt1_dx2*phixyzt2*c^2 + phixyzt2_dz2*phixyzt1*c^2 + phixyzt2_dy2*phixyzt1*c^2 + phixyzt2_dx2*phixyzt1*c^2 + phixyzt1_dt2*phixyzt2 - phixyzt2_dt2*phixyzt1 : ℝ) = 0 := (mul_eq_zero.mp key).resolve_left hd
   rw [top, zero_div]
 
-example (phixyzt2_dz2 phixyzt1_dz2 phixyzt2_dy2 phixyzt1_dy2 phixyzt2_dx2 phixyzt1_dx2 phixyzt2_dt2 phixyzt1_dt2 phixyzt2_dz phixyzt1_dz phixyzt2_dy phixyzt1_dy phixyzt2_dx phixyzt1_dx phixyzt2_dt phixyzt1_dt phixyzt2 phixyzt1 hbar c m : ℝ) (hD : (c^2 : ℝ) ≠ 0) : (-(1/c^2*(phixyzt1_dt*phixyzt2_dt + phixyzt1*phixyzt2_dt2 + ((-phixyzt2_dt)*phixyzt1_dt + (-phixyzt2)*phixyzt1_dt2))) + (phixyzt1_dx*phixyzt2_dx + phixyzt1*phixyzt2_dx2 + ((-phixyzt2_dx)*phixyzt1_dx + (-phixyzt2)*phixyzt1_dx2) + (phixyzt1_dy*phixyzt2_dy + phixyzt1*phixyzt2_dy2 + ((-phixyzt2_dy)*phixyzt1_dy + (-phixyzt2)*phixyzt1_dy2)) + (phixyzt1_dz*phixyzt2_dz + phixyzt1*phixyzt2_dz2 + ((-phixyzt2_dz)*phixyzt1_dz + (-phixyzt2)*phixyzt1_dz2))) : ℝ) - (0) = (-phixyzt1_dz2*phixyzt2*c^2 - phixyzt1_dy2*phixyzt2*c^2 - phixyzt1_dx2*phixyzt2*c^2 + phixyzt2_dz2*phixyzt1*c^2 + phixyzt2_dy2*phixyzt1*c^2 + phixyzt2_dx2*phixyzt1*c^2 + phixyzt1_dt2*phixyzt2 - phixyzt2_dt2*phixyzt1) / (c^2) := by
+example (phixyzt2_dt2 phixyzt1_dt2 phixyzt2_dz2 phixyzt1_dz2 phixyzt2_dy2 phixyzt1_dy2 phixyzt2_dx2 phixyzt1_dx2 phixyzt2_dz phixyzt1_dz phixyzt2_dy phixyzt1_dy phixyzt2_dx phixyzt1_dx phixyzt2_dt phixyzt1_dt phixyzt2 phixyzt1 hbar c m : ℝ) (hD : (c^2 : ℝ) ≠ 0) : (-(1/c^2*(phixyzt1_dt*phixyzt2_dt + phixyzt1*phixyzt2_dt2 + ((-phixyzt2_dt)*phixyzt1_dt + (-phixyzt2)*phixyzt1_dt2))) + (phixyzt1_dx*phixyzt2_dx + phixyzt1*phixyzt2_dx2 + ((-phixyzt2_dx)*phixyzt1_dx + (-phixyzt2)*phixyzt1_dx2) + (phixyzt1_dy*phixyzt2_dy + phixyzt1*phixyzt2_dy2 + ((-phixyzt2_dy)*phixyzt1_dy + (-phixyzt2)*phixyzt1_dy2)) + (phixyzt1_dz*phixyzt2_dz + phixyzt1*phixyzt2_dz2 + ((-phixyzt2_dz)*phixyzt1_dz + (-phixyzt2)*phixyzt1_dz2))) : ℝ) - (0) = (-phixyzt1_dz2*phixyzt2*c^2 - phixyzt1_dy2*phixyzt2*c^2 - phixyzt1_dx2*phixyzt2*c^2 + phixyzt2_dz2*phixyzt1*c^2 + phixyzt2_dy2*phixyzt1*c^2 + phixyzt2_dx2*phixyzt1*c^2 + phixyzt1_dt2*phixyzt2 - phixyzt2_dt2*phixyzt1) / (c^2) := by
   field_simp
   ring

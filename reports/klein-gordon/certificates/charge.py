@@ -147,14 +147,14 @@ def numbers_agree(names, functions, definitions, variables):
 
 
 # Equation 1: (an expression of 77 operations) = 0
+# phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
+# phixyzt1_dt2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 # phixyzt2_dz2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})
 # phixyzt1_dz2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2})
 # phixyzt2_dy2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})
 # phixyzt1_dy2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})
 # phixyzt2_dx2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})
 # phixyzt1_dx2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})
-# phixyzt2_dt2 stands for \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
-# phixyzt1_dt2 stands for \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})
 # phixyzt2 stands for \operatorname{Im}(\phi(x,y,z,t))
 # phixyzt1 stands for \operatorname{Re}(\phi(x,y,z,t))
 # hbar stands for \hbar
@@ -164,14 +164,14 @@ def numbers_agree(names, functions, definitions, variables):
 # \hbar
 # c
 check(
-    names=["phixyzt2_dz2", "phixyzt1_dz2", "phixyzt2_dy2", "phixyzt1_dy2", "phixyzt2_dx2", "phixyzt1_dx2", "phixyzt2_dt2", "phixyzt1_dt2", "phixyzt2_dz", "phixyzt1_dz", "phixyzt2_dy", "phixyzt1_dy", "phixyzt2_dx", "phixyzt1_dx", "phixyzt2_dt", "phixyzt1_dt", "phixyzt2", "phixyzt1", "hbar", "c", "m"],
+    names=["phixyzt2_dt2", "phixyzt1_dt2", "phixyzt2_dz2", "phixyzt1_dz2", "phixyzt2_dy2", "phixyzt1_dy2", "phixyzt2_dx2", "phixyzt1_dx2", "phixyzt2_dz", "phixyzt1_dz", "phixyzt2_dy", "phixyzt1_dy", "phixyzt2_dx", "phixyzt1_dx", "phixyzt2_dt", "phixyzt1_dt", "phixyzt2", "phixyzt1", "hbar", "c", "m"],
     left="-(1/c**2*(phixyzt1_dt*phixyzt2_dt + phixyzt1*phixyzt2_dt2 + ((-phixyzt2_dt)*phixyzt1_dt + (-phixyzt2)*phixyzt1_dt2))) + (phixyzt1_dx*phixyzt2_dx + phixyzt1*phixyzt2_dx2 + ((-phixyzt2_dx)*phixyzt1_dx + (-phixyzt2)*phixyzt1_dx2) + (phixyzt1_dy*phixyzt2_dy + phixyzt1*phixyzt2_dy2 + ((-phixyzt2_dy)*phixyzt1_dy + (-phixyzt2)*phixyzt1_dy2)) + (phixyzt1_dz*phixyzt2_dz + phixyzt1*phixyzt2_dz2 + ((-phixyzt2_dz)*phixyzt1_dz + (-phixyzt2)*phixyzt1_dz2)))",
     right="0",
     relations=[
-        # because of what is given: \frac{1}{c^2}\cdot \operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})-(\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Re}(\phi(x,y,z,t)) = 0
-        ("1/c**2*phixyzt1_dt2 - (phixyzt1_dx2 + phixyzt1_dy2 + phixyzt1_dz2) + (m*c/hbar)**2*phixyzt1", "0", "phixyzt2*c**2"),
-        # because of what is given: \frac{1}{c^2}\cdot \operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})-(\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Im}(\phi(x,y,z,t)) = 0
-        ("1/c**2*phixyzt2_dt2 - (phixyzt2_dx2 + phixyzt2_dy2 + phixyzt2_dz2) + (m*c/hbar)**2*phixyzt2", "0", "-phixyzt1*c**2"),
+        # because of what is given: \frac{\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})}{c\cdot c}-(\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Re}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Re}(\phi(x,y,z,t)) = 0
+        ("phixyzt1_dt2/(c*c) - (phixyzt1_dx2 + phixyzt1_dy2 + phixyzt1_dz2) + (m*c/hbar)**2*phixyzt1", "0", "phixyzt2*c**2"),
+        # because of what is given: \frac{\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial t^2})}{c\cdot c}-(\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial x^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial y^2})+\operatorname{Im}(\frac{\partial^2 \phi(x,y,z,t)}{\partial z^2}))+(\frac{m\cdot c}{\hbar})^{2}\cdot \operatorname{Im}(\phi(x,y,z,t)) = 0
+        ("phixyzt2_dt2/(c*c) - (phixyzt2_dx2 + phixyzt2_dy2 + phixyzt2_dz2) + (m*c/hbar)**2*phixyzt2", "0", "-phixyzt1*c**2"),
     ],
     d="hbar**2*c**2",
 )
