@@ -108,6 +108,34 @@ fn functions_with_given_values() {
 }
 
 #[test]
+fn times_that_a_motion_leads_to() {
+    // A motion leads from one time to another: values at both cannot be chosen.
+    all(&[
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\dot x=a; x(0)=x(1)"),
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\dot x=0; x(1)=x(0)+a"),
+        ("unrefuted", r"a=b", "x: state; a; b; t: time", r"\dot x=0; x(0)=a; x(1)=b"),
+        ("unrefuted", r"a=1", "x: state; a; t: time", r"\dot x=1; x(0)=0; x(1)=a"),
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\dot x=t; x(1)=x(0)+\frac12+a"),
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\ddot x=0; x(0)=0; x(1)=0; x(2)=a"),
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\dot x=ax; x(0)=1; x(1)=1"),
+        ("unrefuted", r"a=0", "x: state; a; t: time", r"\dot x=a^2; x(2)\le x(1)"),
+        ("refuted", r"x(1)=1", "x: state; t: time", r"x(0)=1"),
+    ]);
+    // Which factor of a product vanishes may change with time.
+    all(&[
+        ("unproved", r"y=0", "x: state; y: state; t: time", r"xy=0; \dot x(0)\ne0"),
+        ("unproved", r"y=0", "x: state; y: state; t: time", r"xy=0; x(0)\ne0"),
+        ("unproved", r"x(0)y(1)=0", "x: state; y: state; t: time", r"xy=0"),
+        ("unproved", r"\ddot x=-x", "x: state; t: time", r"\dot x^2+x^2=1; \dot x(0)\ne0"),
+        ("unproved", r"\ddot x=-x", "x: state; t: time", r"\dot x^2+x^2=1; \dot x(0)=1"),
+        ("unproved", r"\dot x=t", "x: state; t: time", r"(\dot x-t)\dot x=0; x(1)=1; \dot x(1)=1"),
+        ("unproved", r"\ddot x=2", "x: state; t: time", r"\dot x^2=4x; \dot x(0)\ne0"),
+        ("proved", r"\dot xy+x\dot y=0", "x: state; y: state; t: time", r"xy=0"),
+        ("proved", r"\dot xy=0", "x: state; y: state; t: time", r"xy=0"),
+    ]);
+}
+
+#[test]
 fn branches_and_quadrants() {
     all(&[
         ("refuted", r"\arctan\frac yx=\theta", r"x,y,\theta,r", r"x=r\cos\theta; y=r\sin\theta; r>0"),

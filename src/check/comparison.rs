@@ -59,7 +59,10 @@ pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: 
     let (mut l, mut r) = (traced(graph, scope, left), traced(graph, scope, right));
     if graph.is_zero(l) || graph.is_zero(r) {
         // That the rate of an observable vanishes: its terms cancel, so that its own size is none.
-        (l, r) = (behind_rates(graph, scope, l), behind_rates(graph, scope, r));
+        [l, r] = [l, r].map(|e| {
+            let e = behind_rates(graph, scope, e);
+            traced(graph, scope, e)
+        });
     }
     let (a, b) = (magnitude(graph, l), magnitude(graph, r));
     graph.add(a, b)
@@ -169,6 +172,33 @@ pub(super) fn traced_without_angles(graph: &mut Graph, scope: &Scope, e: Expr) -
     written_out(graph, scope, e, |leaf| leaf.instant.is_none() && !scope.is_angle(leaf.symbol))
 }
 
+/// What has a value exactly where `e` has one: `e` behind rates and traced, at fixed times, too, but for angles that are continued;
+/// and the formulas of these angles.
+pub(super) fn presupposed(graph: &mut Graph, scope: &Scope, e: Expr) -> Vec<Expr> {
+    let written = |graph: &mut Graph, e: Expr| {
+        let e = behind_rates(graph, scope, e);
+        written_out(graph, scope, e, |leaf| !scope.is_angle(leaf.symbol))
+    };
+    let mut out = vec![written(graph, e)];
+    let mut next = 0;
+    while let Some(&e) = out.get(next) {
+        next += 1;
+        for leaf in graph.leaves([e]).into_iter().filter(|l| l.rate == 0 && scope.is_angle(l.symbol)) {
+            let definition = scope.definition(leaf.symbol);
+            let Some(&value) = definition.and_then(|d| d.components.get(usize::from(leaf.component))) else { continue };
+            let value = match leaf.instant {
+                Some(instant) => at_instant(graph, scope, value, instant),
+                None => value,
+            };
+            let value = written(graph, value);
+            if !out.contains(&value) {
+                out.push(value);
+            }
+        }
+    }
+    out
+}
+
 /// Whether the value of a formula may leap along a motion.
 pub(super) fn may_leap(graph: &Graph, e: Expr) -> bool {
     graph.reachable([e]).into_iter().any(|e| match *graph.node(e) {
@@ -181,7 +211,8 @@ pub(super) fn may_leap(graph: &Graph, e: Expr) -> bool {
     })
 }
 
-/// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays.
+/// `e` with the rates of observables replaced by those of their definitions; a rate that cannot be formed stays, and so do
+/// observables themselves.
 pub(super) fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     let Some(time) = scope.time() else { return e };
     let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
@@ -204,7 +235,7 @@ pub(super) fn behind_rates(graph: &mut Graph, scope: &Scope, e: Expr) -> Expr {
     loop {
         let formed = graph.substitute(e, &mut form);
         if formed == e {
-            return traced(graph, scope, e);
+            return e;
         }
         e = formed;
     }

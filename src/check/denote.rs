@@ -7,7 +7,7 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use super::comparison::{Comparison, Group, at_instant, behind_rates, traced, traced_without_angles};
+use super::comparison::{Comparison, Group, at_instant, presupposed, traced, traced_without_angles};
 use super::program::{Assumption, Denoted, Part, Program, What};
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
@@ -93,14 +93,10 @@ fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
 /// The conditions under which every operation of an expression has a value, observables traced back; and what vanishes where
 /// it is not known whether there is a value: edges of a rate.
 fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (Vec<Comparison>, Vec<Expr>) {
-    let traced = |e: &Expr| {
-        let e = behind_rates(graph, scope, *e);
-        traced(graph, scope, e)
-    };
-    let traced: Vec<Expr> = w.value.components.iter().map(traced).collect();
+    let all: Vec<Expr> = w.value.components.iter().flat_map(|&e| presupposed(graph, scope, e)).collect();
     let zero = graph.integer(0);
     let (mut out, mut edges) = (Vec::new(), Vec::new());
-    for need in graph.needs_below(traced) {
+    for need in graph.needs_below(all) {
         // What does not depend on anything is settled by the value itself.
         if graph.leaves([need.value]).is_empty() {
             continue;
@@ -186,19 +182,11 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
     some
 }
 
-/// Where angles atan2(y, x) in comparisons have their cuts. Observables are written out, but for those that are continued along a
-/// motion.
-fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>) -> Vec<(usize, [Expr; 2])> {
-    let mut out = Vec::new();
-    for (position, sides) in sides.into_iter().enumerate() {
-        let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
-        for node in graph.reachable(written) {
-            if let Node::Binary(Op::Arctan2, y, x) = *graph.node(node) {
-                out.push((position, [y, x]));
-            }
-        }
-    }
-    out
+/// Whether an angle atan2(y, x) with a cut stands in some expressions. Observables are written out, but for those that are continued
+/// along a motion.
+fn has_cut(graph: &mut Graph, scope: &Scope, of: Vec<Expr>) -> bool {
+    let written: Vec<Expr> = of.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
+    graph.reachable(written).into_iter().any(|e| matches!(graph.node(e), Node::Binary(Op::Arctan2, ..)))
 }
 
 /// What is asked of a term, as a relation to 0.
@@ -221,9 +209,9 @@ impl Program {
         let Derivation { graph, claims, systems, .. } = derivation;
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
         let scope = &claims[claim].scope;
-        let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
-        program.cuts = cuts(graph, scope, sides);
-        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()]).is_empty();
+        let sides: Vec<Expr> = program.comparisons().flat_map(|c| [c.left, c.right]).collect();
+        program.leaps = has_cut(graph, scope, sides);
+        program.leaps_at = has_cut(graph, scope, program.at.into_iter().collect());
         program
     }
 }

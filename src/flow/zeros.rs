@@ -212,14 +212,14 @@ fn look(explorer: &mut Explorer) -> Seen {
                 }
             }
             Stretch::Piece(ref piece) => {
-                let run = match runs.last_mut() {
-                    Some(run) => run,
-                    None => continue,
-                };
                 if flat {
                     note(&mut incomplete, Incomplete::Vanishing { start: piece.start, end: piece.end });
                 }
                 for time in inner {
+                    let run = match runs.last_mut() {
+                        Some(run) => run,
+                        None => continue,
+                    };
                     if run.last().is_some_and(|n: &Node| n.time >= time) {
                         continue;
                     }
@@ -227,12 +227,33 @@ fn look(explorer: &mut Explorer) -> Seen {
                         if times.binary_search_by(|x| x.total_cmp(&time)).is_ok() { &mut ends } else { &mut further };
                     if let Some(value) = known.get(explorer, time) {
                         run.push(Node { time, value });
+                        continue;
+                    }
+                    // A piece may end where there is no value. What it tends to tells whether it passes 0 before that.
+                    let Some(value) = tends_to(piece, time) else { continue };
+                    if value.contains_zero() {
+                        note(
+                            &mut incomplete,
+                            Incomplete::NoValue { start: time, end: time, reason: NoValue::Indeterminate },
+                        );
+                    } else if time == piece.start {
+                        runs.push(vec![Node { time, value }]);
+                    } else if time == piece.end {
+                        run.push(Node { time, value });
+                        runs.push(Vec::new());
                     }
                 }
             }
         }
     }
     Seen { runs, kinks, incomplete }
+}
+
+/// What the first output of a piece tends to at a time of it.
+fn tends_to(piece: &Piece, time: f64) -> Option<Bounded> {
+    let (c, x) = (piece.outputs.first()?, piece.values.first()?);
+    let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
+    Some(Bounded { value: horner(c, time - piece.centre), error: 4.0 * x.error + 64.0 * f64::EPSILON * size })
 }
 
 /// Appends the turning points of the first output in ascending order; true if it stays within its error of 0 throughout.

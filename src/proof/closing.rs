@@ -45,10 +45,21 @@ pub(super) struct Dynamics {
     pub(super) derived: Vec<(Expr, Expr)>,
     /// Whether an equation names the time.
     timely: bool,
+    /// Whether something that moves is named at a fixed time.
+    fixed: bool,
     /// Whether an equation is about the time alone, which no motion can help.
     impossible: bool,
     /// For each equation, what it contributes to the columns; `None` where the assignment does not reach all equations.
     matrix: Option<Vec<Vec<(usize, Expr)>>>,
+}
+
+/// Whether everything has the same value at all times that a point names.
+fn stays(point: &Point) -> bool {
+    point.values.iter().all(|(a, value)| {
+        let again = |b: &Leaf| b != a && b.rate == 0 && (b.symbol, b.component) == (a.symbol, a.component);
+        let mut others = point.values.iter().filter(|(b, _)| again(b));
+        a.rate > 0 || others.all(|(_, other)| other.exact.is_some() && other.exact == value.exact)
+    })
 }
 
 /// Whether an expression is one of some symbols.
@@ -69,6 +80,8 @@ impl Dynamics {
         moves: &impl Fn(Leaf) -> bool,
     ) -> Result<Dynamics, Reason> {
         let mut out = Dynamics::default();
+        let named = equations.iter().flat_map(|&(l, r)| [l, r]).chain(asked.iter().copied());
+        out.fixed = graph.leaves(named).into_iter().any(|leaf| leaf.instant.is_some());
         for &(l, r) in equations {
             let leaves = graph.leaves([l, r]);
             let moving = leaves.iter().any(|&leaf| leaf.instant.is_none() && moves(leaf));
@@ -175,7 +188,11 @@ impl Dynamics {
             leaf.rate == 0 || value.exact.as_ref().is_some_and(|r| *r == Rational::ZERO)
         };
         if !self.timely && point.values.iter().all(still) {
-            return true;
+            return stays(point);
+        }
+        // A motion leads from one time to another: values at several of them cannot be chosen.
+        if self.fixed {
+            return false;
         }
         let Some(matrix) = &self.matrix else { return false };
         let values = values_at(point);

@@ -442,6 +442,7 @@ impl Step<'_> {
                 None => done.push(case),
                 Some(factors) => {
                     let zero = self.graph.integer(0);
+                    let case = self.of_one_time(case);
                     for factor in factors.into_iter().rev() {
                         let mut one = case.clone();
                         // First, so that it is solved first.
@@ -452,6 +453,17 @@ impl Step<'_> {
             }
         }
         done
+    }
+
+    /// Premises without what they say of fixed times: another factor may vanish there.
+    fn of_one_time(&self, mut case: Premises) -> Premises {
+        let graph = &self.graph;
+        let now = |e: &Expr| graph.leaves([*e]).iter().all(|leaf| leaf.instant.is_none());
+        case.equations.retain(|(l, r)| now(l) && now(r));
+        for facts in [&mut case.nonzero, &mut case.positive, &mut case.not_negative] {
+            facts.retain(now);
+        }
+        case
     }
 
     /// The factors of the first premise, or derivative of one, that is a product and has no factor among the premises yet.
