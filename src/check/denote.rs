@@ -182,11 +182,15 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
     some
 }
 
-/// Whether an angle atan2(y, x) with a cut stands in some expressions. Observables are written out, but for those that are continued
-/// along a motion.
-fn has_cut(graph: &mut Graph, scope: &Scope, of: Vec<Expr>) -> bool {
-    let written: Vec<Expr> = of.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
-    graph.reachable(written).into_iter().any(|e| matches!(graph.node(e), Node::Binary(Op::Arctan2, ..)))
+/// Where angles atan2(y, x) in comparisons have their cuts. Observables are written out, but for those that are continued along a
+/// motion.
+fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>) -> Vec<(usize, [Expr; 2])> {
+    let mut out = Vec::new();
+    for (position, sides) in sides.into_iter().enumerate() {
+        let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
+        out.extend(graph.arctan2s(written).into_iter().map(|of| (position, of)));
+    }
+    out
 }
 
 /// What is asked of a term, as a relation to 0.
@@ -209,9 +213,9 @@ impl Program {
         let Derivation { graph, claims, systems, .. } = derivation;
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
         let scope = &claims[claim].scope;
-        let sides: Vec<Expr> = program.comparisons().flat_map(|c| [c.left, c.right]).collect();
-        program.leaps = has_cut(graph, scope, sides);
-        program.leaps_at = has_cut(graph, scope, program.at.into_iter().collect());
+        let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
+        program.cuts = cuts(graph, scope, sides);
+        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()]).is_empty();
         program
     }
 }

@@ -144,6 +144,12 @@ pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incom
     if let Some(doubt) = &events.doubt {
         return Some(doubt.clone());
     }
+    if let Some(t) = leap_of_the_motion(trial) {
+        return Some(format!(
+            "near t = {} the motion may leap, and whether `{text}` happens there cannot be told",
+            short(t)
+        ));
+    }
     if let Some(&t) = zeros.touching.first() {
         return Some(format!(
             "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
@@ -152,6 +158,19 @@ pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incom
     }
     let open = zeros.incomplete.iter().find(|i| counts(i));
     open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
+}
+
+/// A time in the span at which a state leaps, or may, that an event names.
+fn leap_of_the_motion(trial: &Trial) -> Option<f64> {
+    let Trial { graph, claim, program, course, .. } = *trial;
+    let moves = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    if !course.motion.leaps() || !graph.leaves(program.at).iter().any(moves) {
+        return None;
+    }
+    let (from, to) = course.stage.span(course.trajectory);
+    let known = |gap: &&Incomplete| matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    let gaps = course.motion.unresolved().iter().filter(|gap| !known(gap)).map(Incomplete::stretch);
+    gaps.filter(|(start, end)| *start <= to && *end >= from).map(|(start, _)| start).next()
 }
 
 /// Events at an end of the span, up to the error of their times: whether they lie in it is not known.
@@ -202,7 +221,8 @@ pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) ->
     let asserted = part.group.asserted
         && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
     let open = |gap: &&Incomplete| match gap {
-        Incomplete::NoValue { .. } => asserted,
+        Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => asserted,
+        Incomplete::NoValue { .. } => asserted || course.motion.leaps(),
         Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
     };
     if let Some(gap) = gaps.iter().filter(inside).find(open) {

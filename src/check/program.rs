@@ -5,7 +5,7 @@
 
 use super::comparison::{Comparison, Group};
 use super::measured::{Measured, Series};
-use super::part::{BLOCK, Evaluation, Part as Block};
+use super::part::{BLOCK, Block as Wide, Evaluation, Part as Block};
 use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::flow::{Points, Sample};
@@ -113,11 +113,11 @@ pub(super) struct Program {
     pub steep: Vec<Expr>,
     /// What touches 0 where something may have a value at a single time only.
     pub scarce: Vec<Expr>,
-    /// Whether an angle leaps in a comparison.
-    pub leaps: bool,
+    /// y and x of every atan2(y, x) in a comparison, with its position. What is continued along a motion has no cut.
+    pub cuts: Vec<(usize, [Expr; 2])>,
     /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
     pub leaps_at: bool,
-    /// Left, right, and left − right of every comparison.
+    /// Left, right, and left − right of every comparison; then what `cuts` are of.
     sides: Option<Block>,
     /// The size of the terms of every comparison.
     sizes: Option<Block>,
@@ -141,7 +141,7 @@ pub(super) struct Denoted {
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
         let Denoted { selectors, hypotheses, parts, claim, at, steep, scarce, sign } = of;
-        let (sides, sizes, inputs) = (None, None, Vec::new());
+        let (cuts, sides, sizes, inputs) = (Vec::new(), None, None, Vec::new());
         Program {
             selectors,
             hypotheses,
@@ -150,7 +150,7 @@ impl From<Denoted> for Program {
             at,
             steep,
             scarce,
-            leaps: false,
+            cuts,
             leaps_at: false,
             sides,
             sizes,
@@ -225,7 +225,8 @@ impl Program {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
         let one_sided = self.groups().flat_map(|g| &g.one_sided);
         let searched = self.steep.iter().chain(&self.scarce).chain(one_sided).copied();
-        let roots = roots.chain(self.at).chain(searched).collect::<Vec<_>>();
+        let cuts = self.cuts.iter().flat_map(|(_, of)| *of);
+        let roots = roots.chain(self.at).chain(searched).chain(cuts).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
 
@@ -236,7 +237,8 @@ impl Program {
     pub fn compile(&mut self, graph: &mut Graph, known: &[Leaf]) -> Result<(), Leaf> {
         let compared: Vec<(Expr, Expr)> = self.comparisons().map(|c| (c.left, c.right)).collect();
         let sizes: Vec<Expr> = self.comparisons().map(|c| c.magnitude).collect();
-        let sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
+        let mut sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
+        sides.extend(self.cuts.iter().flat_map(|(_, of)| *of));
         let sides = Block::new(graph, known, self.sign, &sides)?;
         let sizes = Block::new(graph, known, self.sign, &sizes)?;
         self.inputs = sides.inputs().iter().chain(sizes.inputs()).copied().collect();
@@ -280,7 +282,7 @@ impl Program {
     /// Measures every comparison at the first `times` of the points, for one sign of ±.
     pub fn measure(&self, (points, times): (&Points, usize), sign: f64) -> Vec<Series> {
         let Some(sides) = &self.sides else { return Vec::new() };
-        let count = sides.tape().output_count() / SIDES;
+        let count = (sides.tape().output_count() - 2 * self.cuts.len()) / SIDES;
         let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
         let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
         let mut failed = 0;
@@ -291,7 +293,11 @@ impl Program {
             let end = (begin + BLOCK).min(times);
             if times >= BLOCK && failed < PATIENCE {
                 let all = evaluation.at_all(std::array::from_fn(|i| begin + i));
-                if let Some(slots) = all {
+                let clear = |slots: &&Slots<Wide>| {
+                    let lane = |output: usize, i: usize| sides.tape().output(output, slots).ok().map(|b| b.lane(i));
+                    (0..BLOCK).all(|i| self.crossed(count, |output| lane(output, i)).next().is_none())
+                };
+                if let Some(slots) = all.filter(clear) {
                     failed = 0;
                     for (k, series) in out.iter_mut().enumerate() {
                         series.push_block(three(|n| sides.tape().output(SIDES * k + n, slots)), from - begin);
@@ -303,7 +309,13 @@ impl Program {
             }
             for at in from..end {
                 let slots = evaluation.at(at);
+                let crossed: Vec<usize> =
+                    self.crossed(count, |output| sides.tape().output(output, slots).ok().copied()).collect();
                 for (k, series) in out.iter_mut().enumerate() {
+                    if crossed.contains(&k) {
+                        series.push(Err(NoValue::Indeterminate));
+                        continue;
+                    }
                     let of = |[left, right, difference]: [&Bounded; SIDES]| Measured {
                         left: left.value,
                         right: right.value,
@@ -315,6 +327,20 @@ impl Program {
             from = end;
         }
         out
+    }
+
+    /// The positions of the `count` comparisons in which an angle atan2(y, x) may lie on either side of its cut, as far as the
+    /// errors of y and x tell: it is π or −π there, and the error of a value near one of them says nothing of the other.
+    fn crossed<'p>(
+        &'p self,
+        count: usize,
+        output: impl Fn(usize) -> Option<Bounded> + 'p,
+    ) -> impl Iterator<Item = usize> + 'p {
+        let straddles = move |at: usize| {
+            let (y, x) = (output(SIDES * count + 2 * at), output(SIDES * count + 2 * at + 1));
+            y.is_some_and(|y| y.contains_zero() && y.error > 0.0) && x.is_some_and(|x| x.value - x.error < 0.0)
+        };
+        self.cuts.iter().enumerate().filter(move |(at, _)| straddles(*at)).map(|(_, (position, _))| *position)
     }
 }
 

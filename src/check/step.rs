@@ -446,6 +446,10 @@ impl<'a> Step<'a> {
                 continue;
             }
             let mut premises = self.premises(gathered, equations, Definitions::All);
+            if moves {
+                // It may vanish for a while, and not at the times that are named.
+                premises = self.of_one_time(premises);
+            }
             premises.equations.insert(0, (pivot, zero));
             let found = self.test_only(&premises, equations, &Options::default());
             let discharged = match found {

@@ -316,7 +316,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
         (counted.is_empty(), setting.left.iter().find(|l| matches!(l, Left::Open(_))))
     {
         evidence.reason = Some(reason.to_string());
-        return Finding::sampled(Possible::TRUE_OR_VOID, evidence);
+        // What is asked of what lies between the samples, too, may be otherwise there.
+        let between = setting.first || group.group.comparisons.iter().any(|c| c.kind != RelationKind::Equal);
+        return Finding::sampled(if between { Possible::ANY } else { Possible::TRUE_OR_VOID }, evidence);
     }
     if counted.is_empty() {
         let reason = setting.left.iter().find_map(|l| match l {

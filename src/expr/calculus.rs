@@ -97,6 +97,15 @@ impl Graph {
         self.lifted(d, |of| off.contains(&of))
     }
 
+    /// y and x of every atan2(y, x) below some expressions.
+    pub fn arctan2s(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<[Expr; 2]> {
+        let of = |e: Expr| match *self.node(e) {
+            Node::Binary(Op::Arctan2, y, x) => Some([y, x]),
+            Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => None,
+        };
+        self.reachable(roots).into_iter().filter_map(of).collect()
+    }
+
     /// Something that has a value where the angle `angle` = atan2(y, x) is not π: tan ½atan2(y, x).
     fn off_its_cut(&mut self, angle: Expr) -> Expr {
         let half = self.constant(Rational::ONE / Rational::from(2));

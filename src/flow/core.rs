@@ -49,6 +49,8 @@ pub(super) struct Core {
     pub(super) angles: Vec<Arc<Angle>>,
     /// Angles with their turns, and their derivatives: they have no cut.
     pub(super) continued: Vec<(Expr, Expr)>,
+    /// y and x of every angle atan2(y, x) in the formulas of the states: on its cut such a state leaps.
+    pub(super) cuts: Vec<Arc<Program>>,
     /// Definitions of leaves in basic leaves.
     pub(super) definitions: BTreeMap<Leaf, Expr>,
 }
@@ -81,6 +83,34 @@ impl Definitions for Core {
 }
 
 impl Core {
+    /// What the formulas of some states, in basic leaves, have of angles with cuts.
+    pub(super) fn note_cuts(&mut self, graph: &Graph, formulas: &[Expr]) -> Result<(), FlowError> {
+        let followed = graph.arctan2s(self.continued.iter().map(|(angle, _)| *angle));
+        let mut of = graph.arctan2s(formulas.iter().copied());
+        of.retain(|sides| !followed.contains(sides));
+        let of: Vec<Expr> = of.into_iter().flatten().collect();
+        if !of.is_empty() {
+            let program = self.compile(graph, &of)?;
+            self.cuts.push(Arc::new(program));
+        }
+        Ok(())
+    }
+
+    /// Whether a state may leap at a time: an angle in its formula is on its cut, as far as errors tell, and what it is there is
+    /// the value of one side.
+    pub(super) fn may_leap(&self, t: f64) -> bool {
+        self.cuts.iter().any(|cuts| {
+            let turns = self.turns(cuts, t, &mut Vec::new());
+            let mut bench = cuts.bench::<Bounded>(self, 0);
+            cuts.run(self, &mut bench, t, &turns);
+            let value = |i: usize| cuts.output(&bench, i).map(|x| x.coefficient(0));
+            (0..cuts.output_count() / 2).any(|i| match (value(2 * i), value(2 * i + 1)) {
+                (Ok(y), Ok(x)) => y.contains_zero() && y.error > 0.0 && x.value - x.error < 0.0,
+                (Err(_), _) | (_, Err(_)) => false,
+            })
+        })
+    }
+
     /// A new constant.
     pub(super) fn constant(&mut self, graph: &mut Graph, value: Result<Bounded, NoValue>) -> Expr {
         let leaf = fresh(graph, "constant");
@@ -114,6 +144,9 @@ impl Core {
             Ok(time) => time,
             Err(reason) => return Ok(Err(reason)),
         };
+        if self.may_leap(time.value) {
+            return Ok(Err(NoValue::Indeterminate));
+        }
         let program = self.compile(graph, &[value])?;
         let turns = self.turns(&program, time.value, &mut Vec::new());
         let coefficient = |order: usize| {

@@ -150,6 +150,7 @@ impl Draft {
             constants: Vec::new(),
             angles: Vec::new(),
             continued: Vec::new(),
+            cuts: Vec::new(),
             definitions: BTreeMap::new(),
         };
         // States that come from another motion are resolved with its definitions, which are then forgotten.
@@ -200,6 +201,8 @@ impl Draft {
             Some(begun) => Some(Arc::new(begun.finish()?)),
             None => core.orbit,
         };
+        let formulas: Vec<Expr> = states.iter().map(|(_, e)| *e).collect();
+        core.note_cuts(graph, &formulas)?;
         core.definitions.extend(states);
         let given = core.definitions.keys().copied().collect();
         match core.orbit {
@@ -308,6 +311,9 @@ impl Motion {
     /// The error of a state is the estimate of its trajectory; from there on bounds are propagated.
     pub fn at(&self, t: f64) -> Point {
         let Some(prepared) = &self.prepared else { return Vec::new() };
+        if self.core.may_leap(t) {
+            return prepared.leaves.orders().map(|_| Err(NoValue::Indeterminate)).collect();
+        }
         self.with_scratch(|scratch| prepared.leaves.at(&prepared.core, &mut scratch.leaves, t).0)
     }
 
@@ -317,6 +323,9 @@ impl Motion {
     /// place.
     pub fn along(&self, times: &[f64]) -> Points {
         let Some(prepared) = &self.prepared else { return Points::default() };
+        if !self.core.cuts.is_empty() {
+            return times.iter().map(|&t| self.at(t)).collect();
+        }
         // Blocks take much memory, and are asked for once.
         prepared.leaves.along(&prepared.core, &mut Memory::default(), times)
     }
@@ -324,6 +333,9 @@ impl Motion {
     /// The same for some of the prepared leaves, by their positions: the others have no values.
     pub fn along_some(&self, times: &[f64], leaves: &[usize]) -> Points {
         let Some(prepared) = &self.prepared else { return Points::default() };
+        if !self.core.cuts.is_empty() {
+            return self.along(times);
+        }
         let part = prepared.leaves.part(leaves);
         let found = part.along(&prepared.core, &mut Memory::default(), times);
         let mut places = vec![None; prepared.leaves.orders().count()];
@@ -384,6 +396,11 @@ impl Motion {
     /// more between two samples than samples can show.
     pub fn unresolved(&self) -> &[Incomplete] {
         &self.core.resolution.gaps
+    }
+
+    /// Whether the formulas of the states have angles with cuts, at which they leap: there they have a value that is not known.
+    pub fn leaps(&self) -> bool {
+        !self.core.cuts.is_empty()
     }
 
     /// Times, known to about a billionth of the span, at which a state of a motion by formulas has a corner, and a rate no value.

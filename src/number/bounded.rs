@@ -486,9 +486,7 @@ impl Number for Bounded {
             *self = Bounded { value, error: 0.0 };
             return Ok(());
         }
-        // On either side of the cut it is another value, which no error of one of them tells.
-        let cut = y.error > 0.0 && x.value < 0.0;
-        if y.contains_zero() && (cut || x.contains_zero()) {
+        if y.contains_zero() && x.contains_zero() {
             return Err(NoValue::Indeterminate);
         }
         let s = scalar::scale(y.value, x.value);

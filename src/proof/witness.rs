@@ -124,7 +124,11 @@ fn evaluate<N: Number<Context = ()>>(
 /// yield one of two representatives.
 pub(super) fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
     let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
-    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied()).collect()
+    let torn = tape.instructions().iter().any(|i| {
+        let y = slots.value(i.a as usize);
+        i.op == Op::Arctan2 && y.error > 0.0 && y.contains_zero() && slots.value(i.b as usize).value < 0.0
+    });
+    (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
 }
 
 /// The value of a rational, with its rounding.

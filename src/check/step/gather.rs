@@ -456,7 +456,7 @@ impl Step<'_> {
     }
 
     /// Premises without what they say of fixed times: another factor may vanish there.
-    fn of_one_time(&self, mut case: Premises) -> Premises {
+    pub(super) fn of_one_time(&self, mut case: Premises) -> Premises {
         let graph = &self.graph;
         let now = |e: &Expr| graph.leaves([*e]).iter().all(|leaf| leaf.instant.is_none());
         case.equations.retain(|(l, r)| now(l) && now(r));
