@@ -25,8 +25,6 @@ faults! {
     NO_DOMAIN, no_domain;
     /// Take < for ≤, and > for ≥.
     WEAK, weak;
-    /// Use slopes of functions that jump.
-    NO_CONTINUITY, no_continuity;
     /// Take a zero for verified although Krawczyk's operator does not map into the interior, but only meets the part.
     NO_INCLUSION, no_inclusion;
 }

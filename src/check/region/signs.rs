@@ -228,7 +228,7 @@ impl Signs {
         let mut truth = range.map_or(Truth::Open, |r| judged(of.kind, r.range()));
         if truth == Truth::Open
             && let Some(wide) = range
-            && (wide.is_continuous() || faults::no_continuity())
+            && wide.is_continuous()
             && let Some(sharp) = self.sharper(relation, cell, wide, scratch)
         {
             range = Some(wide.narrowed(sharp));
