@@ -125,6 +125,7 @@ mod lowered;
 #[cfg(feature = "certificates")]
 mod membership;
 mod memory;
+#[cfg(feature = "certificates")]
 mod names;
 mod newton;
 pub mod order;
@@ -137,6 +138,7 @@ mod prove;
 mod range;
 mod relate;
 mod restate;
+#[cfg(feature = "certificates")]
 mod ring;
 mod roots;
 mod sign;
