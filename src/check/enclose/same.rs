@@ -109,15 +109,14 @@ impl Same {
             for (name, compared) in self.names.iter().zip(self.compared(along, time)) {
                 match compared {
                     Ok((d, _)) if d.magnitude() <= room => largest = largest.max(d.magnitude()),
-                    // Not to within a precision: they differ.
-                    Ok((d, _))
-                        if !d.contains(0.0)
-                            && let Some(witness) = self.apart(along, time.mid()) =>
-                    {
-                        let reason = lie_apart(&witness);
-                        return Shown::Fails(witness, reason);
-                    }
                     Ok((d, _)) => {
+                        // Not to within a precision: they differ.
+                        if !d.contains(0.0)
+                            && let Some(witness) = self.apart(along, time.mid())
+                        {
+                            let reason = lie_apart(&witness);
+                            return Shown::Fails(witness, reason);
+                        }
                         open = Some(format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi()));
                         break;
                     }
