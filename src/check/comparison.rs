@@ -103,6 +103,8 @@ pub(super) struct Group {
     /// What leaves one comparison without a value and not another, or for one sign of ±: where it vanishes, the sign that serves
     /// elsewhere may not count, and the other is false.
     pub one_sided: Vec<Expr>,
+    /// Whether an angle in it may leap: what is so on both sides of a leap need not be so at it.
+    pub leaps: bool,
 }
 
 impl Default for Group {
@@ -116,6 +118,7 @@ impl Default for Group {
             asserted: false,
             denied: false,
             one_sided: Vec::new(),
+            leaps: false,
         }
     }
 }

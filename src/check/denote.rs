@@ -102,13 +102,26 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
             continue;
         }
         let label = format!("{} has a value", w.text);
-        let condition = Comparison::new(graph, scope, label, relation(need.sign), need.value, zero);
+        let value = if need.sign == Sign::NotZero { root_of_zeros(graph, need.value) } else { need.value };
+        let condition = Comparison::new(graph, scope, label, relation(need.sign), value, zero);
         match need.certain {
             true => out.push(condition),
             false => edges.extend(condition.boundaries),
         }
     }
     (out, edges)
+}
+
+/// What is 0 where this is, and changes its sign there sooner: |x|, x² and √x are 0 where x is.
+fn root_of_zeros(graph: &Graph, e: Expr) -> Expr {
+    let mut root = e;
+    loop {
+        match *graph.node(root) {
+            Node::Unary(Op::Abs | Op::Sqrt, a) => root = a,
+            Node::Unary(Op::Powi(n), a) if n > 0 => root = a,
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => return root,
+        }
+    }
 }
 
 /// Powers from this one on are taken for exponentials.
@@ -146,13 +159,19 @@ fn exponents(graph: &mut Graph, scope: &Scope, comparisons: &[&Comparison]) -> V
     out
 }
 
-/// What must not be negative for the sides to have values, as it is under a root: where it is negative and touches 0, they have
-/// values at single times.
-fn closed_edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<Item = &'c Comparison>) -> Vec<Expr> {
+/// What must be positive for the sides to have values, or, with `true`, must not be negative, as it is under a root: where that
+/// is negative and touches 0, they have values at single times.
+fn edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<Item = &'c Comparison>) -> Vec<(Expr, bool)> {
     let sides: Vec<Expr> = compared.flat_map(|c| [c.left, c.right]).map(|e| traced(graph, scope, e)).collect();
-    let needs = graph.needs_below(sides);
-    let closed = needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotNegative).map(|n| n.value);
-    let mut out: Vec<Expr> = closed.filter(|&e| !graph.leaves([e]).is_empty()).collect();
+    let needs = graph.needs_below(sides).into_iter().filter(|n| n.certain);
+    let mut out: Vec<(Expr, bool)> = needs
+        .filter_map(|n| match n.sign {
+            Sign::NotNegative => Some((n.value, true)),
+            Sign::Positive => Some((n.value, false)),
+            Sign::NotZero => None,
+        })
+        .filter(|&(e, _)| !graph.leaves([e]).is_empty())
+        .collect();
     out.sort_unstable();
     out.dedup();
     out
@@ -214,7 +233,7 @@ impl Program {
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
         let scope = &claims[claim].scope;
         let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
-        program.cuts = cuts(graph, scope, sides);
+        program.cut(cuts(graph, scope, sides));
         program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()]).is_empty();
         program
     }
@@ -270,8 +289,8 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
     let steep = exponents(graph, &claim.scope, &compared);
     let assumed = selectors.iter().chain(&hypotheses).map(|a| &a.part);
     let compared = assumed.chain(&parts).flat_map(|p| &p.group.comparisons);
-    let scarce = closed_edges(graph, &claim.scope, compared);
-    Denoted { selectors, hypotheses, parts, claim: whole, at, steep, scarce, sign }
+    let edges = edges(graph, &claim.scope, compared);
+    Denoted { selectors, hypotheses, parts, claim: whole, at, steep, edges, sign }
 }
 
 /// A claim while it is read.

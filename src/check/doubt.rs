@@ -76,7 +76,7 @@ pub(super) fn unless_valued_between(
         let beside = [before, Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
         beside.into_iter().any(missing)
     };
-    let zeros = || trial.program.scarce.iter().filter_map(|&e| trial.course.zeros(e));
+    let zeros = || trial.program.closed_edges().filter_map(|e| trial.course.zeros(e));
     // What passes through 0 at an end of the span has a value at that time alone, if beside it there is none.
     let at_end = |t: &&f64| (**t - from).min(to - **t) <= SINGLE * (to - from);
     let touching = zeros().flat_map(|z| z.touching.iter().chain(z.times.iter().filter(at_end)));

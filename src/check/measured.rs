@@ -301,14 +301,15 @@ impl<'a> MeasuredGroup<'a> {
             if comparison.kind == RelationKind::Equal {
                 return false;
             }
-            let mut known = series.differences().map(|d| d.contains_zero());
-            let (Some(first), last) =
-                (known.next(), series.differences().next_back().is_some_and(|d| d.contains_zero()))
-            else {
+            let (Some(first), Some(last)) = (series.differences().next(), series.differences().next_back()) else {
                 return false;
             };
-            // What is clear before and after did not fade away.
-            definedness && !first && !last || first && known.all(|w| w)
+            match (first.contains_zero(), last.contains_zero()) {
+                // What is clear before and after did not fade away, and what changes its sign vanishes between.
+                (false, false) => definedness && first.value.is_sign_negative() != last.value.is_sign_negative(),
+                (true, _) => series.differences().all(|d| d.contains_zero()),
+                (false, true) => false,
+            }
         };
         let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(along).collect()).collect();
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
@@ -342,21 +343,23 @@ impl<'a> MeasuredGroup<'a> {
     }
 
     /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
+    /// What must not be 0 for a value to exist is said of single times along the motion, too: so only the event tells of it.
     fn at_events(&mut self, graph: &Graph, event: Expr, along: &MeasuredGroup) {
-        if self.definedness {
-            return;
-        }
-        self.doubted |= self.group.denied;
+        let definedness = self.definedness;
+        self.doubted |= self.group.denied && !definedness;
         let zero = |e: Expr| matches!(graph.node(e), Node::Constant(c) if c.is_zero());
-        let says = |c: &Comparison| match graph.node(event) {
-            Node::Binary(Op::Sub, a, b) => [(*a, *b), (*b, *a)].contains(&(c.left, c.right)),
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => {
-                c.left == event && zero(c.right) || c.right == event && zero(c.left)
-            }
+        let sides = match graph.node(event) {
+            Node::Binary(Op::Sub, a, b) => Some((*a, *b)),
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
+        };
+        let says = |c: &Comparison| {
+            c.left == event && zero(c.right)
+                || c.right == event && zero(c.left)
+                || sides.is_some_and(|(a, b)| [(a, b), (b, a)].contains(&(c.left, c.right)))
         };
         for (here, there) in self.equal.iter_mut().zip(&along.equal) {
             for ((here, there), comparison) in here.iter_mut().zip(there).zip(&self.group.comparisons) {
-                *here &= there | says(comparison);
+                *here &= *there && !definedness || says(comparison);
             }
         }
     }

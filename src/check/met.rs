@@ -1,7 +1,7 @@
-//! Where the selectors of a claim, the inequalities among its assumptions, are met between two samples.
+//! Where the selectors of a claim, the inequalities among its assumptions, are met between two samples, and where it has values.
 //!
-//! **In:** the samples of a motion, and the zeros of left − right of the assumptions. **Out:** more times, so that every
-//! stretch on which the assumptions may be met has some of its own; and why there may be more such stretches.
+//! **In:** the samples of a motion, the zeros of left − right of the assumptions, and the edges of domains. **Out:** more times, so
+//! that every stretch on which the assumptions may be met has some of its own; and why there may be more such stretches.
 //!
 //! An inequality keeps its truth as long as left − right keeps its sign. Between two changes of sign it is met everywhere or
 //! nowhere. A stretch that falls between two samples would be taken for one on which nothing is assumed, and one with a
@@ -77,6 +77,12 @@ pub(super) fn look(trial: &Trial) -> Search {
                 found.open = Some(format!("when `{text}` is met is not known: {}", incomplete(gap)));
             }
         }
+    }
+    // What has values between two edges of domains is tried on each stretch between them.
+    for edge in program.edges() {
+        let Some(zeros) = course.zeros(edge) else { continue };
+        any |= !zeros.times.is_empty();
+        cuts.extend(&zeros.times);
     }
     // What two motions have in common ends where one of them has a corner.
     let others = program.parts.iter().filter_map(|part| match part.what {

@@ -111,8 +111,8 @@ pub(super) struct Program {
     pub at: Option<Expr>,
     /// Exponents in what it says of every time: see `steep`.
     pub steep: Vec<Expr>,
-    /// What touches 0 where something may have a value at a single time only.
-    pub scarce: Vec<Expr>,
+    /// What keeps its sign where something has a value, and whether it may be 0 there.
+    pub edges: Vec<(Expr, bool)>,
     /// y and x of every atan2(y, x) in a comparison, with its position. What is continued along a motion has no cut.
     pub cuts: Vec<(usize, [Expr; 2])>,
     /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
@@ -134,13 +134,13 @@ pub(super) struct Denoted {
     pub claim: Proposition,
     pub at: Option<Expr>,
     pub steep: Vec<Expr>,
-    pub scarce: Vec<Expr>,
+    pub edges: Vec<(Expr, bool)>,
     pub sign: Leaf,
 }
 
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
-        let Denoted { selectors, hypotheses, parts, claim, at, steep, scarce, sign } = of;
+        let Denoted { selectors, hypotheses, parts, claim, at, steep, edges, sign } = of;
         let (cuts, sides, sizes, inputs) = (Vec::new(), None, None, Vec::new());
         Program {
             selectors,
@@ -149,7 +149,7 @@ impl From<Denoted> for Program {
             claim,
             at,
             steep,
-            scarce,
+            edges,
             cuts,
             leaps_at: false,
             sides,
@@ -165,6 +165,18 @@ impl Program {
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         let assumed = self.selectors.iter().chain(&self.hypotheses).map(|a| &a.part.group);
         assumed.chain(self.parts.iter().map(|p| &p.group))
+    }
+
+    /// Notes where angles in its comparisons have their cuts.
+    pub fn cut(&mut self, cuts: Vec<(usize, [Expr; 2])>) {
+        let assumed = self.selectors.iter_mut().chain(&mut self.hypotheses).map(|a| &mut a.part.group);
+        let mut next = 0;
+        for group in assumed.chain(self.parts.iter_mut().map(|p| &mut p.group)) {
+            let own = next..next + group.comparisons.len();
+            next = own.end;
+            group.leaps = cuts.iter().any(|(position, _)| own.contains(position));
+        }
+        self.cuts = cuts;
     }
 
     /// The part, or hypothesis, that an atom of the claim stands for.
@@ -184,7 +196,7 @@ impl Program {
             None => {
                 let parts = parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e);
                 let one_sided = self.groups().flat_map(|g| &g.one_sided);
-                parts.chain(met()).chain(self.scarce.iter().chain(one_sided).copied()).collect()
+                parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).collect()
             }
             Some(e) => {
                 let hypotheses = self.hypotheses.iter().map(|a| &a.part);
@@ -195,6 +207,16 @@ impl Program {
                     .collect()
             }
         }
+    }
+
+    /// What changes its sign where something ceases to have a value.
+    pub fn edges(&self) -> impl Iterator<Item = Expr> + '_ {
+        self.edges.iter().map(|&(e, _)| e)
+    }
+
+    /// What touches 0 where something may have a value at a single time only.
+    pub fn closed_edges(&self) -> impl Iterator<Item = Expr> + '_ {
+        self.edges.iter().filter(|(_, closed)| *closed).map(|&(e, _)| e)
     }
 
     /// What vanishes where a selector may change, with the selector and the relation.
@@ -224,7 +246,7 @@ impl Program {
     pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
         let one_sided = self.groups().flat_map(|g| &g.one_sided);
-        let searched = self.steep.iter().chain(&self.scarce).chain(one_sided).copied();
+        let searched = self.steep.iter().chain(one_sided).copied().chain(self.edges());
         let cuts = self.cuts.iter().flat_map(|(_, of)| *of);
         let roots = roots.chain(self.at).chain(searched).chain(cuts).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()

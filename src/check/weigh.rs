@@ -283,6 +283,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let mut evidence = Evidence::default();
     let mut inconclusive: Option<String> = None;
     let mut inconclusive_count = 0;
+    let mut leaps = false;
     let mut failures: Vec<Failure> = Vec::new();
     let mut worst: Option<(usize, usize)> = None;
     let mut largest = 0.0;
@@ -342,6 +343,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
                 failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
             } else if known.decided().is_none() {
                 inconclusive_count += 1;
+                leaps |= group.group.leaps;
                 inconclusive.get_or_insert_with(|| {
                     let why = fault(c, i, group.signs[best][c].difference(i).err().unwrap_or(NoValue::Indeterminate));
                     format!("at t = {:.6}, {why}", setting.times[i])
@@ -413,8 +415,9 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
         // What never happens, though it should: where it comes closest.
         evidence.witness = Some(shown(&Failure { size: 0.0, sign: judged.sign(time), comparison, time }));
     }
-    // That something has a value is claimed of every point: one that cannot tell leaves it open.
-    let asserted = group.group.asserted && inconclusive_count > 0;
+    // That something has a value is claimed of every point: one that cannot tell leaves it open. So does one at which what
+    // is compared may leap: its value there is none of those around it.
+    let asserted = (group.group.asserted || leaps) && inconclusive_count > 0;
     if asserted || inconclusive_count as f64 > TOLERATED_INCONCLUSIVE * counted.len() as f64 {
         let example = inconclusive.unwrap_or_else(|| "no value could be determined".to_owned());
         let would = match group.mute.iter().flatten().any(|&mute| mute) {

@@ -136,9 +136,11 @@ impl<'a> Explorer<'a> {
         let values = self.values(centre).into_iter().collect::<Result<Vec<_>, _>>()?;
         let turns = self.core.turns(self.program, centre, &mut self.angles);
         self.program.run(self.core, &mut self.series, centre, &turns);
+        // Without its error a value may be out of a domain that it is in, as for all that is known: √0.
         let outputs = (0..self.program.output_count())
             .map(|i| self.program.output(&self.series, i).map(|x| x.coefficients().to_vec()))
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(|_| NoValue::Indeterminate)?;
         Ok(Piece { start, end, centre, outputs, values })
     }
 

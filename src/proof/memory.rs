@@ -18,6 +18,8 @@ use expr::Expr;
 #[derive(Clone, Debug, Default)]
 pub struct Memory {
     open: Vec<(Asked, Reason)>,
+    /// Questions that the present one has led to so far.
+    led_to: usize,
     pub(super) structure: Rc<RefCell<Structure>>,
 }
 
@@ -47,7 +49,16 @@ impl Asked {
     }
 }
 
+/// Most questions that one may lead to: each may lead to as many again, at each depth.
+const MOST_QUESTIONS: usize = 160;
+
 impl Memory {
+    /// Whether one more question may be asked, `depth` questions below the first one, with which counting begins.
+    pub(super) fn may_ask(&mut self, depth: u32) -> bool {
+        self.led_to = if depth == 0 { 0 } else { self.led_to + 1 };
+        self.led_to <= MOST_QUESTIONS
+    }
+
     pub(super) fn why_open(&self, asked: &Asked) -> Option<Reason> {
         self.open.iter().find(|(a, _)| a == asked).map(|(_, reason)| reason.clone())
     }

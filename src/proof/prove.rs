@@ -79,6 +79,9 @@ pub(super) fn identity_at(
     options: &Options,
     depth: u32,
 ) -> Identity {
+    if !memory.may_ask(depth) {
+        return Identity::Undecided(Reason::TooLarge);
+    }
     match decide(memory, graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
         Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),

@@ -133,27 +133,26 @@ pub(super) fn strengthen(
         // What was false on samples is looked at where they saw it.
         let near = seen.as_ref().filter(|_| before == Some(Possible::FALSE));
         let shown = match one {
-            Prepared::Compared(Ok(mut ready)) => match position >= beyond {
-                false => {
-                    let all = ready.event.is_none() && !matches!(part.what, What::Limit(_));
-                    match shown(&mut ready, near, along) {
-                        open @ (Shown::Nothing(_) | Shown::Isolated(_) | Shown::Unless(..))
-                            if all && before == Some(Possible::VOID) =>
-                        {
-                            span::silent(&ready, along, open)
-                        }
-                        shown => shown,
+            Prepared::Compared(Ok(mut ready)) => {
+                let found = match (position.checked_sub(beyond), near) {
+                    (Some(hypothesis), None) => {
+                        let text = format!("{:?}", program.hypotheses[hypothesis].text);
+                        let key = (ready.roots.roots().to_vec(), text, ready.precision.to_bits());
+                        along.presuppose(key, |along| shown(&mut ready, None, along))
                     }
-                }
-                true => {
-                    let text = format!("{:?}", program.hypotheses[position - beyond].text);
-                    let key = (ready.roots.roots().to_vec(), text, ready.precision.to_bits());
-                    match near {
-                        Some(_) => shown(&mut ready, near, along),
-                        None => along.presuppose(key, |along| shown(&mut ready, None, along)),
+                    _ => shown(&mut ready, near, along),
+                };
+                let all = ready.event.is_none() && !matches!(part.what, What::Limit(_));
+                match found {
+                    // That no sample counts says nothing of a single time between them.
+                    open @ (Shown::Nothing(_) | Shown::Isolated(_) | Shown::Unless(..))
+                        if all && before == Some(Possible::VOID) =>
+                    {
+                        span::silent(&ready, along, open)
                     }
+                    found => found,
                 }
-            },
+            }
             Prepared::Rank(Ok(rank)) => match near {
                 Some(witness) => rank.refuted(along, witness).map_or_else(Shown::Nothing, |(w, r)| Shown::Fails(w, r)),
                 None => rank.always(along),
