@@ -33,7 +33,7 @@ fn verdicts_are_as_expected_and_members_are_counted() {
     }
     let counts = |id: &str| {
         let f = on(&account, id);
-        (f.members, f.holds, f.fails, f.not_applicable, f.undecided)
+        (f.counts.members, f.counts.holds, f.counts.fails, f.counts.not_applicable, f.counts.undecided)
     };
     // The first of each row of three is what the others are compared with: of four rows, one for each k.
     assert_eq!(counts("period-of-a-spring"), (12, 8, 0, 4, 0));

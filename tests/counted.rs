@@ -154,7 +154,7 @@ fn members_are_tried_and_compared_at_the_time_that_is_counted() {
         assert_eq!(claim.families[0].verdict.outcome().word(), word, "{id}: {:?}", claim.families[0]);
     }
     let fifth = account.claims.iter().find(|c| c.id == "fifth").expect("the claim");
-    assert_eq!((fifth.families[0].holds, fifth.families[0].not_applicable), (1, 3));
+    assert_eq!((fifth.families[0].counts.holds, fifth.families[0].counts.not_applicable), (1, 3));
 }
 
 #[test]
