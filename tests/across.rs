@@ -46,6 +46,8 @@ fn verdicts_are_as_expected_and_members_are_counted() {
     // It falls to 0 and grows from there.
     assert_eq!(counts("even"), (8, 2, 4, 2, 0));
     assert_eq!(counts("never-there"), (12, 0, 0, 12, 0));
+    // What differs by less than its error is in no order.
+    assert_eq!(counts("no-order"), (12, 0, 0, 4, 8));
 }
 
 #[test]
