@@ -170,13 +170,13 @@ fn missing(event: &Event, found: &Events) -> Option<String> {
 /// The last time of an event before another event.
 fn before(second: Known, since: &Event, found: &Events, is_same: bool) -> Result<Known, String> {
     let zeros = &found.zeros;
-    let all = zeros.times.iter().zip(&zeros.slack).map(|(t, slack)| Known { t: *t, slack: *slack });
+    let mut all = zeros.times.iter().zip(&zeros.slack).map(|(t, slack)| Known { t: *t, slack: *slack });
     let is_near = |of: &Known| (of.t - second.t).abs() <= of.slack + second.slack;
     // Where both sides are one, the second event is among those of the first.
     if let Some(near) = all.clone().find(|of| is_near(of) && !(is_same && of.t == second.t)) {
         return Err(format!("which event comes first near t = {:.6} cannot be told", near.t));
     }
-    let earlier = all.filter(|of| of.t < second.t && !is_near(of)).next_back();
+    let earlier = all.rfind(|of| of.t < second.t && !is_near(of));
     // Without an earlier one, everything before counts.
     let from = earlier.map_or(f64::NEG_INFINITY, |first| first.t);
     let gap = |stretch: (f64, f64)| stretch.1 >= from && stretch.0 <= second.t;
@@ -207,14 +207,14 @@ fn note(t: f64, found: Result<Bounded, NoValue>, out: &mut Measurement) {
 /// The nodes of the rule of Gauss and Kronrod with 15 points, from the middle outwards, with their weights; the second weight is that
 /// of the rule of Gauss with 7 points, which has every second node.
 const NODES: [(f64, f64, f64); 8] = [
-    (0.0, 0.209482141084727828012999174891714, 0.417959183673469387755102040816327),
-    (0.207784955007898467600689403773245, 0.204432940075298892414161999234649, 0.0),
-    (0.405845151377397166906606412076961, 0.190350578064785409913256402421014, 0.381830050505118944950369775488975),
-    (0.586087235467691130294144691693013, 0.169004726639267902826583426598550, 0.0),
-    (0.741531185599394439863864773280788, 0.140653259715525918745189590510238, 0.279705391489276667901467771423780),
-    (0.864864423359769072789712788640926, 0.104790010322250183839876322541518, 0.0),
-    (0.949107912342758524526189684047851, 0.063092092629978553290700663189204, 0.129484966168869693270611432679082),
-    (0.991455371120812639206854697526329, 0.022935322010529224963732008058970, 0.0),
+    (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
+    (0.207_784_955_007_898_48, 0.204_432_940_075_298_89, 0.0),
+    (0.405_845_151_377_397_2, 0.190_350_578_064_785_42, 0.381_830_050_505_118_9),
+    (0.586_087_235_467_691_1, 0.169_004_726_639_267_9, 0.0),
+    (0.741_531_185_599_394_5, 0.140_653_259_715_525_92, 0.279_705_391_489_276_64),
+    (0.864_864_423_359_769_1, 0.104_790_010_322_250_19, 0.0),
+    (0.949_107_912_342_758_5, 0.063_092_092_629_978_56, 0.129_484_966_168_869_7),
+    (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
 ];
 
 /// The mean of the quantity between two events, at which it has these values: quadrature over the stretches between the samples of

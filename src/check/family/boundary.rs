@@ -22,6 +22,9 @@ pub(super) struct Width {
 /// What is found at some points of the map: whether it holds, nothing where that is not known; or why no more are tried.
 pub(super) type Found = Result<Vec<Option<bool>>, String>;
 
+/// Tries members at points of the map.
+type Tried<'a, E> = &'a mut dyn FnMut(&[[f64; 2]]) -> Result<Found, E>;
+
 /// Whether the one member of a cell holds, where it does or fails.
 fn holds(cell: &[u64; 4]) -> Option<bool> {
     let [holds, fails, not_applicable, undecided] = *cell;
@@ -76,7 +79,7 @@ pub(super) fn find<E>(
     cells: &[[u64; 4]],
     axes: [&Axis; 2],
     widths: [Option<Width>; 2],
-    tried: &mut dyn FnMut(&[[f64; 2]]) -> Result<Found, E>,
+    tried: Tried<E>,
 ) -> Result<Boundary, E> {
     let mut crossings = pairs(cells, axes, widths);
     let mut out = Boundary { widths: widths.map(|w| w.map(|w| w.width)), ..Boundary::default() };
