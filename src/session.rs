@@ -10,7 +10,7 @@
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
-use crate::check::family::{Join, Part};
+use crate::check::family::{Join, Part, Row};
 use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
     Witness,
@@ -237,7 +237,26 @@ impl Session {
         limits: &Limits,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<String, Failure> {
-        let found = check::family::sweep(&self.derivation, family, part, limits, progress);
+        self.sweep_each(family, part, limits, progress, &mut |_| {})
+    }
+
+    /// The same; `each` is handed the line of every member ([`member_line`](report::member_line)), in the order of their numbers.
+    ///
+    /// # Errors
+    /// As for [`Session::sweep`]; lines that were handed out are then those of a part that is not there.
+    pub fn sweep_each(
+        &self,
+        family: &str,
+        part: Part,
+        limits: &Limits,
+        progress: &(dyn Fn(usize, usize) + Sync),
+        each: &mut dyn FnMut(&str),
+    ) -> Result<String, Failure> {
+        if let Some(family) = self.derivation.families.iter().find(|f| f.id == family) {
+            each(&report::members_head(&self.derivation, family));
+        }
+        let mut row = |row: &Row| each(&report::member_line(row));
+        let found = check::family::sweep(&self.derivation, family, part, limits, progress, &mut row);
         if limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }

@@ -33,7 +33,7 @@ fn verdicts_are_as_expected_and_members_are_counted() {
     }
     let counts = |id: &str| {
         let f = on(&account, id);
-        (f.members, f.holds, f.fails, f.not_applicable, f.undecided)
+        (f.counts.members, f.counts.holds, f.counts.fails, f.counts.not_applicable, f.counts.undecided)
     };
     // The first of each row of three is what the others are compared with: of four rows, one for each k.
     assert_eq!(counts("period-of-a-spring"), (12, 8, 0, 4, 0));
@@ -46,6 +46,8 @@ fn verdicts_are_as_expected_and_members_are_counted() {
     // It falls to 0 and grows from there.
     assert_eq!(counts("even"), (8, 2, 4, 2, 0));
     assert_eq!(counts("never-there"), (12, 0, 0, 12, 0));
+    // What differs by less than its error is in no order.
+    assert_eq!(counts("no-order"), (12, 0, 0, 4, 8));
 }
 
 #[test]

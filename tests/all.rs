@@ -63,6 +63,7 @@ mod latex_robust;
 mod latex_typeset;
 mod layering;
 mod maps;
+mod measures;
 mod mutants;
 mod number_laws;
 mod package;

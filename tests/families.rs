@@ -121,7 +121,7 @@ fn a_member_that_is_pasted_reaches_the_same_verdict() {
 fn a_claim_that_is_false_for_few_members_is_caught() {
     let account = run(&mut corpus());
     let found = on(&account, "bounded", "amplitudes");
-    assert_eq!((found.members, found.fails, found.holds, found.rejected), (9, 2, 7, 0));
+    assert_eq!((found.counts.members, found.counts.fails, found.counts.holds, found.counts.rejected), (9, 2, 7, 0));
     let first = found.first_failing.as_ref().expect("a member");
     assert_eq!((first.number, first.values.as_slice()), (8, &[("x".to_owned(), 3.01)][..]));
     assert_eq!(found.clearest_failing.as_ref().map(|m| m.number), Some(9));
@@ -135,13 +135,13 @@ fn a_claim_that_is_false_for_few_members_is_caught() {
 fn draws_are_counted_and_bound_the_share_that_fails() {
     let account = run(&mut corpus());
     let found = on(&account, "energy", "drawn");
-    assert_eq!((found.members, found.holds), (40, 40));
-    assert!(found.rejected > 0, "{found:?}");
+    assert_eq!((found.counts.members, found.counts.holds), (40, 40));
+    assert!(found.counts.rejected > 0, "{found:?}");
     let share = found.failing_share.expect("a sample");
     // 1 − 0.05^(1/40)
     assert!((share.at_most - 0.072_157_5).abs() < 1e-6, "{share:?}");
     assert_eq!(on(&account, "energy", "both").failing_share, None);
-    assert_eq!(on(&account, "energy", "both").members, 12);
+    assert_eq!(on(&account, "energy", "both").counts.members, 12);
     // The strongest word for a family, whatever is proved of its members.
     assert!(
         account
@@ -233,6 +233,20 @@ fn bad_input_is_refused_with_its_place() {
             &["at most 1000000000 members"],
         ),
         ("of = 'a'\nvary = { 'x' = { values = [1] } }\ndraws = 5", &["nothing is drawn"]),
+        (
+            "of = 'a'\nvary = { 'x' = { values = [1] } }\nsequence = 'random'",
+            &["no sequence of draws", "leave `sequence` out"],
+        ),
+        (
+            "of = 'a'\nvary = { 'x' = { uniform = [0, 1] } }\ndraws = 5\nseed = 1\nsequence = 'sobol'",
+            &["there is no sequence `sobol`"],
+        ),
+        (
+            "of = 'a'\nvary = { 'x' = { polar = [0, 4] } }\ndraws = 5\nseed = 1",
+            &["a polar angle lies between 0 and π", "an azimuth is uniform"],
+        ),
+        ("of = 'a'\nvary = { 'x' = { polar = [1, 0] } }\ndraws = 5\nseed = 1", &["in the wrong order"]),
+        ("of = 'a'\nvary = { 'k' = { polar = [0, 1] } }\ndraws = 5\nseed = 1", &["`k` is declared positive"]),
         ("of = 'a'\nvary = { 'x' = { values = [1] } }\nmembers = 5", &["has no key `members`"]),
     ];
     for (family, expected) in cases {
@@ -279,6 +293,37 @@ fn names_are_looked_up_where_claims_use_them() {
     assert_eq!(both.claims[0].expect_of_families, [Some("fails")]);
     let alone = read(&claim("trajectories = []\nfamilies = ['f']")).expect("it is read");
     assert_eq!((alone.claims[0].trajectories.len(), alone.claims[0].families.len()), (0, 1));
+}
+
+/// A family of points of a sequence, with what is in it and a claim that fails on all of it.
+fn sequence(lines: &str, draws: usize) -> FamilyAccount {
+    let family = format!("of = 'c'\n{lines}\ndraws = {draws}\nseed = 7\nsequence = 'low-discrepancy'");
+    let more = "\n[[trajectory]]\nid = 'c'\nsystem = 's'\nparameters = { 'k' = 1, 'c' = 1 }\ninitial = { 'x' = 1, '\\dot x' = 0 }\nspan = [0, 1]\n";
+    let claim = CLAIM.replace("x<2", "x(0)<0").replace("says", "trajectories = []\nsays");
+    let text = format!("{HEAD}{more}\n[[family]]\nid = 'f'\n{family}\n{claim}");
+    let mut derivation =
+        parse(Source { path: "t.toml".into(), text }, "t").unwrap_or_else(|e| panic!("{}", render(&e, false)));
+    on(&run(&mut derivation), "c", "f").clone()
+}
+
+#[test]
+fn points_of_a_sequence_are_members_and_no_sample() {
+    let found = sequence("vary = { 'c' = { uniform = [0, 1] }, 'x' = { uniform = [1, 2] } }\nwhere = ['x<2-c']", 500);
+    // Who does not satisfy the constraint is not drawn again: half of them, and more evenly so than at random.
+    assert_eq!(found.counts.members + found.counts.rejected, 500);
+    assert!(found.counts.members.abs_diff(250) <= 4, "{:?}", found.counts);
+    // Clopper and Pearson is about independent draws.
+    assert_eq!(found.failing_share, None);
+    // Computed with 400 bits by a program in Python: 0.476… and 1 + 0.809… are rejected, the next is not.
+    let first = found.first_failing.expect("it fails");
+    let values: Vec<f64> = first.values.iter().map(|(_, x)| *x).collect();
+    assert_eq!((first.number, values), (2, vec![0.231_263_513_098_356, 1.378_965_054_853_38]));
+    assert!(first.toml.contains("0.231263513098356"), "{}", first.toml);
+    // The first points of a longer sequence are the same; a normal distribution has its quantiles at them.
+    let more = sequence("vary = { 'k' = { values = [1, 2] }, 'x' = { normal = [9, 1] } }", 40);
+    assert_eq!((more.counts.members, more.counts.fails), (80, 80));
+    let clearest = sequence("vary = { 'k' = { log-uniform = [1, 2] }, 'x' = { polar = [1, 2] } }", 40);
+    assert_eq!((clearest.counts.members, clearest.counts.rejected), (40, 0));
 }
 
 /// Exit code, and what is printed, of a check of a text; with so many threads.

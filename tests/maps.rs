@@ -1,9 +1,10 @@
 //! Maps of families: what is counted in their cells, in one run and in parts, on the page and in the report's data.
 
-use rederive::check::{Account, Options, Rigor, check};
+use rederive::check::family::Part;
+use rederive::check::{Account, Limits, Options, Rigor, check};
 use rederive::derivation::{Derivation, parse};
 use rederive::diag::{Source, render};
-use rederive::report;
+use rederive::{Ask, Session, report};
 
 const HEAD: &str = r"
 [derivation]
@@ -82,8 +83,8 @@ fn every_member_is_counted_in_its_cell() {
             sums.iter_mut().zip(found).for_each(|(sum, n)| *sum += n);
         }
     }
-    assert_eq!(sums, [family.holds, family.fails, family.not_applicable, family.undecided]);
-    assert!(sums[0] > 0 && sums[1] > 0 && sums[2] > 0 && family.rejected == 2, "{family:?}");
+    assert_eq!(sums, [family.counts.holds, family.counts.fails, family.counts.not_applicable, family.counts.undecided]);
+    assert!(sums[0] > 0 && sums[1] > 0 && sums[2] > 0 && family.counts.rejected == 2, "{family:?}");
 }
 
 #[test]
@@ -131,4 +132,111 @@ fn a_map_is_over_two_symbols_that_vary() {
         };
         assert!(found.contains(expected), "{map}: {found}");
     }
+}
+
+const DISC: &str = r"
+[[family]]
+id = 'disc'
+of = 'one'
+vary = { 'a' = { from = -2, to = 2, count = 5 }, 'b' = { values = [2, -2, 1, 0, -1] } }
+map = ['a', 'b']
+boundary = { 'a' = 1e-6, 'b' = 0.01 }
+[[claim]]
+id = 'inside'
+says = 's'
+trajectories = []
+families = ['disc']
+always = ['a^2+b^2<1.7+0x']
+expect = { fails = ['disc'] }
+";
+
+#[test]
+fn the_boundary_is_where_the_verdict_changes() {
+    let mut derivation = derivation(DISC).expect("a derivation");
+    let account = run(&mut derivation);
+    let family = &account.claims[0].families[0];
+    // What is tried to find it is counted nowhere.
+    assert_eq!((family.counts.members, family.counts.holds), (25, 5));
+    let map = family.map.as_ref().expect("a map");
+    let boundary = map.boundary.as_ref().expect("a boundary");
+    assert_eq!((boundary.widths, boundary.crossings.len()), ([Some(1e-6), Some(0.01)], 12));
+    // From 1 to 2 ⁻²⁰ and to 2⁻⁷.
+    assert_eq!((boundary.members, boundary.stopped.as_deref()), (6 * 20 + 6 * 7, None));
+    for c in &boundary.crossings {
+        let (ends, other, width) = if c.along == 0 { (c.across, c.up, 1e-6) } else { (c.up, c.across, 0.01) };
+        let edge = (1.7 - other.0 * other.0).sqrt().copysign(ends.0 + ends.1);
+        assert!(c.is_narrow && ends.0 < edge && edge < ends.1 && ends.1 - ends.0 <= width, "{c:?}");
+        assert_eq!((other.0, c.first_holds), (other.1, ends.0 > 0.0), "{c:?}");
+    }
+    let data: serde_json::Value = serde_json::from_str(&report::json(&derivation, &account)).expect("JSON");
+    let found = &data["claims"][0]["families"][0]["map"]["boundary"];
+    assert_eq!(found["widths"], serde_json::json!({ "across": 1e-6, "up": 0.01 }));
+    assert_eq!(found["crossings"].as_array().map(Vec::len), Some(12));
+    assert_eq!(found["crossings"][0]["first"], "fails");
+    let page = report::page(&derivation, &account);
+    let line = page.find("class=rb").map(|at| &page[at..at + 400]).expect("a line");
+    // Twelve points, and a line across each square that it cuts.
+    assert!(line.contains("h0") && line.contains('L') && page.contains("The line is the edge"), "{line}");
+    for text in [page, report::markdown(&derivation, &account), report::tex(&derivation, &account)] {
+        assert!(text.contains("the verdict changes in 12 places"), "{text}");
+        assert!(text.contains("by 162 motions beside the members"), "{text}");
+    }
+}
+
+#[test]
+fn what_was_counted_in_parts_has_the_same_boundary() {
+    let session = |text: &str| Session::of(derivation(text).expect("a derivation"));
+    let whole = session(DISC)
+        .check(&Ask { only_verdicts: true, trajectories: vec!["disc".into()], ..Ask::default() }, &|_, _| {});
+    let part = |k: u64| session(DISC).sweep("disc", Part::new(k, 3).expect("a part"), &Limits::default(), &|_, _| {});
+    let parts = [2, 3, 1].map(|k| Ok((format!("{k}"), part(k).unwrap_or_else(|e| panic!("{e}")))));
+    let joined = session(DISC).join(parts.into_iter(), &Limits::default(), &|_, _| {});
+    let text = |found: Result<rederive::Findings, rederive::Failure>| found.unwrap_or_else(|e| panic!("{e}")).json();
+    let whole = text(whole);
+    assert!(whole.contains("\"boundary\""));
+    assert_eq!(text(joined), whole);
+}
+
+#[test]
+fn a_boundary_has_a_map_of_single_members() {
+    let cases = [
+        ("boundary = { 'a' = 1 }", "no problem"),
+        ("boundary = { 'c' = 1 }", "the map is not over `c`"),
+        ("boundary = { 'a' = 0 }", "a width is a number above 0"),
+        ("boundary = { 'a' = '1' }", "must be a number"),
+        ("boundary = {}", "this boundary has no width"),
+        ("boundary = 0.1", "must be a table of symbols and widths"),
+    ];
+    let with = |line: &str, old: &str, new: &str| match derivation(
+        &DISC.replace("boundary = { 'a' = 1e-6, 'b' = 0.01 }", line).replace(old, new),
+    ) {
+        Err(found) => found,
+        Ok(_) => "no problem".to_owned(),
+    };
+    for (line, expected) in cases {
+        let found = with(line, "", "");
+        assert!(found.contains(expected), "{line}: {found}");
+    }
+    let line = "boundary = { 'a' = 1 }";
+    assert!(with(line, "map = ['a', 'b']", "").contains("a boundary is that of a map"));
+    let third = with(line, "0, -1] }", "0, -1] }, 'c' = { values = [0, 1] }");
+    assert!(third.contains("differ in one value alone"), "{third}");
+    assert_eq!(with(line, "0, -1] }", "0, -1] }, 'c' = { values = [1] }"), "no problem");
+    let drawn =
+        with(line, "0, -1] }", "0, -1] }, 'c' = { uniform = [0, 1] } }\ndraws = 1\nseed = 1\nwhere = ['a>0'] #");
+    assert!(drawn.contains("draw nothing"), "{drawn}");
+    assert!(with(line, "count = 5", "count = 65").contains("more than 64"));
+}
+
+#[test]
+fn limits_and_constraints_end_a_bisection() {
+    let with = |line: &str| {
+        let mut derivation =
+            derivation(&DISC.replace("map =", &format!("where = ['{line}']\nmap ="))).expect("a derivation");
+        run(&mut derivation).claims[0].families[0].map.clone().and_then(|m| m.boundary).expect("a boundary")
+    };
+    // The ring in which the edge lies has no members.
+    let boundary = with(r"(a^2+b^2-1.7)^2>0.01");
+    assert_eq!(boundary.crossings.len(), 12);
+    assert!(boundary.crossings.iter().all(|c| !c.is_narrow && c.across.1 - c.across.0 + c.up.1 - c.up.0 > 0.01));
 }

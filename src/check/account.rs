@@ -1,6 +1,6 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
-use super::family::FamilyAccount;
+use super::family::{FamilyAccount, MeasureAccount};
 use super::picture::PictureAccount;
 use super::region::RegionAccount;
 use super::second_route::IdentityEvidence;
@@ -308,6 +308,8 @@ pub struct Account {
     pub claims: Vec<ClaimAccount>,
     /// Measurements, in the order of the file.
     pub measurements: Vec<Measurement>,
+    /// What was measured over families, family by family.
+    pub distributions: Vec<MeasureAccount>,
     /// Whether the formulas are consistent in their units.
     pub units: UnitsAccount,
     /// Pictures, in the order of the file: for each, those of the trajectories.

@@ -176,7 +176,7 @@ fn check_recalling(
     let families = Families::of(derivation, options)?;
     let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     if let Some(families) = families {
-        families.try_all(options, &mut account.claims, joined, progress)?;
+        account.distributions = families.try_all(options, &mut account.claims, joined, progress)?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
@@ -650,5 +650,6 @@ fn assemble(
     }
     let order = |m: &Measurement| derivation.measures.iter().position(|x| x.id == m.measure);
     measurements.sort_by_key(order);
-    Account { trajectories, claims, measurements, pictures, units: Default::default() }
+    let (distributions, units) = Default::default();
+    Account { trajectories, claims, measurements, distributions, pictures, units }
 }

@@ -166,6 +166,7 @@ pub fn account() -> Account {
     let refuted = Outcome::Fails(Strength::Sampled);
     let gap = Exclusion { from: 1.0, to: 1.5, reason: "the denominator x is too close to 0".into() };
     Account {
+        distributions: Vec::new(),
         trajectories: vec![trajectory("pulled", "Pulled and let go"), trajectory("pushed", "pushed")],
         claims: vec![
             claim(

@@ -699,7 +699,7 @@ pub(super) fn searched(derivation: &Derivation, requests: &Requests, trajectory:
             }
         }
         let taken = requests.measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
-        searched.extend(taken.filter_map(|m| m.at));
+        searched.extend(taken.flat_map(Compiled::events));
     }
     searched.into_iter().collect()
 }

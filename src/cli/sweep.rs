@@ -1,6 +1,6 @@
 //! `rederive sweep`.
 
-use std::io::IsTerminal;
+use std::io::{BufWriter, IsTerminal, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -41,6 +41,10 @@ pub struct SweepArguments {
     /// The file of the part. It appears once it is whole; what was there is replaced then
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
+    /// Also write the members as a table: comma-separated values, a line for each with its number, the values of what varies,
+    /// the verdicts and what is measured
+    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
+    members: Option<PathBuf>,
     /// Do nothing if the file is there and is this part, whole, of this file, by this version
     #[arg(long)]
     resume: bool,
@@ -59,7 +63,11 @@ fn part(text: &str) -> Result<Part, String> {
 pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Stop> {
     let file = named(&arguments.file)?;
     let output = &arguments.output;
-    write::check_outputs(std::slice::from_ref(output), std::slice::from_ref(&file), &[])?;
+    let outputs: Vec<PathBuf> = std::iter::once(output).chain(&arguments.members).cloned().collect();
+    if arguments.members.as_ref().is_some_and(|members| write::same_place(members, output)) {
+        return Err(Stop::Message("--members and --output are the same file".to_owned()));
+    }
+    write::check_outputs(&outputs, std::slice::from_ref(&file), &[])?;
     let derivation = load(&file).map_err(Stop::Diagnostics)?;
     let (family, part) = (&arguments.family, arguments.part);
     if arguments.resume && is_there(output, &derivation.sha256, family, part) {
@@ -68,11 +76,32 @@ pub fn sweep(arguments: &SweepArguments) -> Result<Exit, Stop> {
     }
     let session = Session::of(derivation);
     let watch = Watch::begin(format!("{family} {part}"));
-    let text = session.sweep(family, part, &Limits::default(), &|done, of| watch.reached(done, of));
+    // Lines wait in a file without a name: nothing of them is left if the part is not finished.
+    let mut table =
+        arguments.members.as_ref().map(|_| tempfile::tempfile().map(BufWriter::new)).transpose().map_err(kept)?;
+    let mut failed = None;
+    let mut each = |line: &str| {
+        if let (Some(table), None) = (&mut table, &failed) {
+            failed = table.write_all(line.as_bytes()).err();
+        }
+    };
+    let text = session.sweep_each(family, part, &Limits::default(), &|done, of| watch.reached(done, of), &mut each);
     watch.bar.finish_and_clear();
-    write::write_file(output, text?.as_bytes())?;
+    let text = text?;
+    if let (Some(members), Some(table)) = (&arguments.members, table) {
+        failed.map_or(Ok(()), Err).map_err(kept)?;
+        let mut table = table.into_inner().map_err(|e| kept(e.into_error()))?;
+        table.rewind().map_err(kept)?;
+        write::write_from(members, &mut table)?;
+    }
+    write::write_file(output, text.as_bytes())?;
     complain(&format!("part {part} of `{family}` is in `{}`\n", output.display()));
     Ok(Exit::Good)
+}
+
+/// That the lines of members cannot be kept until the part is finished.
+fn kept(error: std::io::Error) -> Stop {
+    Stop::Message(format!("the members cannot be kept in the folder for temporary files: {error}"))
 }
 
 /// Whether a file is this part, whole.

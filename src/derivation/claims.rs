@@ -521,6 +521,8 @@ impl Loader<'_> {
         let formula: Option<Literal<'_>> = table.formula(&mut self.problems, "formula");
         let formula = formula.and_then(|f| self.quantity(&f, &scope));
         let at = self.at(&table, &scope);
+        let since = self.since(&table, &scope);
+        let families = self.some_families(&table);
         let trajectories = match table.get("trajectories") {
             Some(_) => self.some_trajectories(&table),
             None => (0..self.out.trajectories.len()).collect(),
@@ -534,6 +536,6 @@ impl Loader<'_> {
             self.problems.note("derivation::wrong-components", formula.span, message);
             return None;
         }
-        new.then_some(Measure { id, says: says?, formula, at, trajectories, unit, measured_in, span })
+        new.then_some(Measure { id, says: says?, formula, at, since, trajectories, families, unit, measured_in, span })
     }
 }

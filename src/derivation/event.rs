@@ -52,6 +52,25 @@ impl Occasion {
     }
 }
 
+/// What a measure takes of a quantity between two events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Since {
+    /// Its value at the second less that at the first.
+    Change,
+    /// Its average over the time between them.
+    Mean,
+}
+
+impl Since {
+    /// What is said before the quantity.
+    pub fn words(self) -> &'static str {
+        match self {
+            Since::Change => "change",
+            Since::Mean => "mean",
+        }
+    }
+}
+
 /// When a claim is tried, or a measure is taken.
 #[derive(Clone, Debug)]
 pub struct Event {
@@ -69,14 +88,42 @@ impl Event {
 }
 
 impl Loader<'_> {
+    /// What a measure takes between two events, if it does.
+    pub(super) fn since(&mut self, table: &Table<'_, '_>, scope: &Scope) -> Option<(Event, Since)> {
+        let take = table.get("take").map(|value| match text_of(&mut self.problems, value, "take")? {
+            "change" => Some(Since::Change),
+            "mean" => Some(Since::Mean),
+            word => {
+                self.problems.unknown("derivation::unknown-key", value.span(), "take", word, ["change", "mean"]);
+                None
+            }
+        });
+        let needed = if table.get("since").is_some() { "at" } else { "since" };
+        if (table.get("since").is_some() || take.is_some()) && table.get(needed).is_none() {
+            let message = format!("what is taken between two events needs `{needed}`");
+            self.problems
+                .note("derivation::missing-key", table.span.clone(), message)
+                .hint("`since` is the first event, `at` the second; both may be the same equation");
+            return None;
+        }
+        let event = self.event(table, "since", scope)?;
+        Some((event, said(take)?.unwrap_or(Since::Change)))
+    }
+
     /// The event under `at`, if there is one.
     pub(super) fn at(&mut self, table: &Table<'_, '_>, scope: &Scope) -> Option<Event> {
-        let value = table.get("at")?;
+        self.event(table, "at", scope)
+    }
+
+    /// The event under a key, if there is one.
+    fn event(&mut self, table: &Table<'_, '_>, key: &str, scope: &Scope) -> Option<Event> {
+        let value = table.get(key)?;
         if !matches!(value.get_ref(), DeValue::Table(_)) {
-            let formula = table.formula(&mut self.problems, "at")?;
+            let formula = table.formula(&mut self.problems, key)?;
             return Some(Event { equation: self.equation(&formula, scope)?, occasion: Occasion::default() });
         }
-        let table = Table::open(&mut self.problems, value, "`at`", keys::AT)?;
+        let what = if key == "since" { "`since`" } else { "`at`" };
+        let table = Table::open(&mut self.problems, value, what, keys::AT)?;
         if table.get("when").is_none() {
             table.missing(&mut self.problems, "when");
         }

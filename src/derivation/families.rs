@@ -7,18 +7,18 @@ use std::ops::Range;
 
 use toml::de::DeValue;
 
-use super::family::{Constraint, Family, LARGEST_FAMILY, Piece, Spread, Varied};
+use super::family::{Constraint, Drawing, Family, LARGEST_FAMILY, Piece, Spread, Varied};
 use super::keys;
 use super::load::Loader;
 use super::model::{GivenValue, Motion, Written};
 use super::motions::{ValueOf, undotted};
-use super::table::{Literal, Table, Value};
+use super::table::{Table, Value, text_of};
 use super::values::Known;
 use expr::{Expr, Leaf, Tensor};
 use latex::{RelationKind, Role, Scope};
 
 const SPREADS: &str = "one of { from = a, to = b, count = n }, { values = […] }, { uniform = [a, b] }, \
-    { log-uniform = [a, b] } and { normal = [mean, deviation] }";
+    { log-uniform = [a, b] }, { polar = [a, b] } and { normal = [mean, deviation] }";
 
 impl Loader<'_> {
     /// Reads every `[[family]]`.
@@ -72,6 +72,7 @@ impl Loader<'_> {
         let drawn = vary.iter().any(|v| v.spread.is_drawn());
         let draws = self.draws(table, drawn);
         let seed = self.seed(table, drawn);
+        let sequence = self.sequence(table, drawn);
         let size = vary.iter().try_fold(draws, |size, v| size.checked_mul(v.spread.points()));
         if size.is_none_or(|size| size > LARGEST_FAMILY) {
             let message = format!("a family has at most {LARGEST_FAMILY} members");
@@ -91,6 +92,7 @@ impl Loader<'_> {
         let motion = motion?;
         let constraints = self.constraints(table, (&parameters, &motion), &scope, &leaves);
         let map = self.map_over(table, &vary);
+        let boundary = self.boundary(table, (map, &vary));
         let text = self.text_of_members(&base, &vary, &scope);
         let where_span = table.get("where").map(|v| v.span());
         (self.problems.found.len() == before).then(|| Family {
@@ -101,45 +103,16 @@ impl Loader<'_> {
             vary,
             draws,
             seed,
+            sequence,
             constraints,
             map,
+            boundary,
             where_span,
             parameters,
             motion,
             text,
             span: place,
         })
-    }
-
-    /// The two symbols of its map.
-    fn map_over(&mut self, table: &Table<'_, '_>, vary: &[Varied]) -> Option<[usize; 2]> {
-        let value = table.get("map")?;
-        let names = table.formulas(&mut self.problems, "map");
-        let [across, up] = names.as_slice() else {
-            let message = "a map is over two of the symbols that vary";
-            self.problems
-                .note("derivation::bad-family", value.span(), message)
-                .hint("for instance map = ['a', 'b']: the first to the right, the second upwards");
-            return None;
-        };
-        let mut place = |name: &Literal<'_>| {
-            let found = vary.iter().position(|v| v.name == name.text.trim());
-            if found.is_none() {
-                let known: Vec<&str> = vary.iter().map(|v| v.name.as_str()).collect();
-                let message = format!("this family does not vary `{}`", name.printed());
-                self.problems
-                    .note("derivation::bad-family", name.span.clone(), message)
-                    .hint(format!("it varies {}", known.join(", ")));
-            }
-            found
-        };
-        let (across, up) = (place(across)?, place(up)?);
-        if across == up {
-            let message = "a map is over two different symbols";
-            self.problems.note("derivation::bad-family", value.span(), message);
-            return None;
-        }
-        Some([across, up])
     }
 
     /// A number that a spread is given by. As it is written, it has the unit of what it is given to.
@@ -251,7 +224,7 @@ impl Loader<'_> {
             return None;
         };
         let table = Table::open(&mut self.problems, value, "a symbol that varies", keys::VARIED)?;
-        let ways = ["from", "values", "uniform", "log-uniform", "normal"];
+        let ways = ["from", "values", "uniform", "log-uniform", "polar", "normal"];
         let ways: Vec<&str> = ways.into_iter().filter(|key| table.get(key).is_some()).collect();
         let &[way] = &ways[..] else {
             let message = if ways.is_empty() { "how it varies is not said" } else { "it varies in two ways" };
@@ -289,6 +262,7 @@ impl Loader<'_> {
                 Some(match way {
                     "uniform" => Spread::Uniform(a, b),
                     "log-uniform" => Spread::LogUniform(a, b),
+                    "polar" => Spread::Polar(a, b),
                     _ => Spread::Normal(a, b),
                 })
             }
@@ -366,6 +340,25 @@ impl Loader<'_> {
                 0
             }
             None => 0,
+        }
+    }
+
+    /// How values are drawn.
+    fn sequence(&mut self, table: &Table<'_, '_>, drawn: bool) -> Drawing {
+        let Some(value) = table.get("sequence") else { return Drawing::Random };
+        if !drawn {
+            let message = "nothing is drawn, so there is no sequence of draws";
+            self.problems.note("derivation::bad-family", value.span(), message).hint("leave `sequence` out");
+            return Drawing::Random;
+        }
+        match text_of(&mut self.problems, value, "sequence") {
+            Some("random") | None => Drawing::Random,
+            Some("low-discrepancy") => Drawing::LowDiscrepancy,
+            Some(word) => {
+                let known = ["random", "low-discrepancy"];
+                self.problems.unknown("derivation::unknown-key", value.span(), "sequence", word, known);
+                Drawing::Random
+            }
         }
     }
 

@@ -16,6 +16,9 @@ use latex::{RelationKind, Statement};
 /// The most members that a family may have.
 pub const LARGEST_FAMILY: u64 = 1_000_000_000;
 
+/// The most values of a row or list that a map shows each by itself.
+pub const WIDEST_ROW: u64 = 64;
+
 /// How the values of a symbol are spread. Ends and parameters are expressions without leaves.
 #[derive(Clone, Debug)]
 pub enum Spread {
@@ -36,6 +39,8 @@ pub enum Spread {
     Uniform(Expr, Expr),
     /// Drawn, with a logarithm that is uniform.
     LogUniform(Expr, Expr),
+    /// Drawn, an angle whose cosine is uniform: the latitude of a point of a sphere, from a pole.
+    Polar(Expr, Expr),
     /// Drawn from a normal distribution: mean and standard deviation.
     Normal(Expr, Expr),
 }
@@ -48,7 +53,7 @@ impl Spread {
     pub fn is_drawn(&self) -> bool {
         match self {
             Spread::Values(_) | Spread::Grid { .. } => false,
-            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => true,
+            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Polar(..) | Spread::Normal(..) => true,
         }
     }
 
@@ -57,7 +62,7 @@ impl Spread {
         match self {
             Spread::Values(values) => values.len() as u64,
             Spread::Grid { count, .. } => *count,
-            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => 1,
+            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Polar(..) | Spread::Normal(..) => 1,
         }
     }
 
@@ -66,7 +71,9 @@ impl Spread {
         match self {
             Spread::Values(values) => values.clone(),
             Spread::Grid { from, to, .. } => vec![*from, *to],
-            Spread::Uniform(a, b) | Spread::LogUniform(a, b) | Spread::Normal(a, b) => vec![*a, *b],
+            Spread::Uniform(a, b) | Spread::LogUniform(a, b) | Spread::Polar(a, b) | Spread::Normal(a, b) => {
+                vec![*a, *b]
+            }
         }
     }
 
@@ -101,6 +108,14 @@ impl Spread {
             Spread::Uniform(from, to) => {
                 ordered(*from, *to).or_else(|| if positive && below(*from) { not_positive() } else { None })
             }
+            Spread::Polar(from, to) => {
+                let outside = |e: &Expr| number(*e).is_some_and(|x| !(0.0..=std::f64::consts::PI).contains(&x));
+                let message = "a polar angle lies between 0 and π".to_owned();
+                let hint = "it is the angle from a pole of a sphere; an azimuth is uniform";
+                ordered(*from, *to)
+                    .or_else(|| if positive && below(*from) { not_positive() } else { None })
+                    .or_else(|| [from, to].into_iter().any(outside).then_some(("derivation::bad-range", message, hint)))
+            }
             Spread::LogUniform(from, to) => ordered(*from, *to).or_else(|| logarithmic(*from)),
             Spread::Normal(mean, _) if positive && below(*mean) => not_positive(),
             Spread::Normal(_, deviation) => {
@@ -109,6 +124,16 @@ impl Spread {
             }
         }
     }
+}
+
+/// How values are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drawing {
+    /// At random, each by itself.
+    #[default]
+    Random,
+    /// The points of a sequence that fills its space evenly.
+    LowDiscrepancy,
 }
 
 /// A symbol that varies.
@@ -161,10 +186,14 @@ pub struct Family {
     pub draws: u64,
     /// Where the draws begin.
     pub seed: u64,
+    /// How they are drawn.
+    pub sequence: Drawing,
     /// What members must satisfy.
     pub constraints: Vec<Constraint>,
     /// The two of those that vary over which the report has a map: to the right, and upwards.
     pub map: Option<[usize; 2]>,
+    /// To which width the edge of where a claim holds is found on the map, along which of its symbols.
+    pub boundary: Vec<(usize, f64)>,
     /// Where the constraints stand in the file.
     pub where_span: Option<Range<usize>>,
     /// The parameters of the trajectory, in what varies.
@@ -183,10 +212,16 @@ impl Family {
         self.vary.iter().map(|v| v.spread.points()).product::<u64>() * self.draws
     }
 
-    /// Whether everything that varies is drawn: then members are a sample of a distribution.
-    pub fn is_drawn(&self) -> bool {
-        self.vary.iter().all(|v| v.spread.is_drawn() || v.spread.points() == 1)
+    /// Whether everything that varies is drawn at random: then members are a sample of a distribution.
+    pub fn is_sample(&self) -> bool {
+        self.sequence == Drawing::Random
+            && self.vary.iter().all(|v| v.spread.is_drawn() || v.spread.points() == 1)
             && self.vary.iter().any(|v| v.spread.is_drawn())
+    }
+
+    /// Whether what does not satisfy the constraints is drawn again. A point of a sequence is not: nothing else has its place.
+    pub fn is_drawn_again(&self) -> bool {
+        self.sequence == Drawing::Random && self.vary.iter().any(|v| v.spread.is_drawn())
     }
 
     /// The components of parameters that are declared positive and depend on what varies.

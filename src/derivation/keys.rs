@@ -51,11 +51,12 @@ pub const TRAJECTORY: &[&str] = &[
 /// Keys of an initial value that is solved for.
 pub const GUESS: &[&str] = &["near", "within"];
 /// Keys of `[[family]]`.
-pub const FAMILY: &[&str] = &["id", "title", "says", "of", "vary", "draws", "seed", "where", "map"];
+pub const FAMILY: &[&str] =
+    &["id", "title", "says", "of", "vary", "draws", "seed", "sequence", "where", "map", "boundary"];
 /// Keys of `[[domain]]`.
 pub const DOMAIN: &[&str] = &["id", "says", "ranges"];
 /// Keys of a symbol that varies.
-pub const VARIED: &[&str] = &["from", "to", "count", "spacing", "values", "uniform", "log-uniform", "normal"];
+pub const VARIED: &[&str] = &["from", "to", "count", "spacing", "values", "uniform", "log-uniform", "polar", "normal"];
 /// Keys that `[[claim]]` and `[[claim.reading]]` share.
 pub const READING: &[&str] = &[
     "id",
@@ -108,7 +109,7 @@ pub const MONOTONE: &[&str] = &["of", "with", "direction"];
 /// Keys of `expect`: the verdicts.
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
-pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "trajectories", "unit"];
+pub const MEASURE: &[&str] = &["id", "says", "formula", "at", "since", "take", "trajectories", "families", "unit"];
 /// Keys of `[[condition]]`.
 pub const CONDITION: &[&str] = &["id", "says", "holds"];
 /// Keys of `[[picture]]`.

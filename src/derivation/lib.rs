@@ -24,6 +24,7 @@ mod families;
 mod family;
 pub mod keys;
 mod load;
+mod map;
 mod model;
 mod motions;
 mod number;
@@ -41,8 +42,8 @@ mod values;
 
 pub use claims::DEFAULT_PRECISION;
 pub use dependence::{Dependence, NoOther};
-pub use event::{Direction, Event, Occasion};
-pub use family::{Constraint, Family, LARGEST_FAMILY, Spread, Varied};
+pub use event::{Direction, Event, Occasion, Since};
+pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
     Across, Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture,

@@ -8,7 +8,7 @@ use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
 use super::dependence::{Dependence, NoOther};
-use super::event::Event;
+use super::event::{Event, Since};
 use super::family::Family;
 use super::premise::Index;
 use super::role::ClaimRole;
@@ -556,8 +556,12 @@ pub struct Measure {
     pub formula: Written<Tensor>,
     /// The quantity is taken at these times. Without it, at the initial time.
     pub at: Option<Event>,
+    /// What is taken of it since another event, the last before each of these times, and not at the times alone.
+    pub since: Option<(Event, Since)>,
     /// The motions on which it is measured: positions in [`Derivation::trajectories`], increasing.
     pub trajectories: Vec<usize>,
+    /// The families on whose members it is measured: positions in [`Derivation::families`], increasing.
+    pub families: Vec<usize>,
     /// Its unit as written.
     pub unit: Option<String>,
     /// Its unit as understood.

@@ -100,12 +100,20 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[family]]", "seed") => json!({
             "type": "integer", "minimum": 0, "description": "Which draws: the same seed gives the same members everywhere",
         }),
+        ("[[family]]", "sequence") => json!({
+            "enum": ["random", "low-discrepancy"],
+            "description": "How values are drawn: at random, which is so unless given, or from a sequence that fills space evenly",
+        }),
         ("[[family]]", "where") => {
             formulas("Inequalities that every member satisfies; others are rejected and counted")
         }
         ("[[family]]", "map") => json!({
             "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2,
             "description": "Two symbols of `vary`, to the right and upwards: the report shows where over these a claim holds",
+        }),
+        ("[[family]]", "boundary") => json!({
+            "type": "object", "additionalProperties": { "type": "number", "exclusiveMinimum": 0 },
+            "description": "Symbols of the map, each with the width to which the edge of where a claim holds is found along it",
         }),
         ("[[domain]]", "id") => id("Its id"),
         ("[[domain]]", "says") => text("For the reader"),
@@ -122,11 +130,12 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("vary", "values") => json!({
             "type": "array", "items": { "$ref": "#/definitions/value" }, "minItems": 1, "description": "These values",
         }),
-        ("vary", "uniform" | "log-uniform" | "normal") => json!({
+        ("vary", "uniform" | "log-uniform" | "polar" | "normal") => json!({
             "type": "array", "items": { "$ref": "#/definitions/value" }, "minItems": 2, "maxItems": 2,
             "description": match key {
                 "uniform" => "Drawn: the ends of a range in which all values are equally likely",
                 "log-uniform" => "Drawn: the ends of a range in which all logarithms are equally likely",
+                "polar" => "Drawn: the ends of a range of angles from a pole of a sphere, whose cosines are equally likely",
                 _ => "Drawn from a normal distribution: mean and standard deviation",
             },
         }),
@@ -224,7 +233,15 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("at", "count") => json!({
             "type": "integer", "minimum": 1, "description": "The n-th of them after the start of the span",
         }),
+        ("[[measure]]", "since") => {
+            part("at", "Another event: what is taken is taken between the last of it before `at`, and `at`")
+        }
+        ("[[measure]]", "take") => json!({
+            "enum": ["change", "mean"],
+            "description": "With `since`: the change of the quantity, which is so unless given, or its mean over the time between",
+        }),
         ("[[measure]]", "trajectories") => ids("Where it is measured; all unless given"),
+        ("[[measure]]", "families") => ids("Families on whose members it is measured, too"),
         ("[[measure]]", "unit") => text("Its unit"),
         ("[[condition]]", "id") => id("Its id"),
         ("[[condition]]", "says") => text("What it is, in words"),

@@ -94,6 +94,24 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     Ok(())
 }
 
+/// Writes one file with all that can be read from somewhere, which need not fit into memory; else as [`write_file`].
+///
+/// # Errors
+/// See [`write_file`].
+pub fn write_from(path: &Path, from: &mut dyn io::Read) -> Result<(), FileError> {
+    may_be_replaced(path)?;
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let place = Place::enter(folder)?;
+    let new = place.new_name();
+    let written = disk::copy_new(&new, from).and_then(|()| disk::rename(&new, path));
+    if written.is_err() {
+        let _ = disk::remove(&new);
+    }
+    written.map_err(|e| FileError::new(path, Why::Unwritable(e)))?;
+    place.settle();
+    Ok(())
+}
+
 /// Writes several files into a folder, each whole.
 ///
 /// # Errors
@@ -315,6 +333,15 @@ mod disk {
         file.sync_all()
     }
 
+    /// The same with what is read from somewhere.
+    pub fn copy_new(path: &Path, from: &mut dyn io::Read) -> io::Result<()> {
+        step()?;
+        let mut file: File = OpenOptions::new().write(true).create_new(true).open(path)?;
+        io::copy(from, &mut file)?;
+        step()?;
+        file.sync_all()
+    }
+
     /// Gives a file a second name; where that is not possible, copies it.
     pub fn carry(from: &Path, to: &Path) -> io::Result<()> {
         step()?;
@@ -433,6 +460,36 @@ mod tests {
             assert_eq!(all, [("a.json", "2"), ("c/2.py", "q"), ("c/notes.txt", "mine")]);
             assert_eq!(entries(&room.path().join("reports")), ["x"], "nothing else is left");
         }
+    }
+
+    #[test]
+    fn what_is_read_from_somewhere_is_there_whole_or_not_at_all() {
+        struct Broken(u32);
+        impl io::Read for Broken {
+            fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+                self.0 += 1;
+                to[0] = b'x';
+                if self.0 > 3 { Err(io::Error::other("on purpose")) } else { Ok(1) }
+            }
+        }
+        let room = tempfile::tempdir().expect("folder");
+        let place = room.path().join("deep").join("t.csv");
+        write_from(&place, &mut "first".as_bytes()).expect("written");
+        assert_eq!(fs::read_to_string(&place).expect("read"), "first");
+        let mut all = 0;
+        for step in 0..9 {
+            FAULT.set(Some((step, false)));
+            let failed = write_from(&place, &mut "second".as_bytes()).is_err();
+            FAULT.set(None);
+            all += usize::from(failed);
+            assert_eq!(fs::read_to_string(&place).expect("read"), if failed { "first" } else { "second" });
+            assert_eq!(entries(&room.path().join("deep")), ["t.csv"], "nothing else is left");
+            write_from(&place, &mut "first".as_bytes()).expect("written");
+        }
+        assert_eq!(all, 3);
+        assert!(write_from(&place, &mut Broken(0)).is_err());
+        assert_eq!(contents(&room.path().join("deep")), BTreeMap::from([("t.csv".to_owned(), "first".to_owned())]));
+        assert!(write_from(room.path(), &mut "x".as_bytes()).is_err());
     }
 
     /// As data bases are tested: every step fails once, and every step is the last one once.

@@ -1,8 +1,9 @@
 //! Claims on families of motions, in the words of every kind of report.
 
 use super::numbers::{count, size, time, value};
+use crate::check::family::{FamilyMap, MeasureAccount, SHARES};
 use crate::check::{FamilyAccount, MemberAccount};
-use crate::derivation::{Claim, Dependence, Event, Form};
+use crate::derivation::{Claim, Dependence, Event, Form, Measure};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
@@ -34,10 +35,10 @@ fn members(n: u64, what: &str) -> String {
 /// How many members have a verdict, by its word.
 pub(super) fn with(family: &FamilyAccount, word: &str) -> usize {
     let n = match word {
-        "holds" => family.holds,
-        "fails" => family.fails,
-        "not-applicable" => family.not_applicable,
-        "undecided" => family.undecided,
+        "holds" => family.counts.holds,
+        "fails" => family.counts.fails,
+        "not-applicable" => family.counts.not_applicable,
+        "undecided" => family.counts.undecided,
         _ => 0,
     };
     usize::try_from(n).unwrap_or(usize::MAX)
@@ -57,22 +58,22 @@ fn percent(share: f64) -> String {
 
 /// The counts, in a sentence without its end.
 pub(super) fn counts(family: &FamilyAccount) -> String {
-    let of = members(family.members, "member");
+    let of = members(family.counts.members, "member");
     let told = [
-        (family.fails, "fails on"),
-        (family.holds, "holds on"),
-        (family.undecided, "is undecided on"),
-        (family.not_applicable, "does not apply to"),
+        (family.counts.fails, "fails on"),
+        (family.counts.holds, "holds on"),
+        (family.counts.undecided, "is undecided on"),
+        (family.counts.not_applicable, "does not apply to"),
     ];
     let parts: Vec<String> = told.iter().filter(|(n, _)| *n > 0).map(|(n, words)| format!("{words} {n}")).collect();
     let all = match &parts[..] {
-        [_] if family.not_applicable == family.members => format!("applies to none of {of} tried"),
-        [one] if family.members > 1 => {
+        [_] if family.counts.not_applicable == family.counts.members => format!("applies to none of {of} tried"),
+        [one] if family.counts.members > 1 => {
             one.rsplit_once(' ').map_or(one.clone(), |(words, _)| format!("{words} all {of} tried"))
         }
         _ => format!("of {of} it {}", parts.join(", ")),
     };
-    let rejected = match family.rejected {
+    let rejected = match family.counts.rejected {
         0 => String::new(),
         n => format!("; {n} more did not satisfy the constraints and were not tried"),
     };
@@ -81,16 +82,85 @@ pub(super) fn counts(family: &FamilyAccount) -> String {
 }
 
 /// What the counts say of members that were not drawn, in a sentence without its end.
-pub(super) fn confidence(family: &FamilyAccount) -> Option<String> {
+fn confidence(family: &FamilyAccount) -> Option<String> {
     let share = family.failing_share?;
-    let fail = if family.undecided > 0 { "fail or stay undecided" } else { "fail" };
-    let applies = if family.not_applicable > 0 { " to which it applies" } else { "" };
+    let fail = if family.counts.undecided > 0 { "fail or stay undecided" } else { "fail" };
+    let applies = if family.counts.not_applicable > 0 { " to which it applies" } else { "" };
     Some(format!(
         "at most {} % of such members{applies} {fail}, with confidence {} %: that is said of random draws from these distributions, \
          and of nothing else",
         percent(share.at_most),
         100.0 * share.confidence,
     ))
+}
+
+/// What is said of a family beside its counts, each a sentence without its end; names are formulas between dollars.
+pub(super) fn remarks(family: &FamilyAccount) -> Vec<String> {
+    confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary)).collect()
+}
+
+/// How finely the boundary on the map was found, in a sentence without its end; names are formulas between dollars.
+fn boundary(map: &FamilyMap) -> Option<String> {
+    let found = map.boundary.as_ref()?;
+    let axes = [&map.across, &map.up].into_iter().zip(found.widths);
+    let widths: Vec<String> =
+        axes.filter_map(|(axis, width)| Some(format!("{} in ${}$", value(width?), axis.name))).collect();
+    let wide = found.crossings.iter().filter(|c| !c.is_narrow).count();
+    let open = if wide > 0 {
+        format!(
+            "; at {} it is undecided, or no motion, in between, and the two are further apart",
+            count(wide, "of these")
+        )
+    } else {
+        String::new()
+    };
+    let stopped = found.stopped.as_ref().map(|why| format!("; it was not finished: {why}")).unwrap_or_default();
+    Some(format!(
+        "between neighbours the verdict changes in {}, each found by bisection to {}, by {} beside the members{open}{stopped}",
+        count(found.crossings.len(), "place"),
+        widths.join(" or "),
+        members(found.members, "motion"),
+    ))
+}
+
+/// What a measure is of: the quantity itself, or what is taken of it between two events; formulas between dollars.
+pub(super) fn taken(measure: &Measure) -> String {
+    let of = format!("${}$", measure.formula.text);
+    let event = |of: &Event| format!("${}${}", of.equation.text, of.occasion.words());
+    match (&measure.at, &measure.since) {
+        (None, _) => format!("{of}, at the initial time"),
+        (Some(at), None) => format!("{of}, when {}", event(at)),
+        (Some(at), Some((since, take))) => {
+            format!("{} of {of} from the last {} to {}", take.words(), event(since), event(at))
+        }
+    }
+}
+
+/// How a measure is distributed over the members of a family: a sentence without its end.
+pub(super) fn distribution(of: &MeasureAccount) -> String {
+    let found = &of.distribution;
+    let on = members(found.members, "member");
+    let without = if found.without > 0 { format!("; no value on {}", found.without) } else { String::new() };
+    let partial =
+        if found.partial > 0 { format!("; on {} perhaps not all values", found.partial) } else { String::new() };
+    let stopped = of.stopped.as_ref().map(|why| format!("; not all were tried: {why}")).unwrap_or_default();
+    let quantile = |share: f64| {
+        let (low, high) = found.quantile(share)?;
+        Some(format!("{} % at most {}", 100.0 * share, value(0.5 * (low + high))))
+    };
+    let quantiles: Vec<String> = SHARES.into_iter().filter_map(quantile).collect();
+    let range = match (&of.least, &of.greatest) {
+        (Some(least), Some(greatest)) => format!(
+            ", from {} (member {}) to {} (member {}); {}, to within 1/128",
+            value(least.value),
+            least.number,
+            value(greatest.value),
+            greatest.number,
+            quantiles.join(", ")
+        ),
+        _ => String::new(),
+    };
+    format!("{} on {on}{range}{without}{partial}{stopped}", members(found.values(), "value"))
 }
 
 /// A member that is shown.
@@ -152,7 +222,7 @@ fn point(of: &MemberAccount) -> Option<String> {
 /// The verdict, before the id of the family.
 pub(super) fn heading(family: &FamilyAccount) -> &'static str {
     match family.verdict.outcome().word() {
-        "holds" if family.not_applicable > 0 => "Holds, where it applies, on the members tried of",
+        "holds" if family.counts.not_applicable > 0 => "Holds, where it applies, on the members tried of",
         "holds" => "Holds on the members tried of",
         "fails" => "Fails on members of",
         "undecided" => "Undecided on",

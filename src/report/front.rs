@@ -183,7 +183,7 @@ fn reason(whole: &Whole<'_>) -> String {
     }
     let pairs = failing.claim.results.iter().filter(|p| p.verdict.outcome().word() == "fails");
     let members = failing.claim.families.iter().filter_map(|f| Some((f, f.first_failing.as_ref()?)));
-    let several = pairs.clone().count() > 1 || failing.claim.families.iter().any(|f| f.fails > 1);
+    let several = pairs.clone().count() > 1 || failing.claim.families.iter().any(|f| f.counts.fails > 1);
     let members = members.map(|(f, member)| format!("member {} of {}", member.number, f.family));
     let mut fails = pairs.map(|pair| pair.trajectory.clone()).chain(members);
     if let Some(named) = fails.next() {

@@ -7,7 +7,7 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::family::{Axis, FamilyMap};
+use crate::check::family::{Axis, Boundary, ExtremeAccount, FamilyMap, MeasureAccount, SHARES};
 use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
@@ -45,7 +45,7 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
     let summary = account.summary();
     let conventions: Map<String, Value> =
         derivation.conventions.iter().map(|(k, v)| (k.clone(), Value::String(v.clone()))).collect();
-    json!({
+    let mut out = json!({
         "schema": 1,
         "tool": { "name": crate::PROGRAM, "version": env!("CARGO_PKG_VERSION") },
         "derivation": {
@@ -88,7 +88,11 @@ fn document(derivation: &Derivation, account: &Account) -> Value {
             "undecided": summary.undecided,
             "unexpected": summary.unexpected,
         },
-    })
+    });
+    if !account.distributions.is_empty() {
+        out["distributions"] = account.distributions.iter().map(on_measure).collect();
+    }
+    out
 }
 
 fn claim(derivation: &Derivation, claim: &ClaimAccount) -> Value {
@@ -258,12 +262,12 @@ fn on_family(family: &FamilyAccount) -> Value {
         "unexpected": family.is_unexpected(),
         "reason": family.verdict.evidence().reason,
         "size": family.size,
-        "members": family.members,
-        "rejected": family.rejected,
-        "holds": family.holds,
-        "fails": family.fails,
-        "not_applicable": family.not_applicable,
-        "undecided": family.undecided,
+        "members": family.counts.members,
+        "rejected": family.counts.rejected,
+        "holds": family.counts.holds,
+        "fails": family.counts.fails,
+        "not_applicable": family.counts.not_applicable,
+        "undecided": family.counts.undecided,
         "stopped": family.stopped,
         "failing_share": family.failing_share.map(|s| json!({
             "at_most": number(s.at_most),
@@ -283,6 +287,36 @@ fn on_family(family: &FamilyAccount) -> Value {
     out
 }
 
+/// An entry of `distributions`.
+fn on_measure(of: &MeasureAccount) -> Value {
+    let extreme = |of: &ExtremeAccount| {
+        json!({
+            "number": of.number,
+            "values": of.values.iter().map(|(name, x)| (name.clone(), number(*x))).collect::<Map<String, Value>>(),
+            "value": number(of.value),
+            "trajectory": of.toml,
+        })
+    };
+    let found = &of.distribution;
+    let quantile = |share: f64| {
+        let (low, high) = found.quantile(share)?;
+        Some(json!({ "share": number(share), "from": number(low), "to": number(high) }))
+    };
+    json!({
+        "measure": of.measure,
+        "family": of.family,
+        "members": found.members,
+        "without": found.without,
+        "partial": found.partial,
+        "values": found.values(),
+        "bound": number(found.bound),
+        "least": of.least.as_ref().map(extreme),
+        "greatest": of.greatest.as_ref().map(extreme),
+        "quantiles": SHARES.into_iter().filter_map(quantile).collect::<Vec<_>>(),
+        "stopped": of.stopped,
+    })
+}
+
 /// The map of a family: two axes with the least and greatest value of each cell, and the counts row by row from below.
 fn of_map(map: &FamilyMap) -> Value {
     let axis = |axis: &Axis| {
@@ -290,10 +324,33 @@ fn of_map(map: &FamilyMap) -> Value {
         json!({ "name": axis.name, "cells": cells })
     };
     let rows: Vec<&[[u64; 4]]> = map.cells.chunks(map.across.cells.len().max(1)).collect();
-    json!({
+    let mut out = json!({
         "across": axis(&map.across),
         "up": axis(&map.up),
         "counts": ["holds", "fails", "not_applicable", "undecided"],
         "rows": rows,
+    });
+    if let Some(boundary) = &map.boundary {
+        out["boundary"] = of_boundary(boundary);
+    }
+    out
+}
+
+/// The boundary on a map: at the ends of each crossing are motions that were tried.
+fn of_boundary(boundary: &Boundary) -> Value {
+    let [across, up] = boundary.widths.map(|w| w.map_or(Value::Null, number));
+    let crossings = boundary.crossings.iter().map(|c| {
+        json!({
+            "across": [number(c.across.0), number(c.across.1)],
+            "up": [number(c.up.0), number(c.up.1)],
+            "first": if c.first_holds { "holds" } else { "fails" },
+            "narrow": c.is_narrow,
+        })
+    });
+    json!({
+        "widths": { "across": across, "up": up },
+        "crossings": crossings.collect::<Vec<_>>(),
+        "members": boundary.members,
+        "stopped": boundary.stopped,
     })
 }

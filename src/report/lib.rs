@@ -3,7 +3,8 @@
 //! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
-//! from [`findings`]; [`part_text`] for the machine that joins the parts of a family.
+//! from [`findings`]; [`part_text`] for the machine that joins the parts of a family, [`member_line`] for programs that
+//! read its members.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
 //! computed here: every number comes from the account, and is only chosen and written.
@@ -31,6 +32,7 @@ mod letters;
 mod markdown;
 mod marked;
 mod mathml;
+mod members;
 mod numbers;
 mod overview;
 mod page;
@@ -60,6 +62,7 @@ pub use github::github;
 pub use json::{json, json_with_paper};
 pub use junit::{Checked, junit};
 pub use markdown::markdown;
+pub use members::{member_line, members_head};
 pub use page::{first_page, page, printed_page};
 pub use paper::{add_paper, paper_findings, paper_summary};
 pub use part::{part_text, read_parts};

@@ -365,12 +365,17 @@ fn measures(derivation: &Derivation, account: &Account) -> String {
     let mut out = String::new();
     for measure in &derivation.measures {
         out.push_str(&format!("**{}**: {}, {}", measure.id, prose(&measure.says), math(&measure.formula.text)));
-        if let Some(at) = &measure.at {
-            out.push_str(&format!(" where {}{}", math(&at.equation.text), at.occasion.words()));
+        match (&measure.at, &measure.since) {
+            (Some(_), Some(_)) => out.push_str(&format!(": {}", prose(&family::taken(measure)))),
+            (Some(at), None) => out.push_str(&format!(" where {}{}", math(&at.equation.text), at.occasion.words())),
+            (None, _) => {}
         }
         out.push_str(&measure.unit.as_ref().map(|u| format!(", in {}", prose(u))).unwrap_or_default());
         out.push_str(".\n\n");
         out.push_str(&range(account, &measure.id));
+        for of in account.distributions.iter().filter(|of| of.measure == measure.id) {
+            out.push_str(&format!("On the family `{}`: {}.\n\n", of.family, prose(&family::distribution(of))));
+        }
     }
     if out.is_empty() { out } else { format!("## Measured\n\n{out}") }
 }
@@ -441,9 +446,9 @@ fn on_families(claim: &ClaimAccount) -> String {
         };
         out.push_str(&format!("**{}** `{}`{expected}. ", family::heading(family), family.family));
         out.push_str(&prose(&family::sentence(&family::counts(family))));
-        out.push_str(
-            &family::confidence(family).map(|text| format!(" {}", prose(&family::sentence(&text)))).unwrap_or_default(),
-        );
+        for text in family::remarks(family) {
+            out.push_str(&format!(" {}", prose(&family::sentence(&text))));
+        }
         out.push_str("\n\n");
         let mut folded = String::new();
         for of in family::shown(family) {

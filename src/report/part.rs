@@ -10,7 +10,7 @@
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use check::family::{Part, Ranked, Swept, SweptClaim, Tally};
+use check::family::{Counts, Distribution, Part, Ranked, Swept, SweptClaim, SweptMeasure, Tally};
 use derivation::Derivation;
 
 /// A hash in hexadecimal digits.
@@ -37,12 +37,12 @@ pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
         let mut line = json!({
             "claim": c.id,
             "reading": c.reading,
-            "members": c.tally.members,
-            "rejected": c.tally.rejected,
-            "holds": c.tally.holds,
-            "fails": c.tally.fails,
-            "not_applicable": c.tally.not_applicable,
-            "undecided": c.tally.undecided,
+            "members": c.tally.counts.members,
+            "rejected": c.tally.counts.rejected,
+            "holds": c.tally.counts.holds,
+            "fails": c.tally.counts.fails,
+            "not_applicable": c.tally.counts.not_applicable,
+            "undecided": c.tally.counts.undecided,
             "first_failing": c.tally.first_failing,
             "clearest_failing": ranked(c.tally.clearest_failing),
             "closest_call": ranked(c.tally.closest_call),
@@ -54,7 +54,21 @@ pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
         }
         line
     };
-    let lines = std::iter::once(head).chain(swept.claims.iter().map(claim));
+    let measure = |m: &SweptMeasure| {
+        let of = &m.distribution;
+        json!({
+            "measure": m.id,
+            "members": of.members,
+            "rejected": of.rejected,
+            "without": of.without,
+            "partial": of.partial,
+            "least": ranked(of.least),
+            "greatest": ranked(of.greatest),
+            "bound": format!("{:?}", of.bound),
+            "bins": of.bins.iter().collect::<Vec<_>>(),
+        })
+    };
+    let lines = std::iter::once(head).chain(swept.claims.iter().map(claim)).chain(swept.measures.iter().map(measure));
     let mut out: String = lines.map(|line| format!("{line}\n")).collect();
     let end = json!({ "end": digits(Sha256::new_with_prefix(&out)) });
     out.push_str(&format!("{end}\n"));
@@ -90,6 +104,7 @@ fn head(of: &Value) -> Option<Swept> {
         family: text(of, "family")?,
         part: Part::new(count(of, "part")?, count(of, "of")?)?,
         claims: Vec::new(),
+        measures: Vec::new(),
     })
 }
 
@@ -99,18 +114,43 @@ fn cells(of: &Value) -> Option<Vec<[u64; 4]>> {
     of.as_array()?.iter().map(counts).collect()
 }
 
-fn claim(of: &Value) -> Option<SweptClaim> {
-    let ranked = |v: &Value| Some(Ranked { number: count(v, "number")?, measure: text(v, "measure")?.parse().ok()? });
-    let tally = Tally {
+fn rank(of: &Value) -> Option<Ranked> {
+    Some(Ranked { number: count(of, "number")?, measure: text(of, "measure")?.parse().ok()? })
+}
+
+fn measure(of: &Value) -> Option<SweptMeasure> {
+    let bin = |pair: &Value| match pair.as_array().map(Vec::as_slice) {
+        Some([bin, count]) => Some((bin.as_i64()?, count.as_u64()?)),
+        _ => None,
+    };
+    let bins = of.get("bins")?.as_array()?;
+    let distribution = Distribution {
         members: count(of, "members")?,
         rejected: count(of, "rejected")?,
-        holds: count(of, "holds")?,
-        fails: count(of, "fails")?,
-        not_applicable: count(of, "not_applicable")?,
-        undecided: count(of, "undecided")?,
+        without: count(of, "without")?,
+        partial: count(of, "partial")?,
+        least: or_null(of, "least", rank)?,
+        greatest: or_null(of, "greatest", rank)?,
+        bound: text(of, "bound")?.parse().ok()?,
+        bins: bins.iter().map(bin).collect::<Option<_>>()?,
+    };
+    // A bin that comes twice is one too few.
+    (distribution.bins.len() == bins.len()).then_some(SweptMeasure { id: text(of, "measure")?, distribution })
+}
+
+fn claim(of: &Value) -> Option<SweptClaim> {
+    let tally = Tally {
+        counts: Counts {
+            members: count(of, "members")?,
+            rejected: count(of, "rejected")?,
+            holds: count(of, "holds")?,
+            fails: count(of, "fails")?,
+            not_applicable: count(of, "not_applicable")?,
+            undecided: count(of, "undecided")?,
+        },
         first_failing: or_null(of, "first_failing", Value::as_u64)?,
-        clearest_failing: or_null(of, "clearest_failing", ranked)?,
-        closest_call: or_null(of, "closest_call", ranked)?,
+        clearest_failing: or_null(of, "clearest_failing", rank)?,
+        closest_call: or_null(of, "closest_call", rank)?,
         first_undecided: or_null(of, "first_undecided", Value::as_u64)?,
         first_defect: or_null(of, "first_defect", Value::as_u64)?,
         map: of.get("map").map_or(Some(Vec::new()), cells)?,
@@ -130,7 +170,8 @@ impl Reader {
         }
         match &mut self.head {
             None => self.head = Some(head(&value)?),
-            Some(part) => part.claims.push(claim(&value)?),
+            Some(part) if value.get("claim").is_some() => part.claims.push(claim(&value)?),
+            Some(part) => part.measures.push(measure(&value)?),
         }
         self.hash.update(line);
         self.hash.update("\n");
@@ -168,16 +209,17 @@ mod tests {
 
     fn swept() -> Swept {
         let tally = Tally {
-            members: u64::MAX,
-            rejected: 3,
-            holds: 1 << 60,
-            fails: 5,
+            counts: Counts { members: u64::MAX, rejected: 3, holds: 1 << 60, fails: 5, ..Counts::default() },
             first_failing: Some(7),
             clearest_failing: Some(Ranked { number: 9, measure: f64::INFINITY }),
             closest_call: Some(Ranked { number: 1 << 40, measure: 0.1 + 0.2 }),
             map: vec![[0; 4], [1 << 60, 5, 0, u64::MAX]],
             ..Tally::default()
         };
+        let mut distribution = Distribution { rejected: 3, bound: 0.1, ..Distribution::default() };
+        distribution.least = Some(Ranked { number: 2, measure: -0.1 });
+        distribution.bins.extend([(-5, 1), (0, u64::MAX)]);
+        let measures = vec![SweptMeasure { id: "m".to_owned(), distribution }];
         Swept {
             version: "1.2.3".to_owned(),
             sha256: "ab".to_owned(),
@@ -187,6 +229,7 @@ mod tests {
                 SweptClaim { id: "a".to_owned(), reading: Some("b\n\"".to_owned()), tally },
                 SweptClaim { id: "c".to_owned(), reading: None, tally: Tally::default() },
             ],
+            measures,
         }
     }
 
@@ -205,7 +248,7 @@ mod tests {
         assert_eq!(read(&text), Ok(vec![swept()]));
         assert_eq!(read(&format!("{text}{text}")).map(|all| all.len()), Ok(2));
         assert_eq!(read(""), Ok(Vec::new()));
-        assert_eq!(text.lines().count(), 4);
+        assert_eq!(text.lines().count(), 5);
     }
 
     #[test]

@@ -195,6 +195,30 @@ pub fn schema() -> Value {
         ("values", list(measured)),
         ("reason", text_or_null("Why there is none, or not all")),
     ]);
+    let extreme = object(&[
+        ("number", whole("The number of the member")),
+        ("values", json!({ "type": "object", "additionalProperties": number("Value of what varies") })),
+        ("value", number("The value")),
+        ("trajectory", text("The member as a [[trajectory]] of a derivation file")),
+    ]);
+    let quantile = object(&[
+        ("share", number("So much of all values is at most the quantile")),
+        ("from", number("It is at least this")),
+        ("to", number("It is at most this")),
+    ]);
+    let distribution = object(&[
+        ("measure", text("Id of the measure")),
+        ("family", text("Id of the family")),
+        ("members", whole("Members on which it was taken")),
+        ("without", whole("Of these, how many have no value")),
+        ("partial", whole("How many may have others than those that were found")),
+        ("values", whole("How many values there are")),
+        ("bound", number("The largest error bound of a value")),
+        ("least", or_null(extreme.clone())),
+        ("greatest", or_null(extreme)),
+        ("quantiles", list(quantile)),
+        ("stopped", text_or_null("Why not all members were tried")),
+    ]);
     let summary = object(&[
         ("holds", whole("Pairs of claim and trajectory that hold")),
         ("fails", whole("Pairs that fail")),
@@ -214,7 +238,8 @@ pub fn schema() -> Value {
         ("digest", digest()),
         ("summary", summary),
     ]);
-    let report = with_optional(report, &[("paper", paper()), ("alone", list(alone()))]);
+    let report =
+        with_optional(report, &[("paper", paper()), ("alone", list(alone())), ("distributions", list(distribution))]);
     let mut out = Map::new();
     out.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));
     out.insert("title".to_owned(), json!("A report of rederive"));
@@ -300,14 +325,31 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
         ("draws", whole("To how many of those that were drawn the claim applies, or may apply")),
     ]);
     let pair = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
-    let axis = object(&[("name", text("The symbol that varies")), ("cells", list(pair))]);
+    let axis = object(&[("name", text("The symbol that varies")), ("cells", list(pair.clone()))]);
     let four = json!({ "type": "array", "items": { "type": "integer", "minimum": 0 }, "minItems": 4, "maxItems": 4 });
+    let crossing = object(&[
+        ("across", pair.clone()),
+        ("up", pair.clone()),
+        (
+            "first",
+            json!({ "enum": ["holds", "fails"], "description": "The verdict at the first end; the other is at the second" }),
+        ),
+        ("narrow", flag("Whether the ends are as near as was asked for")),
+    ]);
+    let width = json!({ "type": ["number", "null"], "description": "How near the two ends shall be" });
+    let boundary = object(&[
+        ("widths", object(&[("across", width.clone()), ("up", width)])),
+        ("crossings", list(crossing)),
+        ("members", whole("Motions that were tried to find it, which are no members of the family")),
+        ("stopped", text_or_null("Why no more were tried")),
+    ]);
     let map = object(&[
         ("across", axis.clone()),
         ("up", axis),
         ("counts", json!({ "const": ["holds", "fails", "not_applicable", "undecided"] })),
         ("rows", list(list(four))),
     ]);
+    let map = with_optional(map, &[("boundary", boundary)]);
     let family = object(&[
         ("family", text("Its id")),
         ("verdict", json!({ "enum": verdicts })),

@@ -87,8 +87,8 @@ fn on_family(
     let mut out = format!("  {}  {head}\n", paint.bold(&name(claim)));
     out.push_str(&paragraph(&bare(&says(derivation, claim)), 4));
     out.push_str(&paragraph(&family::sentence(&family::counts(family)), 4));
-    if let Some(text) = family::confidence(family) {
-        out.push_str(&paragraph(&family::sentence(&text), 4));
+    for text in family::remarks(family) {
+        out.push_str(&paragraph(&bare(&family::sentence(&text)), 4));
     }
     for of in family::shown(family) {
         out.push_str(&paragraph(&bare(&of.named()), 4));
@@ -124,7 +124,7 @@ enum Told {
 fn families(derivation: &Derivation, account: &Account, paint: Paint, told: Told) -> String {
     let open = |f: &FamilyAccount| f.verdict.outcome().word() == "undecided" && f.expected.is_none();
     let wanted = |f: &&FamilyAccount| {
-        let failing = f.fails > 0 && told == Told::Failing;
+        let failing = f.counts.fails > 0 && told == Told::Failing;
         told == Told::All || failing || f.is_unexpected() || open(f)
     };
     let mut body = String::new();
@@ -315,6 +315,9 @@ fn measurements(derivation: &Derivation, account: &Account, paint: Paint) -> Str
         }
         if found.len() > shown {
             lines.push_str(&format!("    and on {} more, in the report\n", found.len() - shown));
+        }
+        for of in account.distributions.iter().filter(|of| of.measure == measure.id) {
+            lines.push_str(&paragraph(&format!("{}: {}", of.family, bare(&family::distribution(of))), 4));
         }
         if !lines.is_empty() {
             let head = paragraph(&format!("{}: {}", measure.id, measure.says), 2);

@@ -265,9 +265,9 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                 super::family::expected(family),
                 super::family::sentence(&super::family::counts(family))
             );
-            let confidence =
-                super::family::confidence(family).map(|text| format!(" {}", super::family::sentence(&text)));
-            out.push_str(&format!("{}\n\n", prose(&(said + &confidence.unwrap_or_default()), scope)));
+            let remarks = super::family::remarks(family);
+            let remarks: String = remarks.iter().map(|text| format!(" {}", super::family::sentence(text))).collect();
+            out.push_str(&format!("{}\n\n", prose(&(said + &remarks), scope)));
         }
         if let Some(region) = &claim.region {
             let mut said: Vec<String> = super::region::ranges(region).into_iter().collect();

@@ -399,6 +399,9 @@ impl<'d> Checker<'d> {
             if let Some(at) = &measure.at {
                 self.statement("measure", &measure.id, &at.equation, false);
             }
+            if let Some((since, _)) = &measure.since {
+                self.statement("measure", &measure.id, &since.equation, false);
+            }
             let mut fault = None;
             if let (Some(unit), Some(e)) = (&measure.measured_in, measure.formula.value.as_scalar())
                 && let State::Known(found) = self.inference.state(e)

@@ -1,12 +1,14 @@
-//! What was found of a claim on a family: counts, and the members that tell most.
+//! What was found of a claim, or of a measure, on a family: counts, and the members that tell most.
 //!
-//! **In:** a [`Tally`], and the members that it names, tried again. **Out:** a [`FamilyAccount`]. **Guaranteed:** a member is shown
+//! **In:** a [`Tally`] or a [`Distribution`], and the members that it names, tried again. **Out:** a [`FamilyAccount`] or a
+//! [`MeasureAccount`]. **Guaranteed:** a member is shown
 //! only as what it was counted as, so that a tally that was made elsewhere, by another program or of another file, is seen.
 
 use super::confidence::{CONFIDENCE, failing_share};
-use super::map::{FamilyMap, Scale};
-use super::tally::{Ranked, Tally, deviation, gap};
-use crate::derivation::{Derivation, Family};
+use super::distribution::Distribution;
+use super::map::{Boundary, FamilyMap, Scale};
+use super::tally::{Counts, Ranked, Tally, deviation, gap};
+use crate::derivation::{Derivation, Family, Measure};
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
 
 /// A member that a reader wants to see.
@@ -48,18 +50,8 @@ pub struct FamilyAccount {
     pub expected: Option<&'static str>,
     /// How many members there are to be, before constraints.
     pub size: u64,
-    /// How many members were tried.
-    pub members: u64,
-    /// How many points of a grid, or draws, did not satisfy the constraints.
-    pub rejected: u64,
-    /// On how many it holds.
-    pub holds: u64,
-    /// On how many it fails.
-    pub fails: u64,
-    /// To how many it does not apply.
-    pub not_applicable: u64,
-    /// On how many it is undecided.
-    pub undecided: u64,
+    /// On how many members it holds, fails, does not apply, is undecided.
+    pub counts: Counts,
     /// The failing member with the smallest number.
     pub first_failing: Option<MemberAccount>,
     /// The failing member whose sides are furthest apart, in units of the error bound of their difference.
@@ -88,6 +80,84 @@ impl FamilyAccount {
     }
 }
 
+/// A member with a value of a measure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExtremeAccount {
+    /// Its number.
+    pub number: u64,
+    /// What varies, in LaTeX, with its values.
+    pub values: Vec<(String, f64)>,
+    /// The value of the measure.
+    pub value: f64,
+    /// The member as a `[[trajectory]]` of a derivation file.
+    pub toml: String,
+}
+
+/// One measure over one family.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasureAccount {
+    /// Id of the measure.
+    pub measure: String,
+    /// Id of the family.
+    pub family: String,
+    /// How its values are distributed.
+    pub distribution: Distribution,
+    /// The least value.
+    pub least: Option<ExtremeAccount>,
+    /// The greatest value.
+    pub greatest: Option<ExtremeAccount>,
+    /// Why not all members were tried.
+    pub stopped: Option<String>,
+}
+
+/// A value that was measured: its time, the value, its error bound.
+type Taken = (f64, f64, f64);
+
+/// What is known of a measure over a family, from which its account is made.
+pub(super) struct Spreading<'a> {
+    pub measure: &'a Measure,
+    pub distribution: &'a Distribution,
+    /// Why the members that are left were not tried.
+    pub stopped: Option<&'a str>,
+}
+
+impl Spreading<'_> {
+    /// The account of it.
+    ///
+    /// # Errors
+    /// A member that is not what it was counted as.
+    pub fn account<'m>(
+        &self,
+        derivation: &Derivation,
+        family: &Family,
+        again: &dyn Fn(u64) -> Option<(&'m [f64], &'m [Taken])>,
+    ) -> Result<MeasureAccount, Otherwise> {
+        let told = |of: Ranked| {
+            let has = |taken: &[Taken]| taken.iter().any(|(_, value, _)| *value == of.measure);
+            let (values, _) = again(of.number).filter(|(_, taken)| has(taken)).ok_or(Otherwise(of.number))?;
+            Ok(ExtremeAccount {
+                number: of.number,
+                values: family.vary.iter().map(|v| v.name.clone()).zip(values.iter().copied()).collect(),
+                value: of.measure,
+                toml: family.toml(&family.member_id(of.number, |id| is_taken(derivation, id)), of.number, values),
+            })
+        };
+        Ok(MeasureAccount {
+            measure: self.measure.id.clone(),
+            family: family.id.clone(),
+            distribution: self.distribution.clone(),
+            least: self.distribution.least.map(told).transpose()?,
+            greatest: self.distribution.greatest.map(told).transpose()?,
+            stopped: self.stopped.map(str::to_owned),
+        })
+    }
+}
+
+/// Whether a trajectory or a family has an id.
+fn is_taken(derivation: &Derivation, id: &str) -> bool {
+    derivation.trajectories.iter().any(|t| t.id == id) || derivation.families.iter().any(|f| f.id == id)
+}
+
 /// What is known of a claim on a family, from which its account is made.
 pub(super) struct Counted<'a> {
     /// How many members there are to be, before constraints.
@@ -97,6 +167,8 @@ pub(super) struct Counted<'a> {
     pub tally: &'a Tally,
     /// The scales of the map, across and up.
     pub scales: Option<&'a [Scale; 2]>,
+    /// The boundary on it.
+    pub boundary: Option<&'a Boundary>,
     /// Why the members that are left were not tried.
     pub stopped: Option<&'a str>,
 }
@@ -118,21 +190,21 @@ impl Counted<'_> {
             verdict.contradict(defect);
             return verdict;
         }
-        let samples = usize::try_from(tally.members).unwrap_or(usize::MAX);
+        let samples = usize::try_from(tally.counts.members).unwrap_or(usize::MAX);
         let open = |reason: String| Evidence { samples, ..Evidence::because(reason) };
-        let of = tally.members;
-        let finding = match (tally.fails, tally.undecided, self.stopped, tally.holds) {
+        let of = tally.counts.members;
+        let finding = match (tally.counts.fails, tally.counts.undecided, self.stopped, tally.counts.holds) {
             (1.., ..) => {
                 let clearest = tally.clearest_failing.and_then(|c| again(c.number));
                 let witness = clearest.and_then(|(_, verdict)| verdict.evidence().witness.clone());
-                let reason = format!("it fails on {} of {of} members", tally.fails);
+                let reason = format!("it fails on {} of {of} members", tally.counts.fails);
                 Finding::sampled(Possible::FALSE, Evidence { witness, ..open(reason) })
             }
             (0, _, Some(stopped), _) => {
                 Finding::sampled(Possible::ANY, open(format!("{of} of {} members were tried: {stopped}", self.size)))
             }
             (0, 1.., None, _) => {
-                let reason = format!("it is undecided on {} of {of} members", tally.undecided);
+                let reason = format!("it is undecided on {} of {of} members", tally.counts.undecided);
                 Finding::sampled(Possible::ANY, open(reason))
             }
             (0, 0, None, 1..) => Finding::sampled(Possible::TRUE, Evidence { samples, ..Evidence::default() }),
@@ -152,9 +224,6 @@ impl Counted<'_> {
         expected: Option<&'static str>,
         again: Again,
     ) -> Result<FamilyAccount, Otherwise> {
-        let is_taken = |id: &str| {
-            derivation.trajectories.iter().any(|t| t.id == id) || derivation.families.iter().any(|f| f.id == id)
-        };
         let tally = self.tally;
         let told = |number: u64, is_so: &dyn Fn(&Verdict) -> bool| {
             let (values, verdict) = again(number).filter(|(_, verdict)| is_so(verdict)).ok_or(Otherwise(number))?;
@@ -162,7 +231,7 @@ impl Counted<'_> {
                 number,
                 values: family.vary.iter().map(|v| v.name.clone()).zip(values.iter().copied()).collect(),
                 verdict: verdict.clone(),
-                toml: family.toml(&family.member_id(number, is_taken), number, values),
+                toml: family.toml(&family.member_id(number, |id| is_taken(derivation, id)), number, values),
             })
         };
         let fails = |verdict: &Verdict| matches!(verdict.outcome(), Outcome::Fails(_));
@@ -173,8 +242,9 @@ impl Counted<'_> {
         if let Some(number) = tally.first_defect {
             told(number, &|verdict| verdict.defect().is_some())?;
         }
-        let (failures, draws) = (tally.fails + tally.undecided, tally.members - tally.not_applicable);
-        let is_sample = family.is_drawn() && self.stopped.is_none() && tally.first_defect.is_none() && draws > 0;
+        let (failures, draws) =
+            (tally.counts.fails + tally.counts.undecided, tally.counts.members - tally.counts.not_applicable);
+        let is_sample = family.is_sample() && self.stopped.is_none() && tally.first_defect.is_none() && draws > 0;
         let share =
             || FailingShare { at_most: failing_share(failures, draws), confidence: CONFIDENCE, failures, draws };
         Ok(FamilyAccount {
@@ -183,12 +253,7 @@ impl Counted<'_> {
             verdict: self.verdict(again),
             expected,
             size: self.size,
-            members: tally.members,
-            rejected: tally.rejected,
-            holds: tally.holds,
-            fails: tally.fails,
-            not_applicable: tally.not_applicable,
-            undecided: tally.undecided,
+            counts: tally.counts,
             closest_gap: tally.closest_call.map(|c| c.measure),
             first_failing: tally.first_failing.map(|n| told(n, &fails)).transpose()?,
             clearest_failing: tally.clearest_failing.map(clearest).transpose()?,
@@ -200,6 +265,7 @@ impl Counted<'_> {
                 across: across.axis.clone(),
                 up: up.axis.clone(),
                 cells: tally.map.clone(),
+                boundary: self.boundary.cloned(),
             }),
         })
     }

@@ -6,7 +6,7 @@
 //! **Guaranteed:** the bound is rounded up, and the same on every machine. It is the share p at which P(X ≤ k) for X binomial with
 //! n draws is 0.05, found by bisection. The sum is taken from its largest term down: terms fall from k on, since p > k/n.
 
-use super::member::{exp, ln};
+use super::draw::{exp, ln};
 
 /// The confidence of the bound.
 pub const CONFIDENCE: f64 = 0.95;

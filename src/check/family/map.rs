@@ -6,11 +6,11 @@
 //! so that nothing is lost; others, and what is drawn, have a fixed number of cells, whatever the members are. So a map is counts
 //! as others are, and parts of it can be added in any order.
 
-use super::member::{exp, ln};
-use crate::derivation::Spread;
+use super::draw::{exp, ln};
+use crate::derivation::{Spread, WIDEST_ROW};
 
 /// A row or list with at most so many values has a cell for each; a longer one has so many cells.
-const MOST_CELLS: u64 = 64;
+const MOST_CELLS: u64 = WIDEST_ROW;
 /// So many cells have what is drawn.
 const DRAWN_CELLS: u64 = 24;
 /// What is drawn from a normal distribution is shown up to so many standard deviations; the outermost cells have the rest.
@@ -26,6 +26,34 @@ pub struct Axis {
     pub cells: Vec<(f64, f64)>,
 }
 
+/// Two members of a map, next to one another along one axis, between which the verdict changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Along which axis they lie: 0 to the right, 1 upwards.
+    pub along: usize,
+    /// What is to the right on both; the same number twice where they lie above one another.
+    pub across: (f64, f64),
+    /// What is upwards on both.
+    pub up: (f64, f64),
+    /// Whether the claim holds on the first and fails on the second, and not the other way round.
+    pub first_holds: bool,
+    /// Whether they are as near as was asked for.
+    pub is_narrow: bool,
+}
+
+/// The edge of where a claim holds on a map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Boundary {
+    /// How near the two ends of a crossing shall be, to the right and upwards.
+    pub widths: [Option<f64>; 2],
+    /// Where the verdict changes.
+    pub crossings: Vec<Crossing>,
+    /// How many motions were tried to find it: they are no members of the family.
+    pub members: u64,
+    /// Why no more were.
+    pub stopped: Option<String>,
+}
+
 /// A map, with what was found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FamilyMap {
@@ -35,6 +63,8 @@ pub struct FamilyMap {
     pub up: Axis,
     /// On how many members of each cell the claim holds, fails, does not apply, is undecided: row by row from below.
     pub cells: Vec<[u64; 4]>,
+    /// The edge of where it holds, where it was looked for.
+    pub boundary: Option<Boundary>,
 }
 
 /// How values fall into cells.
@@ -89,7 +119,7 @@ impl Scale {
                 (row(values.len() as u64, &|p| values[p as usize]), Of::List(values))
             }
             Spread::Grid { count, .. } => (row(*count, at), Of::Row(*count)),
-            Spread::Uniform(..) => drawn(numbers[0], numbers[1], false),
+            Spread::Uniform(..) | Spread::Polar(..) => drawn(numbers[0], numbers[1], false),
             Spread::LogUniform(..) => drawn(ln(numbers[0]), ln(numbers[1]), true),
             Spread::Normal(..) => {
                 drawn(numbers[0] - DEVIATIONS * numbers[1], numbers[0] + DEVIATIONS * numbers[1], false)

@@ -3,43 +3,28 @@
 //! **In:** a family, and the number of a member. **Out:** its values, or that no such motion is wanted; and how many were rejected on
 //! the way.
 //!
-//! **Guaranteed:** the number, the family and its seed determine the member, on every machine: draws are a hash of these, numbers
-//! come from the operations of IEEE 754 and from the elementary functions that are compiled into the program. What is computed
-//! has at most 15 digits, so that its text in a file is short, and is the same number.
+//! **Guaranteed:** the number, the family and its seed determine the member, on every machine: `draw` says how. What is computed has
+//! at most 15 digits, so that its text in a file is short, and is the same number.
 
 use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
+use super::draw::{Random, Sequence, exp, ln, normal_at, polar_at, random_normal};
 use super::map::Scale;
-use crate::derivation::{Derivation, Family, NoOther, Spread};
+use crate::derivation::{Derivation, Drawing, Family, NoOther, Spread};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
-use crate::number::{Bounded, Draws, Number};
+use crate::number::Bounded;
 
 /// The most draws for one member: with a constraint that leaves one in a thousand, one member in 20,000 would need more.
 pub(super) const MOST_DRAWS: u64 = 10_000;
-
-/// The natural logarithm, the same on every machine; not a number where there is none.
-pub(super) fn ln(x: f64) -> f64 {
-    let mut out = 0.0_f64;
-    Number::ln(&mut out, &(), &x).map_or(f64::NAN, |()| out)
-}
-
-/// The exponential, the same on every machine; infinite where it is too large.
-pub(super) fn exp(x: f64) -> f64 {
-    let mut out = 0.0_f64;
-    Number::exp(&mut out, &(), &x).map_or(f64::INFINITY, |()| out)
-}
-
-fn cos(x: f64) -> f64 {
-    let mut out = 0.0_f64;
-    Number::cos(&mut out, &(), &x).map_or(f64::NAN, |()| out)
-}
 
 /// A family, ready to give its members.
 pub(super) struct Members {
     pub family: Family,
     /// The numbers that each spread is given by.
     numbers: Vec<Vec<f64>>,
+    /// The points of a sequence that the draws are; nothing where they are random.
+    sequence: Option<Sequence>,
     /// The links of the constraints: kinds of relations; their sides are the first outputs of the tape, in pairs.
     kinds: Vec<RelationKind>,
     /// The sides, then what must be positive; nothing where members need satisfy nothing.
@@ -47,10 +32,11 @@ pub(super) struct Members {
 }
 
 /// What a number gives.
+#[derive(Clone, Debug)]
 pub(super) enum Member {
     /// A member with these values, after so many draws were rejected.
     Found(Vec<f64>, u64),
-    /// A point of a grid that does not satisfy the constraints.
+    /// A point of a grid, or of a sequence, that does not satisfy the constraints.
     Rejected,
     /// So many draws did not satisfy them that the search was ended.
     TooRare,
@@ -89,7 +75,10 @@ impl Members {
         roots.extend(family.positive(graph, positive));
         let leaves: Vec<Leaf> = family.vary.iter().map(|v| v.leaf).collect();
         let tape = if roots.is_empty() { None } else { Tape::compile(graph, &leaves, &roots).ok() };
-        Ok(Members { family: family.clone(), numbers, kinds: links().map(|(kind, ..)| *kind).collect(), tape })
+        let kinds = links().map(|(kind, ..)| *kind).collect();
+        let drawn = family.vary.iter().filter(|v| v.spread.is_drawn()).count();
+        let sequence = (family.sequence == Drawing::LowDiscrepancy).then(|| Sequence::new(drawn, family.seed));
+        Ok(Members { family: family.clone(), numbers, sequence, kinds, tape })
     }
 
     /// The two scales of the map, if it has one: across, and up.
@@ -100,7 +89,11 @@ impl Members {
                 Spread::Grid { count, logarithmic, .. } => {
                     on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
                 }
-                Spread::Values(_) | Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => f64::NAN,
+                Spread::Values(_)
+                | Spread::Uniform(..)
+                | Spread::LogUniform(..)
+                | Spread::Polar(..)
+                | Spread::Normal(..) => f64::NAN,
             };
             Some(Scale::new(&varied.name, &varied.spread, numbers, &at))
         };
@@ -118,14 +111,27 @@ impl Members {
 
     /// The member with a number, the first of which is 1.
     pub fn member(&self, number: u64) -> Member {
-        let drawn = self.family.vary.iter().any(|v| v.spread.is_drawn());
-        for attempt in 0..if drawn { MOST_DRAWS } else { 1 } {
+        let again = self.family.is_drawn_again();
+        for attempt in 0..if again { MOST_DRAWS } else { 1 } {
             let values = self.values(number, attempt);
             if values.iter().all(|x| x.is_finite()) && self.is_wanted(&values) {
                 return Member::Found(values, attempt);
             }
         }
-        if drawn { Member::TooRare } else { Member::Rejected }
+        if again { Member::TooRare } else { Member::Rejected }
+    }
+
+    /// What would be the member at a point of the map, of a family with nothing else that varies.
+    pub fn at(&self, [x, y]: [f64; 2]) -> Member {
+        let Some([across, up]) = self.family.map else { return Member::Rejected };
+        let value = |(n, numbers): (usize, &Vec<f64>)| match n {
+            n if n == across => x,
+            n if n == up => y,
+            _ => numbers.first().copied().unwrap_or(f64::NAN),
+        };
+        let values: Vec<f64> = self.numbers.iter().enumerate().map(value).collect();
+        let is_member = values.iter().all(|x| x.is_finite()) && self.is_wanted(&values);
+        if is_member { Member::Found(values, 0) } else { Member::Rejected }
     }
 
     /// Where the values of a number stand in their rows.
@@ -140,31 +146,43 @@ impl Members {
         positions
     }
 
-    /// The values of a number at an attempt to draw them.
+    /// The values of a number at an attempt to draw them. The first attempt is the point of the sequence, where there is one.
     fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
         let positions = self.positions(number);
+        let sequence = self.sequence.as_ref().filter(|_| attempt == 0);
+        let mut drawn = 0;
         let one = |(n, (varied, position)): (usize, (&crate::derivation::Varied, u64))| {
             let numbers = &self.numbers[n];
-            let mut draw = Draw::new(self.family.seed, number, attempt, n as u64);
+            let mut random = Random::new(self.family.seed, number, attempt, n as u64);
+            // One share for each symbol that is drawn.
+            let mut share = || match sequence {
+                Some(sequence) => {
+                    drawn += 1;
+                    sequence.share(drawn - 1, number)
+                }
+                None => random.share(),
+            };
             match &varied.spread {
                 Spread::Values(_) => numbers.get(position as usize).copied().unwrap_or(f64::NAN),
                 Spread::Grid { count, logarithmic, .. } => {
                     on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
                 }
                 Spread::Uniform(..) => {
-                    let share = draw.share();
+                    let share = share();
                     short((1.0 - share) * numbers[0] + share * numbers[1], (numbers[0], numbers[1]))
                 }
                 Spread::LogUniform(..) => {
-                    let share = draw.share();
+                    let share = share();
                     let x = exp((1.0 - share) * ln(numbers[0]) + share * ln(numbers[1]));
                     short(x, (numbers[0], numbers[1]))
                 }
+                Spread::Polar(..) => {
+                    let ends = (numbers[0], numbers[1]);
+                    short(polar_at(share(), ends), ends)
+                }
                 Spread::Normal(..) => {
-                    // Box and Muller; 1 − share is above 0.
-                    let (radius, turn) = ((-2.0 * ln(1.0 - draw.share())).sqrt(), draw.share());
-                    let x = numbers[0] + numbers[1] * radius * cos(2.0 * std::f64::consts::PI * turn);
-                    short(x, (f64::MIN, f64::MAX))
+                    let standard = if sequence.is_some() { normal_at(share()) } else { random_normal(&mut random) };
+                    short(numbers[0] + numbers[1] * standard, (f64::MIN, f64::MAX))
                 }
             }
         };
@@ -202,7 +220,7 @@ impl Members {
                 first(&mut (begin..*count).map(|at| on_grid((numbers[0], numbers[1]), (at, *count), *logarithmic)))
             }
             // Draws that no member is made of.
-            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Normal(..) => {
+            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Polar(..) | Spread::Normal(..) => {
                 first(&mut (MOST_DRAWS..).map(|attempt| self.values(number, attempt)[varied]))
             }
         }
@@ -266,52 +284,9 @@ fn short(x: f64, (from, to): (f64, f64)) -> f64 {
     }
 }
 
-/// The draws of one value: a hash of the seed, the number of the member, the attempt, and which value it is.
-struct Draw(Draws);
-
-impl Draw {
-    fn new(seed: u64, number: u64, attempt: u64, position: u64) -> Draw {
-        let mixed = |state: u64, word: u64| Draws::new(state ^ word).bits();
-        Draw(Draws::new([number, attempt, position].into_iter().fold(mixed(0, seed), mixed)))
-    }
-
-    /// A number from 0 to below 1, a multiple of 2⁻⁵³.
-    fn share(&mut self) -> f64 {
-        (self.0.bits() >> 11) as f64 * (f64::EPSILON / 2.0)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn draws_are_those_of_every_machine() {
-        let mut draw = Draw::new(7, 1, 0, 0);
-        let found: Vec<f64> = (0..2).map(|_| draw.share()).collect();
-        let mut again = Draw::new(7, 1, 0, 0);
-        assert_eq!(found, [again.share(), again.share()]);
-        assert_ne!(Draw::new(7, 2, 0, 0).share(), found[0]);
-        assert_ne!(Draw::new(7, 1, 1, 0).share(), found[0]);
-        assert_ne!(Draw::new(7, 1, 0, 1).share(), found[0]);
-        assert_ne!(Draw::new(8, 1, 0, 0).share(), found[0]);
-    }
-
-    #[test]
-    fn shares_fill_the_range_evenly() {
-        let n = 20_000;
-        let all: Vec<f64> = (1..=n).map(|number| Draw::new(3, number, 0, 0).share()).collect();
-        assert!(all.iter().all(|x| (0.0..1.0).contains(x)));
-        let mean = all.iter().sum::<f64>() / n as f64;
-        let square = all.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / n as f64;
-        // Four standard errors.
-        assert!((mean - 0.5).abs() < 4.0 * (1.0 / 12.0 / n as f64).sqrt(), "{mean}");
-        assert!((square - 1.0 / 12.0).abs() < 0.002, "{square}");
-        for tenth in 0..10 {
-            let here = all.iter().filter(|x| (**x * 10.0) as usize == tenth).count();
-            assert!((here as f64 - 2000.0).abs() < 200.0, "{tenth}: {here}");
-        }
-    }
 
     #[test]
     fn a_grid_has_the_ends_that_are_given_and_short_numbers_between() {

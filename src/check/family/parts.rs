@@ -9,6 +9,8 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
+use super::distribution::Distribution;
+use super::sums::Sums;
 use super::tally::Tally;
 use crate::derivation::{Claim, Derivation};
 
@@ -68,6 +70,15 @@ pub struct SweptClaim {
     pub tally: Tally,
 }
 
+/// What was counted of one measure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweptMeasure {
+    /// Its id.
+    pub id: String,
+    /// How its values are distributed.
+    pub distribution: Distribution,
+}
+
 /// What was found in one part, and of what.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
@@ -81,6 +92,8 @@ pub struct Swept {
     pub part: Part,
     /// The claims that are tried on the family, in the order of the file.
     pub claims: Vec<SweptClaim>,
+    /// What is measured on the family, in the order of the file.
+    pub measures: Vec<SweptMeasure>,
 }
 
 /// Why parts are not joined.
@@ -118,7 +131,7 @@ impl fmt::Display for PartFault {
             PartFault::NoFamily(family) => write!(f, "the derivation file has no family `{family}`"),
             PartFault::OtherFamily(family) => write!(f, "the parts before it are of the family `{family}`"),
             PartFault::OtherDivision(of) => write!(f, "the parts before it are parts of {of}"),
-            PartFault::OtherClaims => f.write_str("it has other claims than the derivation file"),
+            PartFault::OtherClaims => f.write_str("it has other claims or measures than the derivation file"),
             PartFault::Impossible(why) => write!(f, "{why}: it is damaged"),
             PartFault::Double => f.write_str("this part was given already"),
             PartFault::Nothing => f.write_str("no part was given"),
@@ -141,7 +154,7 @@ pub struct Join<'a> {
     derivation: &'a Derivation,
     /// The position of the family, in how many parts it is divided, and which came: a bit for each.
     open: Option<(usize, u64, Vec<u64>)>,
-    tallies: Vec<Tally>,
+    sums: Sums,
 }
 
 /// All parts of a family.
@@ -149,8 +162,8 @@ pub struct Join<'a> {
 pub struct Joined {
     /// The position of the family in the file.
     pub(super) family: usize,
-    /// What was counted of each claim that is tried on it, in the order of the file.
-    pub(super) tallies: Vec<Tally>,
+    /// What was counted of each claim that is tried on it and of each measure, in the order of the file.
+    pub(super) sums: Sums,
 }
 
 impl Joined {
@@ -163,7 +176,7 @@ impl Joined {
 impl<'a> Join<'a> {
     /// Nothing yet.
     pub fn new(derivation: &'a Derivation) -> Join<'a> {
-        Join { derivation, open: None, tallies: Vec::new() }
+        Join { derivation, open: None, sums: Sums::default() }
     }
 
     /// Adds a part.
@@ -194,11 +207,17 @@ impl<'a> Join<'a> {
         if claims.count() != swept.claims.len() || !asked(self.derivation, at).zip(&swept.claims).all(is_it) {
             return Err(PartFault::OtherClaims);
         }
+        let measures = self.derivation.measures.iter().filter(|m| m.families.contains(&at));
+        if !measures.map(|m| &m.id).eq(swept.measures.iter().map(|m| &m.id)) {
+            return Err(PartFault::OtherClaims);
+        }
         let Some(numbers) = swept.part.numbers(family.size()) else {
             return Err(PartFault::Impossible("there are more parts than members"));
         };
-        let drawn = family.vary.iter().any(|v| v.spread.is_drawn());
-        if let Some(why) = swept.claims.iter().find_map(|c| c.tally.fault(&numbers, drawn)) {
+        let again = family.is_drawn_again();
+        let of_claims = swept.claims.iter().find_map(|c| c.tally.fault(&numbers, again));
+        let of_measures = || swept.measures.iter().find_map(|m| m.distribution.fault(&numbers, again));
+        if let Some(why) = of_claims.or_else(of_measures) {
             return Err(PartFault::Impossible(why));
         }
         let of = swept.part.of;
@@ -209,8 +228,8 @@ impl<'a> Join<'a> {
             return Err(PartFault::Double);
         }
         *word |= bit;
-        self.tallies.resize(swept.claims.len(), Tally::default());
-        self.tallies.iter_mut().zip(&swept.claims).for_each(|(tally, claim)| tally.join(&claim.tally));
+        let claims = swept.claims.iter().map(|c| &c.tally);
+        self.sums.join(claims, swept.measures.iter().map(|m| &m.distribution));
         Ok(())
     }
 
@@ -225,7 +244,7 @@ impl<'a> Join<'a> {
         if missing > 0 {
             return Err(PartFault::Missing(missing, (1..=of).filter(is_missing).take(NAMED).collect()));
         }
-        Ok(Joined { family, tallies: self.tallies })
+        Ok(Joined { family, sums: self.sums })
     }
 }
 

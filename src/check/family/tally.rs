@@ -20,9 +20,9 @@ pub struct Ranked {
     pub measure: f64,
 }
 
-/// The counts of one claim.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tally {
+/// How many members there are of each kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
     /// How many members were tried.
     pub members: u64,
     /// How many points of a grid, or draws, did not satisfy the constraints.
@@ -35,6 +35,29 @@ pub struct Tally {
     pub not_applicable: u64,
     /// On how many it is undecided.
     pub undecided: u64,
+}
+
+impl Counts {
+    /// Adds those of other members.
+    fn join(&mut self, other: &Counts) {
+        let Counts { members, rejected, holds, fails, not_applicable, undecided } = other;
+        let both = [
+            (&mut self.members, members),
+            (&mut self.rejected, rejected),
+            (&mut self.holds, holds),
+            (&mut self.fails, fails),
+            (&mut self.not_applicable, not_applicable),
+            (&mut self.undecided, undecided),
+        ];
+        both.into_iter().for_each(|(here, there)| *here = here.saturating_add(*there));
+    }
+}
+
+/// What is counted of one claim.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// The counts.
+    pub counts: Counts,
     /// The failing member with the smallest number.
     pub first_failing: Option<u64>,
     /// The failing member with the largest measure; of equals the one with the smallest number.
@@ -78,25 +101,25 @@ fn leading(a: Option<Ranked>, b: Option<Ranked>, rank: impl Fn(f64) -> f64) -> O
 impl Tally {
     /// Counts a member; `precision` is what the claim asks for.
     pub(super) fn count(&mut self, number: u64, verdict: &Verdict, precision: f64) {
-        self.members += 1;
+        self.counts.members += 1;
         if verdict.defect().is_some() {
             self.first_defect = first(self.first_defect, Some(number));
         }
         match verdict.outcome() {
             Outcome::Holds(_) => {
-                self.holds += 1;
+                self.counts.holds += 1;
                 let one = gap(verdict, precision).map(|measure| Ranked { number, measure });
                 self.closest_call = leading(self.closest_call, one, |x| x);
             }
             Outcome::Fails(_) => {
-                self.fails += 1;
+                self.counts.fails += 1;
                 self.first_failing = first(self.first_failing, Some(number));
                 let one = Ranked { number, measure: deviation(verdict) };
                 self.clearest_failing = leading(self.clearest_failing, Some(one), |x| -x);
             }
-            Outcome::NotApplicable(_) => self.not_applicable += 1,
+            Outcome::NotApplicable(_) => self.counts.not_applicable += 1,
             Outcome::Undecided => {
-                self.undecided += 1;
+                self.counts.undecided += 1;
                 self.first_undecided = first(self.first_undecided, Some(number));
             }
         }
@@ -117,13 +140,7 @@ impl Tally {
 
     /// Adds what was counted of other members.
     pub fn join(&mut self, other: &Tally) {
-        let Tally { members, rejected, holds, fails, not_applicable, undecided, .. } = other;
-        self.members = self.members.saturating_add(*members);
-        self.rejected = self.rejected.saturating_add(*rejected);
-        self.holds = self.holds.saturating_add(*holds);
-        self.fails = self.fails.saturating_add(*fails);
-        self.not_applicable = self.not_applicable.saturating_add(*not_applicable);
-        self.undecided = self.undecided.saturating_add(*undecided);
+        self.counts.join(&other.counts);
         self.first_failing = first(self.first_failing, other.first_failing);
         self.clearest_failing = leading(self.clearest_failing, other.clearest_failing, |x| -x);
         self.closest_call = leading(self.closest_call, other.closest_call, |x| x);
@@ -146,12 +163,13 @@ impl Tally {
     /// What cannot be so of a tally of these numbers; `drawn` says whether draws are repeated until there is a member.
     pub(super) fn fault(&self, numbers: &RangeInclusive<u64>, drawn: bool) -> Option<&'static str> {
         let size = numbers.end().saturating_sub(*numbers.start()).saturating_add(1);
-        let all = [self.holds, self.fails, self.not_applicable, self.undecided];
+        let Counts { members, rejected, holds, fails, not_applicable, undecided } = self.counts;
+        let all = [holds, fails, not_applicable, undecided];
         let sum = all.iter().try_fold(0_u64, |sum, n| sum.checked_add(*n));
-        let looked_at = if drawn { Some(self.members) } else { self.members.checked_add(self.rejected) };
+        let looked_at = if drawn { Some(members) } else { members.checked_add(rejected) };
         let measured = [self.clearest_failing, self.closest_call];
         let mapped = |kind: usize| self.map.iter().try_fold(0_u64, |sum, cell| sum.checked_add(cell[kind]));
-        if sum != Some(self.members) {
+        if sum != Some(members) {
             Some("its counts do not add up")
         } else if !self.map.is_empty() && all.iter().enumerate().any(|(kind, n)| mapped(kind) != Some(*n)) {
             Some("its map does not add up")
@@ -159,11 +177,11 @@ impl Tally {
             Some("it does not count every number")
         } else if self.kept().any(|n| !numbers.contains(&n)) || measured.iter().flatten().any(|r| r.measure.is_nan()) {
             Some("it names members of another part")
-        } else if (self.fails > 0) != self.first_failing.is_some()
-            || (self.fails > 0) != self.clearest_failing.is_some()
-            || (self.undecided > 0) != self.first_undecided.is_some()
-            || (self.holds == 0 && self.closest_call.is_some())
-            || (self.undecided == 0 && self.first_defect.is_some())
+        } else if (fails > 0) != self.first_failing.is_some()
+            || (fails > 0) != self.clearest_failing.is_some()
+            || (undecided > 0) != self.first_undecided.is_some()
+            || (holds == 0 && self.closest_call.is_some())
+            || (undecided == 0 && self.first_defect.is_some())
         {
             Some("it does not name the members that it counts")
         } else {
@@ -222,7 +240,7 @@ mod tests {
                     tally.map.resize(CELLS as usize, [0; 4]);
                     tally.locate((number % CELLS) as usize, verdict);
                 }
-                None => tally.rejected += 1,
+                None => tally.counts.rejected += 1,
             };
             let mut whole = Tally::default();
             (1..=size).for_each(|number| one(&mut whole, number));
@@ -257,17 +275,18 @@ mod tests {
 
     #[test]
     fn a_tally_that_cannot_be_is_seen() {
-        let good = Tally { members: 3, rejected: 1, holds: 2, fails: 1, first_failing: Some(7), ..Tally::default() };
+        let counts = Counts { members: 3, rejected: 1, holds: 2, fails: 1, ..Counts::default() };
+        let good = Tally { counts, first_failing: Some(7), ..Tally::default() };
         let good = Tally { clearest_failing: Some(Ranked { number: 7, measure: 2.0 }), ..good };
         let numbers = 5..=8;
         assert_eq!(good.fault(&numbers, false), None);
-        let drawn = Tally { members: 4, holds: 3, rejected: 1000, ..good.clone() };
+        let drawn = Tally { counts: Counts { members: 4, holds: 3, rejected: 1000, ..counts }, ..good.clone() };
         assert_eq!(drawn.fault(&numbers, true), None);
         let bad = [
-            Tally { holds: 3, ..good.clone() },
-            Tally { holds: u64::MAX, ..good.clone() },
-            Tally { rejected: 0, ..good.clone() },
-            Tally { rejected: u64::MAX, ..good.clone() },
+            Tally { counts: Counts { holds: 3, ..counts }, ..good.clone() },
+            Tally { counts: Counts { holds: u64::MAX, ..counts }, ..good.clone() },
+            Tally { counts: Counts { rejected: 0, ..counts }, ..good.clone() },
+            Tally { counts: Counts { rejected: u64::MAX, ..counts }, ..good.clone() },
             Tally { first_failing: None, ..good.clone() },
             Tally { first_failing: Some(4), ..good.clone() },
             Tally { clearest_failing: None, ..good.clone() },

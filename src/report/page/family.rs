@@ -20,7 +20,7 @@ pub(super) fn blocks(claim: &ClaimAccount, scope: &Scope) -> Markup {
                     @if of.is_unexpected() { strong.alarm { (family::expected(of)) } }
                     ". " (prose(&family::sentence(&family::counts(of)), scope))
                 }
-                @if let Some(text) = family::confidence(of) { p.quiet { (prose(&family::sentence(&text), scope)) } }
+                @for text in family::remarks(of) { p.quiet { (prose(&family::sentence(&text), scope)) } }
                 @if let Some(map) = &of.map { (map::figure(map, &name(claim), scope)) }
                 @for shown in family::shown(of) {
                     details {

@@ -4,11 +4,13 @@
 //! see colours: holds is full, fails is hatched, undecided is ruled, does not apply is a dash; a cell without members is empty. All
 //! that is seen is said in the description of the picture, and is in `report.json` as counts.
 
+use std::collections::BTreeMap;
+
 use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::text::{plain, prose};
-use crate::check::family::{Axis, FamilyMap};
+use crate::check::family::{Axis, Boundary, FamilyMap};
 use crate::latex::Scope;
 
 /// The board in units of the picture: left, top, and the length of its longer side.
@@ -64,6 +66,43 @@ fn path(map: &FamilyMap, kind: usize) -> String {
     out
 }
 
+/// Where a value stands on an axis, in cells: each value in the middle of its own.
+fn place(axis: &Axis, x: f64) -> f64 {
+    let next = axis.cells.partition_point(|cell| cell.0 <= x);
+    let Some(before) = next.checked_sub(1) else { return 0.5 };
+    let share = match (axis.cells.get(before), axis.cells.get(next)) {
+        (Some(a), Some(b)) => (x - a.0) / (b.0 - a.0),
+        _ => 0.0,
+    };
+    // Four digits are finer than what is seen.
+    ((before as f64 + 0.5 + share) * 1e4).round() / 1e4
+}
+
+/// The boundary: a point at each crossing, and a line between those two that lie on the sides of one square of neighbours.
+fn edge(map: &FamilyMap, boundary: &Boundary) -> String {
+    let middle = |axis: &Axis, (a, b): (f64, f64)| place(axis, 0.5 * (a + b));
+    let points: Vec<(usize, f64, f64)> =
+        boundary.crossings.iter().map(|c| (c.along, middle(&map.across, c.across), middle(&map.up, c.up))).collect();
+    let mut out = String::new();
+    let mut squares: BTreeMap<(usize, usize), Vec<(f64, f64)>> = BTreeMap::new();
+    for &(along, x, y) in &points {
+        out.push_str(&format!("M{x} {y}h0"));
+        // The square that is named by the cell of its lower left member, and the one before it.
+        let (column, row) = ((x - 0.5).floor().max(0.0) as usize, (y - 0.5).floor().max(0.0) as usize);
+        let before =
+            if along == 0 { row.checked_sub(1).map(|r| (column, r)) } else { column.checked_sub(1).map(|c| (c, row)) };
+        for square in before.into_iter().chain([(column, row)]) {
+            squares.entry(square).or_default().push((x, y));
+        }
+    }
+    for points in squares.values() {
+        if let [(x, y), (to_x, to_y)] = points[..] {
+            out.push_str(&format!("M{x} {y}L{to_x} {to_y}"));
+        }
+    }
+    out
+}
+
 /// What the map says, for those who do not see it.
 fn description(map: &FamilyMap) -> String {
     let end = |axis: &Axis| format!("{} from {} to {}", plain(&axis.name), tick(axis, 0.0), tick(axis, 1.0));
@@ -91,7 +130,8 @@ pub(super) fn figure(map: &FamilyMap, claim: &str, scope: &Scope) -> Markup {
     let more =
         if several { " A cell with several members shows the worst of them: fails, undecided, holds." } else { "" };
     let empty = if map.cells.iter().any(|c| shown(c).is_none()) { " An empty cell has no members." } else { "" };
-    let caption = format!("${}$ to the right, ${}$ upwards.{more}{empty}", map.across.name, map.up.name);
+    let line = if map.boundary.is_some() { " The line is the edge of where it holds." } else { "" };
+    let caption = format!("${}$ to the right, ${}$ upwards.{more}{empty}{line}", map.across.name, map.up.name);
     let text = |x: f64, y: f64, anchor: &str, words: String| {
         html! { text x=(x) y=(y) text-anchor=(anchor) { (words) } }
     };
@@ -104,6 +144,7 @@ pub(super) fn figure(map: &FamilyMap, claim: &str, scope: &Scope) -> Markup {
                 desc { (description(map)) }
                 g transform=(format!("translate({left} {bottom}) scale({scale} -{scale})")) {
                     @for kind in &kinds { path class=(KINDS[*kind].0) d=(path(map, *kind)) {} }
+                    @if let Some(boundary) = &map.boundary { path.rb d=(edge(map, boundary)) {} }
                 }
                 path.axis d=(format!("M{left} {top}h{width}v{height}h-{width}z")) {}
                 @for (share, anchor) in [(0.0, "start"), (0.5, "middle"), (1.0, "end")] {

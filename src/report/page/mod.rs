@@ -149,7 +149,7 @@ fn contents(derivation: &Derivation, account: &Account) -> Markup {
                 li { a href="#/symbols" { "Symbols" } }
                 @if !derivation.systems.is_empty() { li { a href="#/systems" { "Systems" } } }
                 @if !account.units.formulas.is_empty() { li { a href="#/units" { "Units" } } }
-                @if !account.measurements.is_empty() { li { a href="#/measures" { "Measured" } } }
+                @if !account.measurements.is_empty() || !account.distributions.is_empty() { li { a href="#/measures" { "Measured" } } }
                 li { a href="#/making" { "How it was made" } }
             }
         }
@@ -227,7 +227,7 @@ fn systems(derivation: &Derivation) -> Markup {
 const VALUES_SHOWN: usize = 12;
 
 fn measures(derivation: &Derivation, account: &Account) -> Markup {
-    if account.measurements.is_empty() {
+    if account.measurements.is_empty() && account.distributions.is_empty() {
         return html! {};
     }
     html! {
@@ -237,7 +237,14 @@ fn measures(derivation: &Derivation, account: &Account) -> Markup {
                 h3 { (measure.id) }
                 p {
                     (prose(&measure.says, &derivation.scope)) ": " (formula(&measure.formula.text, &derivation.scope))
-                    @if let Some(at) = &measure.at { ", taken when " (formula(&at.equation.text, &derivation.scope)) (at.occasion.words()) }
+                    @match (&measure.at, &measure.since) {
+                        (Some(_), Some(_)) => { ": " (prose(&super::family::taken(measure), &derivation.scope)) }
+                        (Some(at), None) => { ", taken when " (formula(&at.equation.text, &derivation.scope)) (at.occasion.words()) }
+                        (None, _) => {}
+                    }
+                }
+                @for of in account.distributions.iter().filter(|of| of.measure == measure.id) {
+                    p { "On the family " (of.family) ": " (prose(&super::family::distribution(of), &derivation.scope)) "." }
                 }
                 details {
                     summary { "Values" }
