@@ -75,7 +75,7 @@ fn what_is_not_smooth_solves_nothing() {
 #[test]
 fn a_profile_is_taken_where_it_has_gone() {
     let of = |f: &str, u: &str| {
-        word(&format!("ranges = {{ 'x' = [-1, 1], 't' = [0, 1], 'c' = [1, 2], 'f' = '{f}' }}\nalways = ['{u}']"))
+        word(&format!("ranges = {{ 'x' = [-1, 1], 't' = [0, 1], 'c' = [1, 2], 'f' = '{f}' }}\nalways = ['''{u}''']"))
     };
     assert_eq!(of("e^{-x^2}", r"\partial_tf(x-ct)=-c\partial_xf(x-ct)"), "holds");
     assert_eq!(of("e^{-x^2}", r"f(x-ct)=e^{-(x-ct)^2}"), "holds");
