@@ -200,8 +200,9 @@ impl Elaborator<'_> {
                 continue;
             }
             value = self.spelled_out(value, span)?;
-            // A field at a moving place depends on what moves there, and on no other state.
-            let told = self.scope.role(leaf.symbol) == Some(Role::State);
+            // A field at a moving place depends on what moves there, and on no other state; nor on the time, unless that is a
+            // coordinate.
+            let told = matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Time));
             let fields = self.graph.fields(value.components.iter().copied());
             if let Some(field) = fields.iter().find(|l| !told || self.graph.place(l.symbol).is_none()) {
                 let message = format!("whether `{}` depends on it is not said", self.graph.name(field.symbol));
