@@ -35,6 +35,8 @@ mod enclosure_containment;
 mod enclosure_limits;
 mod families;
 mod fields;
+mod fields_domains;
+mod fields_places;
 mod files;
 mod flow_events;
 mod flow_integration;

@@ -30,6 +30,12 @@ fn a_formula_may_begin_with_a_sign() {
     ends(2, &["-s", "x", "x=x", "--certificat"]);
 }
 
+#[test]
+fn words_of_a_symbol_want_commas() {
+    let said = ends(2, &["-s", "A(x,y,z): field 3", "\\nabla\\cdot A=0"]);
+    assert!(said.contains("write commas between the words: `field, 3`"), "{said}");
+}
+
 /// The words of a line as a shell takes them: blanks separate, single quotes keep together.
 fn words(line: &str) -> Vec<String> {
     let mut out = vec![String::new()];

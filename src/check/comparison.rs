@@ -71,7 +71,7 @@ pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: 
 /// left − right for each sign of ±, unless it does not move.
 fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Vec<Expr> {
     let sign = scope.branch_sign();
-    let leaves = graph.leaves([left, right]);
+    let leaves = graph.leaves_within([left, right]);
     let moves = |l: &Leaf| *l != sign && l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
     if !leaves.iter().any(moves) {
         return Vec::new();
@@ -186,7 +186,7 @@ pub(super) fn presupposed(graph: &mut Graph, scope: &Scope, e: Expr) -> Vec<Expr
     let mut next = 0;
     while let Some(&e) = out.get(next) {
         next += 1;
-        for leaf in graph.leaves([e]).into_iter().filter(|l| l.rate == 0 && scope.is_angle(l.symbol)) {
+        for leaf in graph.leaves_within([e]).into_iter().filter(|l| l.rate == 0 && scope.is_angle(l.symbol)) {
             let definition = scope.definition(leaf.symbol);
             let Some(&value) = definition.and_then(|d| d.components.get(usize::from(leaf.component))) else { continue };
             let value = match leaf.instant {

@@ -87,7 +87,7 @@ fn turned(kind: RelationKind) -> RelationKind {
 /// Whether both sides are the same at every time: parameters, and values at fixed times.
 fn is_constant(graph: &Graph, scope: &Scope, relation: &Relation) -> bool {
     let all = relation.left.components.iter().chain(&relation.right.components).copied();
-    graph.leaves(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
+    graph.leaves_within(all).iter().all(|l| l.instant.is_some() || scope.role(l.symbol) == Some(Role::Parameter))
 }
 
 /// The conditions under which every operation of an expression has a value, observables traced back; and what vanishes where
@@ -98,7 +98,7 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
     let (mut out, mut edges) = (Vec::new(), Vec::new());
     for need in graph.needs_below(all) {
         // What does not depend on anything is settled by the value itself.
-        if graph.leaves([need.value]).is_empty() {
+        if graph.leaves_within([need.value]).is_empty() {
             continue;
         }
         let label = format!("{} has a value", w.text);
@@ -142,7 +142,7 @@ fn exponents(graph: &mut Graph, scope: &Scope, comparisons: &[&Comparison]) -> V
             _ => continue,
         };
         let moves = |l: &Leaf| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);
-        if !graph.leaves(base.into_iter().chain([exponent])).iter().any(moves) {
+        if !graph.leaves_within(base.into_iter().chain([exponent])).iter().any(moves) {
             continue;
         }
         out.push(match base {
@@ -170,7 +170,7 @@ fn edges<'c>(graph: &mut Graph, scope: &Scope, compared: impl Iterator<Item = &'
             Sign::Positive => Some((n.value, false)),
             Sign::NotZero => None,
         })
-        .filter(|&(e, _)| !graph.leaves([e]).is_empty())
+        .filter(|&(e, _)| !graph.leaves_within([e]).is_empty())
         .collect();
     out.sort_unstable();
     out.dedup();
@@ -197,7 +197,7 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
     let mut some: Vec<Expr> = all.iter().flatten().copied().collect();
     some.sort_unstable();
     some.dedup();
-    some.retain(|e| !all.iter().all(|needs| needs.contains(e)) && !graph.leaves([*e]).is_empty());
+    some.retain(|e| !all.iter().all(|needs| needs.contains(e)) && !graph.leaves_within([*e]).is_empty());
     some
 }
 
@@ -247,7 +247,9 @@ pub(super) fn denote(graph: &mut Graph, systems: &[System], claim: &Claim, initi
     let assumed = claim.assuming.iter().any(branches);
     let said = claim.forms.iter().any(|form| match form {
         Form::Always(w) | Form::Never(w) | Form::Eventually(w) => branches(w),
-        Form::FirstIntegral(w) | Form::Defined(w) => graph.leaves(w.value.components.iter().copied()).contains(&sign),
+        Form::FirstIntegral(w) | Form::Defined(w) => {
+            graph.leaves_within(w.value.components.iter().copied()).contains(&sign)
+        }
         Form::Solves { .. }
         | Form::SameMotion { .. }
         | Form::Independent { .. }
@@ -578,7 +580,7 @@ impl Denotation<'_> {
             if let Some(sign) = sign {
                 e = self.graph.substitute(e, |g, l| (l == leaf).then(|| g.integer(sign)));
             }
-            group.branching |= self.graph.leaves([e]).contains(&leaf);
+            group.branching |= self.graph.leaves_within([e]).contains(&leaf);
             let right = if start { at_instant(self.graph, scope, e, self.start) } else { e };
             let label = label(&text(&w.text), &[], &w.value.shape, component);
             group.comparisons.push(Comparison::new(self.graph, scope, label, RelationKind::Equal, e, right));

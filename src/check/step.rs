@@ -218,7 +218,7 @@ impl<'a> Step<'a> {
         }
         let assumed = self.claim.assuming.iter().flat_map(|w| &w.value.relations).flat_map(pairs);
         roots.extend(assumed.flat_map(|(l, r)| [l, r]));
-        let leaves = self.graph.leaves(roots);
+        let leaves = self.graph.leaves_within(roots);
         !leaves.is_empty() && leaves.iter().all(|&l| self.is_positive_parameter(l))
     }
 
@@ -314,7 +314,10 @@ impl<'a> Step<'a> {
     fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
         let mut gathered = self.gather(None);
         let mut equations = self.equations(self.claim)?;
-        equations.retain(|(l, r)| l != r);
+        // Sides that are one expression: nothing is tried of a claim about fields but this.
+        if self.claim.region.is_none() || equations.iter().any(|(l, r)| l != r) {
+            equations.retain(|(l, r)| l != r);
+        }
         if equations.is_empty() {
             return None;
         }
@@ -323,7 +326,7 @@ impl<'a> Step<'a> {
         }
         let times = self.unite_times(&mut gathered, &mut equations);
         let several =
-            self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
+            self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
         if let Some(present) = self.at_present(&mut gathered, &equations) {
             equations = present;
         }
@@ -429,7 +432,7 @@ impl<'a> Step<'a> {
         let pivots: Vec<Expr> = pivots.take(MOST_EXCEPTIONS).collect();
         for pivot in pivots {
             // Auxiliary numbers are no part of the question.
-            let leaves = self.graph.leaves([pivot]);
+            let leaves = self.graph.leaves_within([pivot]);
             let scope = &self.claim.scope;
             if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
                 continue;
@@ -533,7 +536,7 @@ impl<'a> Step<'a> {
         };
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        if !self.graph.leaves(roots).contains(&sign) {
+        if !self.graph.leaves_within(roots).contains(&sign) {
             return evidence(&mut self.graph, &equations, &premises, &found);
         }
         let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
@@ -576,10 +579,11 @@ impl<'a> Step<'a> {
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
-        let said = self.graph.leaves(sides(equations));
+        let said = self.graph.leaves_within(sides(equations));
         let now = said.iter().any(|l| moves(l) && l.instant.is_none());
         let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
-        let given = self.graph.leaves(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
+        let given =
+            self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
         now && elsewhere && given.iter().any(|l| l.rate > 0)
     }
 
@@ -589,11 +593,11 @@ impl<'a> Step<'a> {
     fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
         let mut premises = self.premises(gathered, equations, Definitions::All);
         let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
-        let leaves = self.graph.leaves(sides(equations).into_iter().chain(sides(&premises.equations)));
+        let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(sides(&premises.equations)));
         let scope = &self.claim.scope;
         let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
         // Without a present value nothing is connected.
-        let now = self.graph.leaves(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
+        let now = self.graph.leaves_within(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
         let then: Vec<Leaf> = leaves.into_iter().filter(|l| moves(l) && l.instant.is_some()).collect();
         let instant = then.first()?.instant;
         if !now {
@@ -658,7 +662,7 @@ impl<'a> Step<'a> {
         let mut all: Option<Proof> = None;
         // Which factor vanishes may change with time: a case is about one time, and what is near it.
         let conclusion: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        if self.graph.leaves(conclusion).iter().any(|leaf| leaf.instant.is_some()) {
+        if self.graph.leaves_within(conclusion).iter().any(|leaf| leaf.instant.is_some()) {
             return self.test(premises, equations, options);
         }
         let cases = self.cases(premises);
@@ -692,7 +696,7 @@ impl<'a> Step<'a> {
     fn test_only(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        if !self.graph.leaves(roots).contains(&sign) {
+        if !self.graph.leaves_within(roots).contains(&sign) {
             return identity_test_after(&mut self.memory, &mut self.graph, equations, premises, options);
         }
         let branches = [1, -1].map(|value| self.branch(equations, value));
@@ -735,12 +739,12 @@ impl<'a> Step<'a> {
     fn start_and_rates(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let leaves = self.graph.leaves(roots);
+        let leaves = self.graph.leaves_within(roots);
         if leaves.contains(&self.claim.scope.branch_sign()) {
             return None;
         }
         let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let of_premises = self.graph.leaves(given);
+        let of_premises = self.graph.leaves_within(given);
         let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
         let scope = &self.claim.scope;
         let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));

@@ -105,7 +105,7 @@ impl Loader<'_> {
             self.problems.note("derivation::bad-family", of.span.clone(), message).hint(hint.to_owned());
             false
         };
-        let leaves = self.out.graph.leaves(of.value.components.iter().copied());
+        let leaves = self.out.graph.leaves_within(of.value.components.iter().copied());
         if of.value.as_scalar().is_none() || of.value.components.len() != 1 {
             return refuse("members are compared by one real number", "give one component, or one part");
         }

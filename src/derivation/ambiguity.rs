@@ -89,7 +89,8 @@ impl Loader<'_> {
                 | Form::Across(_) => {}
             }
         }
-        let signed = |w: &Written<Tensor>| self.out.graph.leaves(w.value.components.iter().copied()).contains(&sign);
+        let signed =
+            |w: &Written<Tensor>| self.out.graph.leaves_within(w.value.components.iter().copied()).contains(&sign);
         for form in &claim.forms {
             let (form, w) = match form {
                 Form::FirstIntegral(w) => ("first-integral", w),
@@ -125,7 +126,7 @@ impl Loader<'_> {
         for w in statements {
             let limits = w.value.relations.iter().filter(|r| r.limit.is_some());
             let right = limits.flat_map(|r| r.right.components.iter().copied());
-            if self.out.graph.leaves(right).iter().any(moves) {
+            if self.out.graph.leaves_within(right).iter().any(moves) {
                 self.problems
                     .note("derivation::moving-limit", w.span.clone(), "a limit is compared with something that moves")
                     .hint("write a number, a parameter, or a value at a time");

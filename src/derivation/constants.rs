@@ -202,7 +202,7 @@ impl Loader<'_> {
             }
         };
         let value = scope.definition(symbol).and_then(|t| t.as_scalar());
-        let Some(value) = value.filter(|v| self.out.graph.leaves([*v]).is_empty()) else {
+        let Some(value) = value.filter(|v| self.out.graph.leaves_within([*v]).is_empty()) else {
             let message = format!("the value of the constant `{name}` is not a number");
             let hint = "write digits, π and functions of them; what depends on something else is an abbreviation";
             self.problems.note("derivation::bad-role", formula.span.clone(), message).hint(hint);

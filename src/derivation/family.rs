@@ -228,7 +228,7 @@ impl Family {
     pub fn positive(&self, graph: &Graph, is_positive: impl Fn(Symbol) -> bool) -> Vec<Expr> {
         let given = self.parameters.iter().filter(|(symbol, _)| is_positive(*symbol));
         let all = given.flat_map(|(_, written)| written.value.iter().copied());
-        all.filter(|e| !graph.leaves([*e]).is_empty()).collect()
+        all.filter(|e| !graph.leaves_within([*e]).is_empty()).collect()
     }
 
     /// The id of a member as a trajectory: one that nothing else in the file has.

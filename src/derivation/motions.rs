@@ -543,7 +543,7 @@ impl Loader<'_> {
             for e in &mut written.value {
                 *e = self.out.graph.substitute(*e, |_, leaf| own(leaf)?.get(usize::from(leaf.component)).copied());
             }
-            let leaves = self.out.graph.leaves(written.value.iter().copied());
+            let leaves = self.out.graph.leaves_within(written.value.iter().copied());
             let unknown = leaves.into_iter().find(|leaf| match scope.role(leaf.symbol) {
                 Some(Role::State) => !states.contains(&leaf.symbol),
                 Some(Role::Parameter) => !parameters.iter().any(|(s, _)| *s == leaf.symbol),

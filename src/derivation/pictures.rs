@@ -55,9 +55,9 @@ impl Loader<'_> {
         let picture = Picture { id, says, kind, show, slopes, levels, trajectories, span };
         if let Some(levels) = &picture.levels {
             let graph = &self.out.graph;
-            let shown = graph.leaves(picture.show.iter().map(|w| w.value));
+            let shown = graph.leaves_within(picture.show.iter().map(|w| w.value));
             let fixed = |leaf: &expr::Leaf| self.out.scope.role(leaf.symbol) == Some(Role::Parameter);
-            let other = graph.leaves([levels.value]).into_iter().find(|l| !shown.contains(l) && !fixed(l));
+            let other = graph.leaves_within([levels.value]).into_iter().find(|l| !shown.contains(l) && !fixed(l));
             if shown.len() != 3 || other.is_some() {
                 let message = "`levels` is a formula in the three symbols that are shown, and in parameters";
                 self.problems.note("derivation::picture", levels.span.clone(), message);

@@ -150,7 +150,7 @@ impl Loader<'_> {
             if !self.depends_as_declared(symbol, &values, name, item.span()) {
                 continue;
             }
-            let depends = matches!(values, Values::One(e) if !self.out.graph.leaves([e]).is_empty());
+            let depends = matches!(values, Values::One(e) if !self.out.graph.leaves_within([e]).is_empty());
             let formula = depends.then(|| written(item));
             out.push(Ranged { leaf: now(symbol, component), values, formula, unit: unit.clone(), span: item.span() });
         }
@@ -164,7 +164,7 @@ impl Loader<'_> {
             Values::Between(..) => return true,
             Values::One(e) => {
                 let foreign = |leaf: &Leaf| graph.coordinate(*leaf).is_some_and(|at| !graph.depends(symbol, at));
-                let Some(leaf) = graph.leaves([*e]).into_iter().find(foreign) else { return true };
+                let Some(leaf) = graph.leaves_within([*e]).into_iter().find(foreign) else { return true };
                 let message = format!("`{name}` does not depend on `{}`", graph.name(leaf.symbol));
                 (message, "declare it as a field of its coordinates")
             }
@@ -344,6 +344,7 @@ impl Loader<'_> {
             let message = "a claim over ranges allows either sign of ± at each point";
             self.problems.note("derivation::bad-region", claim.span.clone(), message).hint("take `branches` out");
         }
+        self.solves_everywhere(claim);
         if let Some(form) = claim.forms.iter().find(|f| !POSSIBLE.contains(&f.kind())) {
             let message = format!("`{}` is said of a motion, not of ranges of values", form.kind().key());
             self.problems
@@ -384,6 +385,28 @@ impl Loader<'_> {
         }
     }
 
+    /// What it means that fields solve their equations on a domain: that these hold there, and that both sides have a value at
+    /// every point. What has a kink inside solves nothing there.
+    fn solves_everywhere(&self, claim: &mut Claim) {
+        let mut forms = Vec::with_capacity(claim.forms.len());
+        for form in std::mem::take(&mut claim.forms) {
+            match form {
+                Form::Solves { system } if self.out.systems[system].states.is_empty() => {
+                    for equation in &self.out.systems[system].equations {
+                        let relations = equation.value.relations.iter();
+                        let sides = relations.flat_map(|r| [r.left.clone(), r.right.clone()]).collect::<Vec<_>>();
+                        forms.push(Form::Always(equation.clone()));
+                        forms.extend(sides.into_iter().map(|value| {
+                            Form::Defined(Written { text: equation.text.clone(), span: equation.span.clone(), value })
+                        }));
+                    }
+                }
+                other => forms.push(other),
+            }
+        }
+        claim.forms = forms;
+    }
+
     /// A claim about fields without ranges is tried on no motion: it follows from something, or not.
     fn of_fields(&mut self, claim: &mut Claim, tables: &[&Table<'_, '_>]) {
         let assumed = claim.assuming.iter().flat_map(|w| components(&w.value));
@@ -397,7 +420,7 @@ impl Loader<'_> {
         });
         let roots: Vec<Expr> = assumed.chain(said).collect();
         let place = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::Coordinate | Role::Field));
-        let leaves = self.out.graph.leaves(roots);
+        let leaves = self.out.graph.leaves_within(roots);
         let Some(leaf) = leaves.iter().find(|l| self.out.graph.is_field(l.symbol) || place(l)) else { return };
         let name = self.leaf_name(*leaf);
         claim.region = Some(Region::default());

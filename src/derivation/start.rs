@@ -138,7 +138,7 @@ impl Loader<'_> {
             self.problems.note("derivation::constraints", span, message).hint(hint);
             return None;
         }
-        let open = |u: &&Unknown| !differences.iter().any(|&d| self.out.graph.leaves([d]).contains(&u.leaf));
+        let open = |u: &&Unknown| !differences.iter().any(|&d| self.out.graph.leaves_within([d]).contains(&u.leaf));
         if let Some(unknown) = unknowns.iter().find(open) {
             let message = format!("no constraint contains `{}`, which is solved for", unknown.name);
             self.problems.note("derivation::constraints", unknown.span.clone(), message);

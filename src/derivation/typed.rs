@@ -193,7 +193,7 @@ impl Derivation {
             return Err(vec![Diagnostic::of_formula(source, span.start, found)]);
         }
         let constant = self.scope.definition(symbol).and_then(|t| t.as_scalar()).filter(|_| typed.constant);
-        if typed.constant && !constant.is_some_and(|value| self.graph.leaves([value]).is_empty()) {
+        if typed.constant && !constant.is_some_and(|value| self.graph.leaves_within([value]).is_empty()) {
             let message = format!("the value of the constant `{name}` is not a number");
             return Err(vec![Diagnostic::at(source, "derivation::bad-role", span.clone(), message)]);
         }
@@ -318,7 +318,13 @@ impl Typed {
                     let known =
                         [CONSTANT, "positive", "angle", "complex", VELOCITY, "momentum of q", "diagonal 3", "3x3"];
                     let known = ROLES.iter().map(|(word, _)| *word).chain(known);
+                    // Several words without commas, as the tables of the documentation have them.
+                    let several: Vec<&str> = word.split_whitespace().collect();
+                    let says = |w: &&str| parse_shape(w).is_some() || known.clone().any(|k| k == *w);
                     let hint = match nearest(word, known.clone()) {
+                        _ if several.len() > 1 && several.iter().all(says) => {
+                            format!("write commas between the words: `{}`", several.join(", "))
+                        }
                         Some(near) => format!("did you mean `{near}`?"),
                         None => format!("known: {}", known.collect::<Vec<_>>().join(", ")),
                     };

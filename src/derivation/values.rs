@@ -204,7 +204,10 @@ impl Loader<'_> {
     ) -> Result<Expr, Leaf> {
         let mut e = e;
         loop {
-            let leaves = self.out.graph.leaves([e]);
+            let graph = &self.out.graph;
+            // What is known of a field is known of it at any place; what stands in the place must be known, too.
+            let there = |l: Leaf| Leaf { symbol: graph.field_of(l.symbol), ..l };
+            let leaves: Vec<Leaf> = graph.leaves_within([e]).into_iter().map(there).collect();
             let value = |leaf: Leaf| -> Option<Expr> {
                 if leaf.instant.is_some() {
                     return None;

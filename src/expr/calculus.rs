@@ -113,41 +113,16 @@ impl Graph {
         self.unary(Op::Tan, half)
     }
 
-    /// ∂e/∂leaf.
+    /// ∂e/∂leaf, all leaves being independent of each other: also those of a field at a place, and what stands in the place.
     ///
     /// # Errors
     /// See [`Graph::directional_derivative`].
-    pub fn partial_derivative(&mut self, e: Expr, leaf: Leaf) -> Result<Expr, NoDerivative> {
+    pub fn slope(&mut self, e: Expr, leaf: Leaf) -> Result<Expr, NoDerivative> {
         self.directional_derivative(e, |graph, l| (l == leaf).then(|| graph.integer(1)))
     }
 
-    /// de/dt by the chain rule: a leaf for which `moves` is true contributes its rate, `time` contributes 1, a field its
-    /// derivative by the time, all coordinates being held fixed.
-    ///
-    /// # Errors
-    /// See [`Graph::directional_derivative`].
-    pub fn time_derivative(&mut self, e: Expr, time: Leaf, moves: impl Fn(Leaf) -> bool) -> Result<Expr, NoDerivative> {
-        let coordinate = self.coordinate(time);
-        for leaf in self.leaves([e]) {
-            coordinate.map_or(Ok(None), |at| self.raised(leaf, at))?;
-        }
-        self.directional_derivative(e, |graph, leaf| {
-            if leaf == time {
-                Some(graph.integer(1))
-            } else if let Some(at) = coordinate
-                && graph.depends(leaf.symbol, at)
-            {
-                graph.raised(leaf, at).ok().flatten()
-            } else if leaf.instant.is_none() && moves(leaf) {
-                Some(graph.leaf(Leaf { rate: leaf.rate + 1, ..leaf }))
-            } else {
-                None
-            }
-        })
-    }
-
-    /// `e` with every leaf replaced for which `with` yields an expression.
-    pub fn substitute(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
+    /// `e` with every leaf replaced for which `with` yields an expression, and nothing in the places of fields.
+    pub fn replaced(&mut self, e: Expr, mut with: impl FnMut(&mut Graph, Leaf) -> Option<Expr>) -> Expr {
         let order = self.reachable([e]);
         let mut image: FastMap<Expr, Expr> = FastMap::with_capacity_and_hasher(order.len(), Default::default());
         for node in order {

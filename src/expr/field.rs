@@ -94,31 +94,28 @@ impl Graph {
 
     /// Says that a symbol is a field: which coordinates it depends on, by their positions.
     pub fn set_arguments(&mut self, symbol: Symbol, coordinates: &[usize]) {
+        let known = self.arguments.entry(symbol).or_default();
         for &at in coordinates {
-            self.arguments.insert((symbol, at));
+            if !known.contains(&at) {
+                known.push(at);
+            }
         }
     }
 
     /// Whether a symbol depends on a coordinate.
     pub fn depends(&self, symbol: Symbol, coordinate: usize) -> bool {
-        self.arguments.contains(&(symbol, coordinate))
-    }
-
-    /// Whether a symbol depends on some coordinate.
-    pub fn is_field(&self, symbol: Symbol) -> bool {
-        (0..self.coordinates.len()).any(|at| self.depends(symbol, at))
-    }
-
-    /// The derivative of a field's leaf by a coordinate; `None` where it does not depend on it.
-    ///
-    /// # Errors
-    /// [`NoDerivative::Order`] beyond [`HIGHEST_ORDER`].
-    pub(crate) fn raised(&mut self, leaf: Leaf, coordinate: usize) -> Result<Option<Expr>, NoDerivative> {
-        if leaf.instant.is_some() || !self.depends(leaf.symbol, coordinate) {
-            return Ok(None);
+        match self.place(symbol) {
+            // What stands in the place does.
+            Some(place) => self.leaves(place.at.iter().map(|&(_, e)| e)).into_iter().any(|l| {
+                self.coordinate(l) == Some(coordinate) || l.instant.is_none() && self.depends(l.symbol, coordinate)
+            }),
+            None => self.arguments.get(&symbol).is_some_and(|all| all.contains(&coordinate)),
         }
-        let partials = leaf.partials.raised(coordinate).ok_or(NoDerivative::Order)?;
-        Ok(Some(self.leaf(Leaf { partials, ..leaf })))
+    }
+
+    /// Whether a symbol depends on some coordinate, or is a field at a place.
+    pub fn is_field(&self, symbol: Symbol) -> bool {
+        self.arguments.get(&symbol).is_some_and(|all| !all.is_empty()) || self.place(symbol).is_some()
     }
 
     /// ∂e/∂(coordinate), the other coordinates and everything that depends on none being held fixed.
@@ -153,15 +150,32 @@ impl Graph {
         e: Expr,
         formula: impl Fn(Symbol, u16) -> Option<Expr>,
     ) -> Result<Expr, NoDerivative> {
+        self.with_fields_dyn(e, &formula)
+    }
+
+    fn with_fields_dyn(
+        &mut self,
+        e: Expr,
+        formula: &dyn Fn(Symbol, u16) -> Option<Expr>,
+    ) -> Result<Expr, NoDerivative> {
         let mut images = super::FastMap::default();
         for leaf in self.leaves([e]) {
-            if let Some(value) = formula(leaf.symbol, leaf.component) {
+            if let Some(value) = formula(self.field_of(leaf.symbol), leaf.component) {
                 let derivative = self.derivative_of_order(value, leaf.partials)?;
                 // Where the field has no value, its derivatives have none.
-                images.insert(leaf, self.rate_of(value, derivative, |_| false));
+                let mut image = self.rate_of(value, derivative, |_| false);
+                if let Some(place) = self.place(leaf.symbol).cloned() {
+                    let coordinates: Vec<Leaf> = self.coordinates().collect();
+                    let mut values = Vec::with_capacity(place.at.len());
+                    for (at, e) in place.at {
+                        values.push((coordinates[at], self.with_fields_dyn(e, formula)?));
+                    }
+                    image = self.taken_at(image, &values);
+                }
+                images.insert(leaf, image);
             }
         }
-        Ok(self.substitute(e, |_, leaf| images.get(&leaf).copied()))
+        Ok(self.replaced(e, |_, leaf| images.get(&leaf).copied()))
     }
 
     /// The leaves of fields below some expressions.

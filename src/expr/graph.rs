@@ -1,7 +1,8 @@
 //! The graph itself: nodes, leaves and the constructors that share them.
 
 use super::field::Partials;
-use super::hash::{FastHasher, FastSet};
+use super::hash::{FastHasher, FastMap};
+use super::place::Place;
 use super::{Op, Part, Rational, Shape};
 use hashbrown::HashTable;
 use std::hash::{Hash, Hasher};
@@ -89,8 +90,10 @@ pub struct Graph {
     symbols: Vec<SymbolEntry>,
     /// What fields may depend on, see [`field`](super::field).
     pub(super) coordinates: Vec<(Symbol, u16)>,
-    /// A field, and the position of a coordinate on which it depends.
-    pub(super) arguments: FastSet<(Symbol, usize)>,
+    /// The positions of the coordinates on which a field depends, in the order in which its name shows them.
+    pub(super) arguments: FastMap<Symbol, Vec<usize>>,
+    /// Fields at other places, by their symbols, see [`place`](super::place).
+    pub(super) places: Vec<(Symbol, Place)>,
 }
 
 /// The same for a + b and b + a, which are one node.

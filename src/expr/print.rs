@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use super::{Expr, Graph, Leaf, Node, Op, Rational};
+use super::{Expr, Graph, Leaf, Node, Op, Place, Rational, Symbol};
 
 /// How tightly a printed expression holds together; from loose to tight.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -60,7 +60,21 @@ fn parts(name: &str) -> NameParts<'_> {
 impl Graph {
     /// A leaf as a formula writes it: `\dot R_{12}`, `\psi(0)`.
     pub fn leaf_latex(&self, leaf: Leaf) -> String {
-        let NameParts { head, label, arguments } = parts(self.name(leaf.symbol));
+        let field = self.field_of(leaf.symbol);
+        let NameParts { head, label, arguments } = parts(self.name(field));
+        let place = self.place(leaf.symbol);
+        // Of a field of one coordinate at a place, the derivative is written with primes.
+        let primes = match place {
+            Some(place) if place.at.len() == 1 && leaf.partials.order() <= 3 => leaf.partials.order(),
+            Some(_) | None => 0,
+        };
+        let there = |place: &Place| self.arguments_latex(place);
+        let arguments = match place {
+            Some(place) if primes > 0 || leaf.partials.is_none() => there(place),
+            Some(_) | None => arguments.to_owned(),
+        };
+        let head = format!("{head}{}", "'".repeat(primes as usize));
+        let head = head.as_str();
         let dots = usize::from(leaf.rate);
         let dotted = match leaf.rate {
             0 => head.to_owned(),
@@ -88,11 +102,41 @@ impl Graph {
                 }
             }
         };
-        let whole = self.with_partials(leaf, format!("{dotted}{lowered}{arguments}{at}"));
+        let whole = format!("{dotted}{lowered}{arguments}{at}");
+        let whole = match place {
+            None => self.with_partials(leaf, whole),
+            Some(place) if primes == 0 && !leaf.partials.is_none() => {
+                self.behind_a_bar(self.with_partials(leaf, whole), place)
+            }
+            Some(_) => whole,
+        };
         match self.part(leaf) {
             Some(part) => part.of(&whole),
             None => whole,
         }
+    }
+
+    /// The name of a symbol without its arguments.
+    pub(super) fn bare_name(&self, symbol: Symbol) -> String {
+        let name = self.name(symbol);
+        name[..name.len() - parts(name).arguments.len()].to_owned()
+    }
+
+    /// What is put for the coordinates of a field, in parentheses.
+    pub(super) fn arguments_latex(&self, place: &Place) -> String {
+        let each: Vec<String> = place.at.iter().map(|&(_, e)| self.to_latex(e)).collect();
+        format!("({})", each.join(","))
+    }
+
+    /// A derivative taken at a place: only what is not at its own coordinate is named.
+    fn behind_a_bar(&self, derivative: String, place: &Place) -> String {
+        let coordinates: Vec<Leaf> = self.coordinates().collect();
+        let moved = place.at.iter().filter_map(|&(at, e)| {
+            let leaf = *coordinates.get(at)?;
+            let itself = matches!(self.node(e), Node::Leaf(l) if *l == leaf);
+            (!itself).then(|| format!("{}={}", self.leaf_latex(leaf), self.to_latex(e)))
+        });
+        format!(r"\left.{derivative}\right|_{{{}}}", moved.collect::<Vec<_>>().join(","))
     }
 
     /// The derivative of a field, as a fraction.

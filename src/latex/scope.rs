@@ -457,7 +457,7 @@ impl Scope {
     }
 
     fn depends_on_time(&self, graph: &Graph, t: &Tensor) -> bool {
-        graph.leaves(t.components.iter().copied()).iter().any(|l| {
+        graph.leaves_within(t.components.iter().copied()).iter().any(|l| {
             l.instant.is_none() && matches!(self.role(l.symbol), Some(Role::Time | Role::State | Role::Observable))
         })
     }

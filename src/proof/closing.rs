@@ -81,9 +81,9 @@ impl Dynamics {
     ) -> Result<Dynamics, Reason> {
         let mut out = Dynamics::default();
         let named = equations.iter().flat_map(|&(l, r)| [l, r]).chain(asked.iter().copied());
-        out.fixed = graph.leaves(named).into_iter().any(|leaf| leaf.instant.is_some());
+        out.fixed = graph.leaves_within(named).into_iter().any(|leaf| leaf.instant.is_some());
         for &(l, r) in equations {
-            let leaves = graph.leaves([l, r]);
+            let leaves = graph.leaves_within([l, r]);
             let moving = leaves.iter().any(|&leaf| leaf.instant.is_none() && moves(leaf));
             out.timely |= leaves.contains(&time);
             if moving {
@@ -100,7 +100,7 @@ impl Dynamics {
         let mut orders: Vec<FastMap<usize, u8>> = Vec::new();
         for &(l, r) in &out.parts {
             let mut row = FastMap::default();
-            for leaf in graph.leaves([l, r]).into_iter().filter(|l| l.instant.is_none() && moves(*l)) {
+            for leaf in graph.leaves_within([l, r]).into_iter().filter(|l| l.instant.is_none() && moves(*l)) {
                 let variable = (leaf.symbol, leaf.component);
                 let at = variables.iter().position(|v| *v == variable).unwrap_or_else(|| {
                     variables.push(variable);
@@ -114,7 +114,7 @@ impl Dynamics {
         let of = assigned(&orders, variables.len());
         // Everything that is asked about, at whatever time.
         let mut reach = vec![0_u8; variables.len()];
-        for leaf in graph.leaves(asked.iter().copied()).into_iter().filter(|l| moves(*l)) {
+        for leaf in graph.leaves_within(asked.iter().copied()).into_iter().filter(|l| moves(*l)) {
             if let Some(at) = variables.iter().position(|v| *v == (leaf.symbol, leaf.component)) {
                 reach[at] = reach[at].max(leaf.rate);
             }
@@ -164,7 +164,7 @@ impl Dynamics {
                     if reach[j].checked_sub(depth[i]) == Some(order) {
                         let (symbol, component) = variables[j];
                         let leaf = Leaf { rate: order, ..Leaf::now(symbol, component) };
-                        let slope = graph.partial_derivative(residual, leaf).map_err(|_| Reason::NoDerivative)?;
+                        let slope = graph.slope(residual, leaf).map_err(|_| Reason::NoDerivative)?;
                         row.push((j, slope));
                     }
                 }

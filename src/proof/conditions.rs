@@ -55,7 +55,7 @@ fn without_signs(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
 /// A lowered expression in terms of the formulas as given; numbers that were made up on the way stay.
 pub(super) fn raised(graph: &mut Graph, generators: &Generators, e: Expr) -> Expr {
     let e = without_signs(graph, generators, e);
-    graph.substitute(e, |graph, leaf| {
+    graph.replaced(e, |graph, leaf| {
         Some(match *generators.get(leaf)? {
             Generator::Cosine(a) => graph.unary(Op::Cos, a),
             Generator::Sine(a) => graph.unary(Op::Sin, a),

@@ -98,7 +98,7 @@ mod tests {
         let square = g.powi(b, 2);
         let three = g.integer(3);
         let mut list = [sine, square, a, g.mul(sine, square)];
-        let wanted = list.map(|e| g.substitute(e, |_, l| (l == x).then_some(three)));
+        let wanted = list.map(|e| g.replaced(e, |_, l| (l == x).then_some(three)));
         put_in(&mut g, list.iter_mut(), x, three);
         assert_eq!(list, wanted);
         assert_eq!(list[1], square);

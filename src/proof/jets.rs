@@ -13,6 +13,11 @@
 //! they have in common: the difference is a condition of integrability, and a premise like any other. All of these hold wherever the
 //! premises do, so what follows from them is proved; that some were left out can only lose a proof.
 //!
+//! # Other places
+//!
+//! A field at another place, u(0, t), is an unknown of its own there (see [`Place`]). The premises hold there, too, and are
+//! taken there with their derivatives. No point refutes then: a solution near one place says nothing of another.
+//!
 //! # Why a point is not enough
 //!
 //! A point that satisfies all of them need not belong to a solution: u_x = yu, u_y = u have none but u = 0. It does if no
@@ -22,15 +27,18 @@
 //! they are analytic there; and that field depends on all coordinates of its equation. The ranking above is one of those for which the theorem holds: how two derivatives compare does not
 //! depend on the field, but for equal ones.
 
-use super::outcome::{Point, Reason};
+use super::outcome::{Point, Premises, Reason};
 use super::witness::{decimals, values_at};
-use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Symbol};
+use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Place, Symbol};
 
 /// More derivatives are not formed: what is left out can only lose a proof.
 const MOST_DERIVED: usize = 192;
 
 /// Highest total order that is looked at.
 const HIGHEST: u32 = 8;
+
+/// More derivatives are not asked for because of what stands at other places.
+const MOST_PROLONGED: usize = 48;
 
 /// A component of a field.
 type Unknown = (Symbol, u16);
@@ -83,17 +91,14 @@ pub(super) fn names_fields(graph: &Graph, (l, r): (Expr, Expr)) -> bool {
 }
 
 impl Jets {
-    /// Derives as far as `asked` asks for. `moving`: what has motions; an equation that names it and a field is looked at as it
-    /// is, and refutes nothing.
+    /// Derives as far as `asked` asks for. An equation that names what has motions, and a field, is looked at as it is, and
+    /// refutes nothing.
     ///
     /// # Errors
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
-    pub(super) fn of(
-        graph: &mut Graph,
-        equations: &[(Expr, Expr)],
-        asked: &[Expr],
-        (time, moving): (Option<Leaf>, &[Symbol]),
-    ) -> Result<Jets, Reason> {
+    pub(super) fn of(graph: &mut Graph, given: &Premises, asked: &[Expr]) -> Result<Jets, Reason> {
+        let Premises { equations, time, moving, .. } = given;
+        let time = *time;
         let mut out = Jets::default();
         let (mut led, mut pure) = (Vec::new(), true);
         for &(left, right) in equations {
@@ -102,16 +107,31 @@ impl Jets {
             let Some(leader) = defined(graph, left, right).or(highest) else { continue };
             out.named = true;
             // What stands at a fixed time, or moves, is no field of its coordinates.
-            if graph.leaves([left, right]).iter().any(|l| l.instant.is_some() || moving.contains(&l.symbol)) {
+            let elsewhere = |l: &Leaf| l.instant.is_some() || moving.contains(&l.symbol);
+            if graph.leaves_within([left, right]).iter().any(elsewhere) {
                 pure = false;
                 continue;
             }
+            pure &= !graph.has_places([left, right]);
             led.push(Led { left, right, leader });
         }
         if !out.named {
             return Ok(out);
         }
-        let complete = out.derive(graph, &led, asked, time)?;
+        // A solution near one place says nothing of other places.
+        pure &= !graph.has_places(asked.iter().copied());
+        let elsewhere = if pure { Vec::new() } else { instances(graph, given, &led, asked, time)? };
+        let mut asked: Vec<Expr> = asked.iter().copied().chain(elsewhere.iter().flat_map(|&(l, r)| [l, r])).collect();
+        let order = graph.fields(asked.iter().copied()).iter().map(|l| l.partials.order()).max().unwrap_or(0);
+        let mut tied: Vec<Leaf> = led.iter().map(|p| p.leader).filter(|l| graph.place(l.symbol).is_some()).collect();
+        prolong(graph, &mut tied, order);
+        asked.extend(tied.into_iter().map(|l| graph.leaf(l)));
+        let complete = out.derive(graph, &led, &asked, time)?;
+        for pair in elsewhere {
+            if pair.0 != pair.1 && !out.derived.contains(&pair) {
+                out.derived.push(pair);
+            }
+        }
         out.slopes = if pure && complete { solvable(graph, &led)? } else { None };
         Ok(out)
     }
@@ -178,6 +198,89 @@ impl Jets {
         let known = decimals(graph, slopes, &values_at(point));
         known.into_iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error))
     }
+}
+
+/// The equations, and their derivatives, at the other places at which their fields are named. They hold at all places, unless
+/// something is given of coordinates besides: then it is not known that they do there. One that may have no value somewhere is
+/// left out.
+fn instances(
+    graph: &mut Graph,
+    given: &Premises,
+    led: &[Led],
+    asked: &[Expr],
+    time: Option<Leaf>,
+) -> Result<Vec<(Expr, Expr)>, Reason> {
+    let facts = given.nonzero.iter().chain(&given.positive).chain(&given.not_negative).copied();
+    let others = given.equations.iter().filter(|&&pair| !names_fields(graph, pair)).chain(&given.only_now);
+    let beside: Vec<Expr> = facts.chain(others.flat_map(|&(l, r)| [l, r])).collect();
+    if graph.leaves_within(beside).into_iter().any(|l| Some(l) == time || graph.coordinate(l).is_some()) {
+        return Ok(Vec::new());
+    }
+    let sides = asked.iter().copied().chain(given.equations.iter().flat_map(|&(l, r)| [l, r]));
+    let fields = graph.fields(sides);
+    let placed = fields.iter().filter_map(|l| Some((*l, graph.place(l.symbol)?.clone())));
+    let (leaves, places): (Vec<Leaf>, Vec<Place>) = placed.unzip();
+    let here: Vec<Led> = led.iter().filter(|p| !graph.has_places([p.left, p.right])).copied().collect();
+    let mut own: Vec<Leaf> = leaves.into_iter().map(|l| Leaf { symbol: graph.field_of(l.symbol), ..l }).collect();
+    prolong(graph, &mut own, fields.iter().map(|l| l.partials.order()).max().unwrap_or(0));
+    let own: Vec<Expr> = own.into_iter().map(|l| graph.leaf(l)).collect();
+    let mut derived = Jets::default();
+    derived.derive(graph, &here, &own, time)?;
+    let mut all: Vec<(Expr, Expr)> = here.iter().map(|p| (p.left, p.right)).chain(derived.derived).collect();
+    all.retain(|&(l, r)| has_values(graph, [l, r]));
+    let coordinates: Vec<Leaf> = graph.coordinates().collect();
+    let mut out: Vec<(Expr, Expr)> = Vec::new();
+    for (i, place) in places.iter().enumerate() {
+        if places[..i].contains(place) {
+            continue;
+        }
+        let values: Vec<(Leaf, Expr)> =
+            place.at.iter().filter_map(|&(at, e)| Some((*coordinates.get(at)?, e))).collect();
+        for &(left, right) in &all {
+            let pair = (graph.taken_at(left, &values), graph.taken_at(right, &values));
+            if out.len() < MOST_DERIVED && !out.contains(&pair) {
+                out.push(pair);
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// All derivatives of some fields up to an order, unless they are too many: a condition at a boundary is derived along it, and
+/// meets those of the equation there.
+fn prolong(graph: &Graph, leaves: &mut Vec<Leaf>, order: u32) {
+    let mut at = 0;
+    while let Some(&leaf) = leaves.get(at) {
+        for by in 0..graph.coordinates().count() {
+            let raised = leaf.partials.raised(by).filter(|p| p.order() <= order && graph.depends(leaf.symbol, by));
+            let raised = raised.map(|partials| Leaf { partials, ..leaf });
+            if let Some(raised) = raised.filter(|r| leaves.len() < MOST_PROLONGED && !leaves.contains(r)) {
+                leaves.push(raised);
+            }
+        }
+        at += 1;
+    }
+}
+
+/// Whether expressions have values at all places, as far as that is seen at once.
+fn has_values(graph: &Graph, sides: [Expr; 2]) -> bool {
+    let fixed = |e: Expr| {
+        let changes = |l: &Leaf| graph.coordinate(*l).is_some() || graph.is_field(l.symbol) || l.rate > 0;
+        !graph.leaves([e]).iter().any(changes)
+    };
+    graph.reachable(sides).into_iter().all(|e| match *graph.node(e) {
+        Node::Constant(_) | Node::Pi | Node::Leaf(_) => true,
+        Node::Unary(Op::Powi(n), a) => n >= 0 || fixed(a),
+        Node::Unary(op, a) => {
+            matches!(op, Op::Neg | Op::Exp | Op::Sin | Op::Cos | Op::Sinh | Op::Cosh | Op::Tanh | Op::Arctan)
+                || fixed(a)
+        }
+        Node::Binary(op, a, b) => match op {
+            Op::Add | Op::Sub | Op::Mul => true,
+            Op::Div => fixed(b),
+            _ => fixed(a) && fixed(b),
+        },
+    })
 }
 
 /// Derives an equation, by steps that others share.
@@ -250,7 +353,7 @@ fn solvable(graph: &mut Graph, led: &[Led]) -> Result<Option<Vec<Expr>>, Reason>
             return Ok(None);
         }
         let residual = graph.sub(p.left, p.right);
-        let slope = graph.partial_derivative(residual, p.leader).map_err(|_| Reason::NoDerivative)?;
+        let slope = graph.slope(residual, p.leader).map_err(|_| Reason::NoDerivative)?;
         slopes.push(slope);
     }
     Ok(Some(slopes))

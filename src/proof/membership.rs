@@ -409,7 +409,7 @@ impl Search<'_> {
     /// A lowered expression in the words of the formulas.
     fn raised(&mut self, e: Expr) -> String {
         let generators = &self.lowered.generators;
-        let raised = self.graph.substitute(e, |graph, leaf| {
+        let raised = self.graph.replaced(e, |graph, leaf| {
             Some(match *generators.get(leaf)? {
                 Generator::Cosine(a) => graph.unary(Op::Cos, a),
                 Generator::Sine(a) => graph.unary(Op::Sin, a),

@@ -51,7 +51,9 @@ pub(super) fn refutes(
     let equations: Vec<(Expr, Expr)> = given.equations.iter().chain(&given.only_now).copied().collect();
     let count = equations.len();
     // A point of a motion, or of a field, must belong to one.
-    let bound = !given.moving.is_empty() || equations.iter().any(|&pair| names_fields(graph, pair));
+    let bound = !given.moving.is_empty()
+        || equations.iter().any(|&pair| names_fields(graph, pair))
+        || graph.has_places(claim.iter().flat_map(|&(l, r)| [l, r]));
     if count == 0 || count > MOST_EQUATIONS || bound {
         return None;
     }
@@ -66,7 +68,7 @@ pub(super) fn refutes(
     let mut outputs = residuals.clone();
     for &e in &residuals {
         for &leaf in &leaves {
-            outputs.push(graph.partial_derivative(e, leaf).ok()?);
+            outputs.push(graph.slope(e, leaf).ok()?);
         }
     }
     let tape = Tape::compile(graph, &leaves, &outputs).ok()?;

@@ -221,7 +221,7 @@ impl Signs<'_> {
                 values.insert(self.parameters[x], value);
             }
         }
-        self.graph.substitute(e, |_, leaf| values.get(&leaf).copied())
+        self.graph.replaced(e, |_, leaf| values.get(&leaf).copied())
     }
 
     /// The expression without |·|; `Err` where a sign below one is not known, or a root or another function is left.

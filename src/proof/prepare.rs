@@ -2,7 +2,8 @@
 
 use super::closing::Dynamics;
 use super::insertion::put_in;
-use super::jets::{Jets, names_fields};
+use super::jets::Jets;
+use super::linear::Combinations;
 use super::outcome::{Point, Premises, Reason};
 use super::witness::{decimals, values_at};
 use expr::{Expr, Graph, Leaf, Node, Op};
@@ -26,7 +27,13 @@ pub(super) struct Solutions {
     inside: Vec<Expr>,
     /// Whether something that moves is tied to a place: then no theorem says that there is a solution.
     tied: bool,
+    /// For each two places at which one field is taken, what must not all be 0: values at different places are free of each
+    /// other (there is a polynomial with any derivatives at finitely many points), at one place they are the same.
+    apart: Vec<Vec<Expr>>,
 }
+
+/// Values of what is free where only the place of a field depends on it.
+const ELSEWHERE: [f64; 7] = [0.7109375, 1.3203125, -0.4140625, 2.6171875, -1.8203125, 3.1640625, 0.2265625];
 
 impl Solutions {
     /// Whether motions, and fields, pass through a point at which the premises and their derivatives hold.
@@ -34,8 +41,21 @@ impl Solutions {
         let inside = decimals(graph, &self.inside, &values_at(point));
         !self.tied
             && inside.into_iter().all(|v| v.is_some_and(|v| v.value > v.error))
+            && self.are_apart(graph, point)
             && self.dynamics.extends(graph, point)
             && self.jets.extends(graph, point)
+    }
+
+    /// Whether no two places at which one field is taken are the same at a point, for certain.
+    fn are_apart(&self, graph: &Graph, point: &Point) -> bool {
+        let mut values = values_at(point);
+        let free = graph.leaves(self.apart.iter().flatten().copied());
+        for (leaf, value) in free.into_iter().zip(ELSEWHERE.into_iter().cycle()) {
+            values.entry(leaf).or_insert(number::Bounded::exact(value));
+        }
+        self.apart.iter().all(|differences| {
+            decimals(graph, differences, &values).into_iter().flatten().any(|v| v.value.abs() > v.error)
+        })
     }
 }
 
@@ -52,19 +72,25 @@ pub(super) fn with_rates(
     let facts = premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied();
     let asked: Vec<Expr> = equations.iter().chain(&premises.only_now).flat_map(|&(l, r)| [l, r]).chain(facts).collect();
     let inside = strictly(graph, premises, &moves);
-    let jets = Jets::of(graph, &premises.equations, &asked, (premises.time, &premises.moving))?;
+    let named = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+    let apart = graph.differences_of_places(named.collect::<Vec<_>>());
+    all.extend(at_one_place(graph, asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]))));
+    let jets = Jets::of(graph, premises, &asked)?;
     all.extend(jets.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
     let Some(time) = premises.time else {
         all.extend(premises.only_now.iter().map(plain));
-        return Ok((all, Solutions { jets, inside, ..Solutions::default() }));
+        return Ok((all, Solutions { jets, inside, apart, ..Solutions::default() }));
     };
     let place = |graph: &Graph, leaf: Leaf| leaf != time && graph.coordinate(leaf).is_some();
     let is_tied = |graph: &Graph, &(l, r): &(Expr, Expr)| {
-        let leaves = graph.leaves([l, r]);
+        let leaves = graph.leaves_within([l, r]);
         leaves.iter().any(|&l| moves(l)) && leaves.iter().any(|&l| place(graph, l))
     };
     let tied = premises.equations.iter().any(|pair| is_tied(graph, pair));
-    let of_motions = premises.equations.iter().filter(|pair| !names_fields(graph, **pair) && !is_tied(graph, pair));
+    // A field at a moving place moves with it.
+    let here =
+        |graph: &Graph, &(l, r): &(Expr, Expr)| graph.fields([l, r]).iter().any(|l| graph.place(l.symbol).is_none());
+    let of_motions = premises.equations.iter().filter(|pair| !here(graph, pair) && !is_tied(graph, pair));
     let of_motions: Vec<(Expr, Expr)> = of_motions.copied().collect();
     let dynamics = Dynamics::of(graph, &of_motions, &asked, (time, &premises.angles), &moves)?;
     for &pair in &dynamics.parts {
@@ -76,7 +102,7 @@ pub(super) fn with_rates(
     // At the fixed times at which rates occur everything holds, too.
     let sides = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
     let mut instants: Vec<Expr> =
-        graph.leaves(sides).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
+        graph.leaves_within(sides).into_iter().filter(|l| l.rate > 0).filter_map(|l| l.instant).collect();
     instants.sort_unstable();
     instants.dedup();
     for instant in instants {
@@ -97,7 +123,30 @@ pub(super) fn with_rates(
         }
     }
     all.extend(premises.only_now.iter().map(plain));
-    Ok((all, Solutions { dynamics, jets, inside, tied }))
+    Ok((all, Solutions { dynamics, jets, inside, tied, apart }))
+}
+
+/// Values of one field at places that are the same, though they are written otherwise: x − ct and −tc + x.
+fn at_one_place(graph: &mut Graph, roots: impl Iterator<Item = Expr>) -> Vec<Premise> {
+    let fields = graph.fields(roots.collect::<Vec<_>>());
+    let placed: Vec<Leaf> = fields.into_iter().filter(|l| graph.place(l.symbol).is_some()).collect();
+    let mut out = Vec::new();
+    for (i, &a) in placed.iter().enumerate() {
+        for &b in &placed[i + 1..] {
+            let (Some(p), Some(q)) = (graph.place(a.symbol).cloned(), graph.place(b.symbol).cloned()) else { continue };
+            if a.symbol == b.symbol || p.field != q.field || (a.component, a.partials) != (b.component, b.partials) {
+                continue;
+            }
+            let same = p.at.iter().zip(&q.at).all(|(&(_, x), &(_, y))| {
+                let difference = graph.sub(x, y);
+                Combinations::default().of(graph, difference).is_empty()
+            });
+            if same {
+                out.push(Premise { left: graph.leaf(b), right: graph.leaf(a), derived: true });
+            }
+        }
+    }
+    out
 }
 
 /// What must be positive at a point so that what is given besides equations holds around it, as far as it is about what moves, or
@@ -237,12 +286,12 @@ fn linear_argument(
         unknowns.retain(|l| arguments.contains(l) && premises.time != Some(*l) && !premises.parameters.contains(l));
         for unknown in unknowns {
             let residual = graph.sub(left, right);
-            let Ok(slope) = graph.partial_derivative(residual, unknown) else { continue };
+            let Ok(slope) = graph.slope(residual, unknown) else { continue };
             if graph.is_zero(slope) || graph.leaves([slope]).contains(&unknown) {
                 continue;
             }
             let zero = graph.integer(0);
-            let rest = graph.substitute(residual, |_, l| (l == unknown).then_some(zero));
+            let rest = graph.replaced(residual, |_, l| (l == unknown).then_some(zero));
             if graph.as_constant(slope).is_none() {
                 out.pivots.push(slope);
             }

@@ -261,7 +261,7 @@ mod tests {
                 for leaf in [x, y, z] {
                     assert_eq!(s.depends(&g, e, leaf), g.leaves([e]).contains(&leaf));
                     let replaced = s.replaced(&mut g, e, leaf, two);
-                    assert_eq!(replaced, g.substitute(e, |_, l| (l == leaf).then_some(two)));
+                    assert_eq!(replaced, g.replaced(e, |_, l| (l == leaf).then_some(two)));
                 }
             }
             let twice = g.mul(two, b);

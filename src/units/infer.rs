@@ -68,7 +68,7 @@ impl<'g> Inference<'g> {
         let own = match self.time {
             Some(time) if time.symbol == leaf.symbol => self.seconds.clone().map_or(State::Unknown, State::Known),
             _ => {
-                let states = self.symbols.get(&leaf.symbol);
+                let states = self.symbols.get(&self.graph.field_of(leaf.symbol));
                 states.and_then(|s| s.get(usize::from(leaf.component))).cloned().unwrap_or(State::Unknown)
             }
         };
@@ -116,7 +116,7 @@ impl<'g> Inference<'g> {
             Node::Constant(r) if *r == Rational::ZERO => (State::Zero, None),
             Node::Constant(_) | Node::Pi => (one(), None),
             Node::Leaf(leaf) => {
-                let fault = leaf.instant.and_then(|at| self.instant(at));
+                let fault = leaf.instant.and_then(|at| self.instant(at)).or_else(|| self.placed(leaf.symbol));
                 (self.leaf_state(leaf), fault)
             }
             Node::Unary(op, a) => {
@@ -199,6 +199,23 @@ impl<'g> Inference<'g> {
         (unit != seconds).then(|| Fault::between("is put for", (self.term(at), &unit), (time, &seconds)))
     }
 
+    /// The fault where something is put for a coordinate that has another unit; a mere number is taken in that of the coordinate.
+    fn placed(&mut self, symbol: Symbol) -> Option<Fault> {
+        let place = self.graph.place(symbol)?;
+        let coordinates: Vec<Leaf> = self.graph.coordinates().collect();
+        place.at.iter().find_map(|&(position, e)| {
+            let coordinate = *coordinates.get(position)?;
+            if self.graph.leaves([e]).is_empty() {
+                return None;
+            }
+            let (State::Known(own), State::Known(unit)) = (self.leaf_state(coordinate), self.state(e)) else {
+                return None;
+            };
+            let name = self.graph.leaf_latex(coordinate);
+            (unit != own).then(|| Fault::between("is put for", (self.term(e), &unit), (name, &own)))
+        })
+    }
+
     /// The fault between two sides.
     pub fn compared(&mut self, left: Expr, right: Expr) -> Option<Fault> {
         let _ = (self.state(left), self.state(right));
@@ -219,13 +236,13 @@ impl<'g> Inference<'g> {
     /// Names of the symbols in expressions that have no unit.
     pub fn without_unit(&self, exprs: &[Expr]) -> Vec<String> {
         let mut out: Vec<String> = Vec::new();
-        let leaves = self.graph.leaves(exprs.iter().copied());
+        let leaves = self.graph.leaves_within(exprs.iter().copied());
         let instants = leaves.iter().filter_map(|l| l.instant).flat_map(|at| self.graph.leaves([at]));
         for leaf in leaves.iter().copied().chain(instants) {
             let unknown = self.leaf_state(leaf) == State::Unknown;
             let time = self.time.filter(|_| leaf.rate > 0 && self.seconds.is_none());
             let symbol = time.map_or(leaf.symbol, |t| t.symbol);
-            let name = self.graph.name(symbol);
+            let name = self.graph.name(self.graph.field_of(symbol));
             if unknown && !out.iter().any(|n| n == name) {
                 out.push(name.to_owned());
             }

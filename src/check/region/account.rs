@@ -4,6 +4,7 @@ use super::super::account::{ClaimAccount, IdentityAccount};
 use super::super::identity::Proof;
 use super::super::standing::Decision;
 use super::map::{RegionMap, draw};
+use super::portrait::Portrait;
 use super::question::{Insertion, Part, Question};
 use super::signs::{Cell, Variable};
 use super::subdivide::Division;
@@ -89,6 +90,8 @@ pub struct RegionAccount {
     pub remarks: Vec<String>,
     /// The picture of the first two ranges.
     pub map: Option<RegionMap>,
+    /// Pictures of its fields over them.
+    pub portraits: Vec<Portrait>,
 }
 
 /// A part of the volume, in words.
@@ -148,6 +151,7 @@ impl RegionAccount {
             solutions: Vec::new(),
             remarks: Vec::new(),
             map: None,
+            portraits: Vec::new(),
         }
     }
 

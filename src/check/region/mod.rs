@@ -18,6 +18,7 @@
 mod account;
 mod faults;
 mod map;
+mod portrait;
 mod question;
 mod signs;
 mod solutions;
@@ -27,6 +28,7 @@ mod tests;
 
 pub use account::{RangeAccount, RegionAccount, RegionWitness, Shares, SolutionAccount};
 pub use map::{Patch, RegionMap};
+pub use portrait::{ARROWS, Drawn, Portrait, SQUARES};
 pub use question::Part;
 
 use super::account::ClaimAccount;
@@ -36,6 +38,7 @@ use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::number::Interval;
 use crate::verdict::Strength;
+use portrait::portraits;
 use question::{Insertion, Question};
 use rayon::prelude::*;
 use signs::{Cell, Scratch, Variable};
@@ -169,6 +172,7 @@ fn decide(
     account.measure(&division);
     witness(&graph, &question, &variables, &division, &mut account);
     account.identities(&question);
+    account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
     account.conclude(&division, if question.identical { Strength::Proved } else { Strength::Enclosed });
     Ok(account)
 }

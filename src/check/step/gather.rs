@@ -191,7 +191,7 @@ impl Step<'_> {
     /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
     fn without_branches(&mut self, premise: &Claim, equations: Pairs, complete: &mut bool) -> Pairs {
         let sign = premise.scope.branch_sign();
-        let branching = |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves([l, r]).contains(&sign);
+        let branching = |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).contains(&sign);
         let count = equations.iter().filter(|p| branching(&self.graph, p)).count();
         // One sign for several equations, or for all times, says more than the products.
         *complete &= count == 0 || count == 1 && !premise.branches_throughout;
@@ -212,7 +212,7 @@ impl Step<'_> {
         roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
         let own = self.equations(self.claim).unwrap_or_default();
         roots.extend(sides(&own));
-        let mut instants: Vec<Expr> = self.graph.leaves(roots).into_iter().filter_map(|l| l.instant).collect();
+        let mut instants: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();
         instants.sort_unstable();
         instants.dedup();
         for &instant in &instants {
@@ -222,7 +222,7 @@ impl Step<'_> {
             }
             for (scope, list) in always {
                 for &(l, r) in list {
-                    if self.graph.leaves([l, r]).iter().any(|l| l.rate > 0) {
+                    if self.graph.leaves_within([l, r]).iter().any(|l| l.rate > 0) {
                         continue;
                     }
                     let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
@@ -234,7 +234,7 @@ impl Step<'_> {
             let scope = &self.claim.scope;
             for list in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
                 for e in list.clone() {
-                    if self.graph.leaves([e]).iter().all(|l| l.rate == 0) {
+                    if self.graph.leaves_within([e]).iter().all(|l| l.rate == 0) {
                         let then = at_instant(&mut self.graph, scope, e, instant);
                         if !list.contains(&then) {
                             list.push(then);
@@ -276,7 +276,7 @@ impl Step<'_> {
     /// What is positive among the parameters that occur.
     fn positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
         let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
-        for leaf in self.graph.leaves(roots) {
+        for leaf in self.graph.leaves_within(roots) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);
                 premises.positive.push(node);
@@ -318,7 +318,7 @@ impl Step<'_> {
             .chain(sides(&premises.equations))
             .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
             .collect();
-        let mut open = self.graph.leaves(roots);
+        let mut open = self.graph.leaves_within(roots);
         loop {
             while let Some(leaf) = open.pop() {
                 moving |= leaf.rate > 0 || self.graph.is_field(leaf.symbol);
@@ -341,14 +341,14 @@ impl Step<'_> {
                         }
                         Continued::Unknown => self.loosened = true,
                     }
-                    open.extend(self.graph.leaves([e]));
+                    open.extend(self.graph.leaves_within([e]));
                 }
             }
             if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
                 return;
             }
             premises.equations.extend(systems);
-            open.extend(self.graph.leaves(sides(systems)));
+            open.extend(self.graph.leaves_within(sides(systems)));
         }
     }
 
@@ -409,7 +409,7 @@ impl Step<'_> {
             other => other,
         };
         let scope = &self.claim.scope;
-        let mut open: Vec<Leaf> = self.graph.leaves(roots);
+        let mut open: Vec<Leaf> = self.graph.leaves_within(roots);
         open.retain(|l| l.instant.is_some());
         let mut seen: Vec<Leaf> = Vec::new();
         while let Some(leaf) = open.pop() {
@@ -424,7 +424,7 @@ impl Step<'_> {
                     continue;
                 }
                 let then = at_instant(&mut self.graph, scope, e, instant);
-                open.extend(self.graph.leaves([then]));
+                open.extend(self.graph.leaves_within([then]));
                 let node = self.graph.leaf(leaf);
                 premises.equations.push((node, then));
             }
@@ -458,7 +458,7 @@ impl Step<'_> {
     /// Premises without what they say of fixed times: another factor may vanish there.
     pub(super) fn of_one_time(&self, mut case: Premises) -> Premises {
         let graph = &self.graph;
-        let now = |e: &Expr| graph.leaves([*e]).iter().all(|leaf| leaf.instant.is_none());
+        let now = |e: &Expr| graph.leaves_within([*e]).iter().all(|leaf| leaf.instant.is_none());
         case.equations.retain(|(l, r)| now(l) && now(r));
         for facts in [&mut case.nonzero, &mut case.positive, &mut case.not_negative] {
             facts.retain(now);
@@ -480,7 +480,7 @@ impl Step<'_> {
                 if bases.iter().any(settled) {
                     continue;
                 }
-                let moving = |b: &Expr| self.graph.leaves([*b]).iter().any(|l| case.moving.contains(&l.symbol));
+                let moving = |b: &Expr| self.graph.leaves_within([*b]).iter().any(|l| case.moving.contains(&l.symbol));
                 let bases: Vec<Expr> = bases.into_iter().filter(|b| !case.nonzero.contains(b)).collect();
                 if product && bases.iter().any(moving) {
                     return Some(bases);

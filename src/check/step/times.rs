@@ -24,7 +24,7 @@ impl Step<'_> {
     }
 
     fn instants(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
-        let mut out: Vec<Expr> = self.graph.leaves(roots).into_iter().filter_map(|l| l.instant).collect();
+        let mut out: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();
         out.sort_unstable();
         out.dedup();
         out
@@ -36,7 +36,8 @@ impl Step<'_> {
         let roots = sides(equations).into_iter().chain(sides(&gathered.premises.equations));
         let mut instants = self.instants(roots);
         let mut times = Times::default();
-        let about_parameters = |this: &Self, roots: [Expr; 2]| this.graph.leaves(roots).iter().all(|l| !this.moving(l));
+        let about_parameters =
+            |this: &Self, roots: [Expr; 2]| this.graph.leaves_within(roots).iter().all(|l| !this.moving(l));
         let zero = self.graph.integer(0);
         let keep = |this: &Self, list: &[Expr]| -> Vec<Expr> {
             list.iter().copied().filter(|&e| about_parameters(this, [e, zero])).collect()
@@ -56,7 +57,7 @@ impl Step<'_> {
         };
         let mut premises = premises;
         let named = instants.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
-        for leaf in self.graph.leaves(named) {
+        for leaf in self.graph.leaves_within(named) {
             if self.is_positive_parameter(leaf) {
                 let node = self.graph.leaf(leaf);
                 premises.positive.push(node);
@@ -108,13 +109,14 @@ impl Step<'_> {
     /// A claim without present values, as one about the present; `None` where it has present values, or names the time.
     pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
         let time = self.claim.scope.time()?;
-        let said: Vec<Leaf> = self.graph.leaves(equations.iter().flat_map(|&(l, r)| [l, r]));
+        let said: Vec<Leaf> = self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r]));
         if said.contains(&time) || said.iter().any(|l| self.moving(l) && l.instant.is_none()) {
             return None;
         }
         let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
         let &chosen = instants.first()?;
-        let of_premises: Vec<Leaf> = self.graph.leaves(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let of_premises: Vec<Leaf> =
+            self.graph.leaves_within(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
         let alone = instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
         if alone {
             for leaf in of_premises.into_iter().filter(|l| l.instant.is_some()) {
@@ -122,7 +124,7 @@ impl Step<'_> {
                 gathered.premises.only_now.push((pair[0], pair[1]));
             }
             let named = gathered.premises.equations.iter().chain(&gathered.systems).flat_map(|&(l, r)| [l, r]);
-            if self.graph.leaves(named).contains(&time) {
+            if self.graph.leaves_within(named).contains(&time) {
                 let now = self.graph.leaf(time);
                 gathered.premises.only_now.push((now, chosen));
             }
@@ -138,7 +140,7 @@ impl Step<'_> {
     /// Whether what is given ties anything that moves: else values at different times are free.
     pub(super) fn ties(&self, gathered: &Gathered) -> bool {
         let given = gathered.premises.equations.iter().chain(&gathered.systems);
-        self.graph.leaves(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.moving(l))
+        self.graph.leaves_within(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.moving(l))
     }
 
     /// A refutation by a motion that stands still: all rates are 0, and values at all times are one. `None` if what is given names
@@ -174,7 +176,7 @@ impl Step<'_> {
         let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
         premises.equations.retain(|(l, r)| l != r);
         let named = premises.equations.iter().flat_map(|&(l, r)| [l, r]);
-        if self.graph.leaves(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
+        if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
             return None;
         }
         let options = Options { special_cases: 2, ..Options::default() };

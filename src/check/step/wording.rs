@@ -64,7 +64,7 @@ impl Step<'_> {
         let sign = self.claim.scope.branch_sign();
         let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
         let free = self.claim.branches_throughout || evidence.branch == Some(EITHER_SIGN);
-        if free || !self.graph.leaves(roots).contains(&sign) {
+        if free || !self.graph.leaves_within(roots).contains(&sign) {
             return true;
         }
         // Sides that are one expression are no equation, and have no value where it has none.
@@ -73,8 +73,9 @@ impl Step<'_> {
             &w.value.relations
         });
         let same: Pairs = relations.flat_map(pairs).filter(|(l, r)| l == r).collect();
-        let depends =
-            |graph: &mut Graph, e: Expr| graph.needs_below([e]).iter().any(|n| !graph.leaves([n.value]).is_empty());
+        let depends = |graph: &mut Graph, e: Expr| {
+            graph.needs_below([e]).iter().any(|n| !graph.leaves_within([n.value]).is_empty())
+        };
         if proof.conditions.is_empty() && !same.iter().any(|&(l, _)| depends(&mut self.graph, l)) {
             return true;
         }
@@ -218,7 +219,7 @@ impl Step<'_> {
         let mut open = roots.clone();
         while !open.is_empty() {
             let mut found: Vec<Expr> = Vec::new();
-            for leaf in self.graph.leaves(open) {
+            for leaf in self.graph.leaves_within(open) {
                 if seen.contains(&leaf.symbol) {
                     continue;
                 }
@@ -260,7 +261,7 @@ impl Step<'_> {
             let role = scope.role(l.symbol);
             l.instant.is_none() && matches!(role, Some(Role::State | Role::Observable)) || Some(*l) == scope.time()
         };
-        self.graph.leaves([e]).iter().any(moves)
+        self.graph.leaves_within([e]).iter().any(moves)
     }
 
     /// Whether something may be infinite at some time.
@@ -277,7 +278,8 @@ impl Step<'_> {
         if text.len() <= LONGEST && !auxiliary {
             text
         } else {
-            let mut names: Vec<String> = self.graph.leaves([e]).iter().map(|&l| self.graph.leaf_latex(l)).collect();
+            let mut names: Vec<String> =
+                self.graph.leaves_within([e]).iter().map(|&l| self.graph.leaf_latex(l)).collect();
             names.retain(|n| !n.contains('\u{2063}'));
             names.dedup();
             if names.is_empty() {
@@ -412,11 +414,11 @@ impl Step<'_> {
             Condition::Denominator(e) | Condition::Radicand(e) | Condition::Unit(e) | Condition::Positive(e) => e,
             Condition::Pivot(e) | Condition::Discriminant(e) => e,
         });
-        let leaves = self.graph.leaves(roots);
+        let leaves = self.graph.leaves_within(roots);
         let parameters: Vec<Leaf> = leaves.into_iter().filter(|&l| self.is_positive_parameter(l)).collect();
         let all = order::of_conditions(&mut self.graph, &restricting, &parameters);
         let roots: Vec<Expr> = all.iter().map(|&(_, e)| e).collect();
-        let mut parameters = self.graph.leaves(roots);
+        let mut parameters = self.graph.leaves_within(roots);
         parameters.sort_unstable();
         if parameters.len() < 2 {
             return None;
@@ -462,7 +464,7 @@ impl Step<'_> {
                 }
                 Form::Defined(w) => {
                     out.asserted = true;
-                    let leaves = self.graph.leaves(w.value.components.iter().copied());
+                    let leaves = self.graph.leaves_within(w.value.components.iter().copied());
                     let domains = super::super::identity::domains(&mut self.graph, &w.value.components);
                     out.claimed.extend(order::of_conditions(&mut self.graph, &domains, &leaves));
                 }
@@ -470,7 +472,7 @@ impl Step<'_> {
             }
         }
         let roots: Vec<Expr> = out.assumed.iter().chain(&out.claimed).map(|&(_, e)| e).collect();
-        out.parameters = self.graph.leaves(roots);
+        out.parameters = self.graph.leaves_within(roots);
         out.parameters.sort_unstable();
         out
     }

@@ -105,7 +105,7 @@ impl Elaborator<'_> {
         let span = &node.span;
         let value = self.tensor(node)?;
         let t = self.spelled_out(value, span)?;
-        let leaves = self.graph.leaves(t.components.iter().copied());
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
         let canonical = |l: &Leaf| pairs.iter().any(|(q, p)| q == l || p == l);
         let among_places = pairs.iter().all(|(q, _)| self.graph.coordinate(*q).is_some());
         for leaf in leaves.iter().filter(|l| !canonical(l)) {

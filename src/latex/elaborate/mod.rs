@@ -214,7 +214,7 @@ impl<'a> Elaborator<'a> {
             }
             let sign = self.scope.branch_sign();
             let all = left.components.iter().chain(&right.components).copied();
-            let has_branches = self.graph.leaves(all).contains(&sign);
+            let has_branches = self.graph.leaves_within(all).contains(&sign);
             let indices = letters.iter().map(|l| name::to_latex(l)).collect();
             relations.push(Relation { kind, left, right, limit, indices, has_branches, span });
         }
@@ -386,6 +386,6 @@ impl<'a> Elaborator<'a> {
 
     /// Whether an expression depends on time.
     fn moves(&self, e: Expr) -> bool {
-        self.graph.leaves([e]).into_iter().any(|leaf| self.is_moving(leaf))
+        self.graph.leaves_within([e]).into_iter().any(|leaf| self.is_moving(leaf))
     }
 }

@@ -11,7 +11,7 @@ use super::super::scope::{Role, Signature};
 use super::super::syntax::{Nabla, Node, NodeKind, SubItem};
 use super::super::tensor;
 use super::{Elaborated, Elaborator, refuse};
-use expr::{Expr, Graph, Leaf, NoDerivative, Shape, Tensor};
+use expr::{DEEPEST_PLACE, Expr, Graph, Leaf, NoDerivative, Shape, Tensor};
 
 /// Names of coordinates that nobody takes for Cartesian.
 const POLAR: &[&str] = &["r", "R", r"\rho", r"\theta", r"\vartheta", r"\phi", r"\varphi"];
@@ -56,7 +56,7 @@ impl Elaborator<'_> {
 
     /// Refuses the derivative of what names an argument of a function: what is put in its place may change, too.
     pub(super) fn names_no_argument(&self, t: &Tensor, span: &Range<usize>) -> Elaborated<()> {
-        let leaves = self.graph.leaves(t.components.iter().copied());
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
         let Some(leaf) = leaves.into_iter().find(|l| self.scope.role(l.symbol) == Some(Role::Argument)) else {
             return Ok(());
         };
@@ -117,8 +117,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A field at a place: one that is given by a formula. Where another one is taken somewhere else, nothing relates it to
-    /// what it is here.
+    /// A field at a place, `u(0,t)`, `f(x-ct)`.
     pub(super) fn at_place(
         &mut self,
         t: Tensor,
@@ -128,19 +127,51 @@ impl Elaborator<'_> {
     ) -> Elaborated<Tensor> {
         let mut values = Vec::new();
         for place in places {
-            values.extend(self.tensor(place)?.components);
+            let value = self.tensor(place)?;
+            if value.shape.is_complex() {
+                return refuse("latex::shape", "a place is real", &place.span, "");
+            }
+            values.extend(value.components);
         }
         if values.len() != coordinates.len() {
             let message = format!("the field has {} coordinates, not {}", coordinates.len(), values.len());
             return refuse("latex::arity", message, span, r"write `\cdot` for a product");
         }
-        if !self.graph.fields(t.components.iter().copied()).is_empty() {
-            let message = "only a field that is given by a formula is taken at another place";
-            let hint = r"give it a `formula`, or write `\cdot` for a product";
-            return refuse("latex::unsupported", message, span, hint);
+        let values: Vec<(Leaf, Expr)> = coordinates.iter().copied().zip(values).collect();
+        self.taken_at(t, &values, span)
+    }
+
+    /// `\left.\partial_xu\right|_{x=0}`: what depends on a coordinate, at a value of it.
+    pub(super) fn at_coordinate(
+        &mut self,
+        t: Tensor,
+        (leaf, value): (Leaf, Expr),
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        let by = self.graph.coordinate(leaf);
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
+        if !leaves.iter().any(|l| *l == leaf || by.is_some_and(|at| self.graph.depends(l.symbol, at))) {
+            let message = format!("this does not depend on `{}`", self.graph.leaf_latex(leaf));
+            return refuse("latex::instant", message, span, "leave the bar out");
         }
-        let put = |leaf: Leaf| coordinates.iter().position(|c| *c == leaf).map(|i| values[i]);
-        let components = t.components.into_iter().map(|e| self.graph.substitute(e, |_, leaf| put(leaf))).collect();
+        if leaves.iter().any(|l| l.instant.is_none() && self.is_moving(*l) && self.graph.coordinate(*l).is_none()) {
+            let message = "what moves is taken at a time, not at a coordinate's value";
+            return refuse("latex::instant", message, span, "write the field alone before the bar");
+        }
+        self.taken_at(t, &[(leaf, value)], span)
+    }
+
+    /// Something with other values for coordinates, in the formulas and in the places of its fields.
+    pub(super) fn taken_at(&mut self, t: Tensor, values: &[(Leaf, Expr)], span: &Range<usize>) -> Elaborated<Tensor> {
+        let unknown = !self.graph.fields(t.components.iter().copied()).is_empty();
+        let put: Vec<Expr> = values.iter().map(|(_, e)| *e).collect();
+        if unknown && self.graph.leaves_within(put.iter().copied()).contains(&self.scope.branch_sign()) {
+            return refuse("latex::unsupported", "a place with ±", span, "write the two places");
+        }
+        if put.iter().any(|&e| self.graph.depth_of_places(e) >= DEEPEST_PLACE) {
+            return refuse("latex::unsupported", "places within places, too deep", span, "");
+        }
+        let components = t.components.into_iter().map(|e| self.graph.taken_at(e, values)).collect();
         Ok(Tensor { shape: t.shape, components })
     }
 
@@ -169,7 +200,11 @@ impl Elaborator<'_> {
                 continue;
             }
             value = self.spelled_out(value, span)?;
-            if let Some(field) = self.graph.fields(value.components.iter().copied()).first() {
+            // A field at a moving place depends on what moves there, and on no other state; nor on the time, unless that is a
+            // coordinate.
+            let told = matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Time));
+            let fields = self.graph.fields(value.components.iter().copied());
+            if let Some(field) = fields.iter().find(|l| !told || self.graph.place(l.symbol).is_none()) {
                 let message = format!("whether `{}` depends on it is not said", self.graph.name(field.symbol));
                 let hint = "give the field a `formula` where it is declared, or make this a coordinate of it";
                 return refuse("latex::derivative", message, &by.span, hint);
@@ -209,7 +244,7 @@ impl Elaborator<'_> {
             moved.extend(self.coordinate(by)?);
         }
         let value = self.tensor(of)?;
-        let leaves = self.graph.leaves(value.components.iter().copied());
+        let leaves = self.graph.leaves_within(value.components.iter().copied());
         let all = self.graph.coordinates().enumerate();
         let wrong = all.into_iter().find(|(at, c)| {
             let depends = leaves.iter().any(|l| l == c || self.graph.depends(l.symbol, *at));
@@ -229,9 +264,15 @@ impl Elaborator<'_> {
     /// Refuses the derivative of something by what it does not name, unless it is defined by a formula that shows it.
     fn is_explicit(&self, t: &Tensor, shows: bool, by: Leaf, span: &Range<usize>) -> Elaborated<()> {
         let at = self.graph.coordinate(by);
-        let leaves = self.graph.leaves(t.components.iter().copied());
+        let leaves = self.graph.leaves_within(t.components.iter().copied());
         let named = leaves.iter().any(|l| *l == by || at.is_some_and(|at| self.graph.depends(l.symbol, at)));
         let moves = |l: &Leaf| matches!(self.scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let own = |l: &Leaf| self.graph.place(l.symbol).map(|p| p.field);
+        if !named && leaves.iter().filter_map(own).any(|field| at.is_some_and(|at| self.graph.depends(field, at))) {
+            let message = "is this the derivative at a place, or that of a value?";
+            let hint = r"write `\left.\frac{\partial u}{\partial x}\right|_{x=0}`, or `u_x(0,t)`";
+            return refuse("latex::ambiguous", message, span, hint);
+        }
         // A formula that names neither it nor anything that could hide it: its derivative is 0 for everybody to see.
         if named || shows && !leaves.iter().any(|l| moves(l) && self.graph.coordinate(by).is_some()) {
             return Ok(());
@@ -244,7 +285,7 @@ impl Elaborator<'_> {
     /// Observables replaced by what they stand for.
     pub(super) fn spelled_out(&mut self, mut t: Tensor, span: &Range<usize>) -> Elaborated<Tensor> {
         for _ in 0..DEEPEST_FORMULAS {
-            let leaves = self.graph.leaves(t.components.iter().copied());
+            let leaves = self.graph.leaves_within(t.components.iter().copied());
             let scope = self.scope;
             let hidden = |l: &Leaf| scope.role(l.symbol) == Some(Role::Observable);
             let Some(first) = leaves.iter().find(|l| hidden(l)) else { return Ok(t) };
@@ -291,7 +332,7 @@ impl Elaborator<'_> {
         let space: Vec<(usize, Expr)> = places.into_iter().zip(scales).collect();
         let curved = space.iter().any(|(_, h)| *h != one);
         let value = self.tensor(of)?;
-        for leaf in self.graph.leaves(value.components.iter().copied()) {
+        for leaf in self.graph.leaves_within(value.components.iter().copied()) {
             if matches!(self.scope.role(leaf.symbol), Some(Role::State | Role::Observable)) {
                 let message = format!("`{}` is no field: it does not depend on a place", self.graph.leaf_latex(leaf));
                 return refuse("latex::derivative", message, &of.span, "declare it as a field of its coordinates");
@@ -415,7 +456,7 @@ impl Elaborator<'_> {
         });
         let constant = |l: &Leaf| self.scope.role(l.symbol) == Some(Role::Parameter);
         match speed {
-            Some(speed) if self.graph.leaves([speed]).iter().all(constant) => Ok((speed, signature)),
+            Some(speed) if self.graph.leaves_within([speed]).iter().all(constant) => Ok((speed, signature)),
             Some(_) | None => refuse("latex::derivative", "`\\Box` needs a constant `c`", span, hint),
         }
     }

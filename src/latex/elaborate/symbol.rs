@@ -223,7 +223,7 @@ impl<'a> Elaborator<'a> {
             let hint = "write a number, a parameter, or the time";
             return refuse("latex::instant", "this time depends on time itself", span, hint);
         }
-        if self.graph.leaves([instant]).contains(&self.scope.branch_sign()) {
+        if self.graph.leaves_within([instant]).contains(&self.scope.branch_sign()) {
             return refuse("latex::instant", "a time with ±", span, "write the two times");
         }
         let scope = self.scope;

@@ -295,9 +295,13 @@ impl Elaborator<'_> {
                 let value = self.tensor(of)?;
                 self.time_derivative(value, &node.span).map(Value::Tensor)
             }
-            NodeKind::At { of, time, .. } => {
+            NodeKind::At { of, time, bar } => {
                 let value = self.tensor(of)?;
                 let instant = self.scalar(time)?;
+                let coordinate = bar.as_deref().and_then(|name| self.scope.coordinate(name));
+                if let Some(leaf) = coordinate.filter(|l| self.scope.role(l.symbol) == Some(Role::Coordinate)) {
+                    return self.at_coordinate(value, (leaf, instant), &node.span).map(Value::Tensor);
+                }
                 self.at_instant(value, instant, &time.span).map(Value::Tensor)
             }
             NodeKind::Factorial(inner) => {

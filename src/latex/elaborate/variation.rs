@@ -79,7 +79,7 @@ impl Elaborator<'_> {
             return refuse("latex::derivative", "nothing is varied", span, "");
         };
         let of_fields = self.graph.is_field(first.symbol);
-        let leaves = self.graph.leaves([density]);
+        let leaves = self.graph.leaves_within([density]);
         if let NodeKind::Symbol(s) = &of.kind
             && self.resolve(s, &of.span)?.definition.is_none()
             && !leaves.iter().any(|l| l.symbol == first.symbol)
@@ -98,6 +98,11 @@ impl Elaborator<'_> {
             |symbol| (0..self.graph.coordinates().count()).any(|at| self.graph.depends(symbol, at) && !within(at));
         let wrong = leaves.iter().find(|l| {
             let role = self.scope.role(l.symbol);
+            let place = self.graph.place(l.symbol);
+            // Elsewhere, what is varied is another thing; any other function is one of what stands in its place.
+            if let Some(place) = place {
+                return place.field == first.symbol || of_fields && outside(l.symbol);
+            }
             l.instant.is_some()
                 || role == Some(Role::Argument)
                 || match self.graph.coordinate(**l) {
@@ -116,7 +121,7 @@ impl Elaborator<'_> {
 
     fn euler_lagrange(&mut self, density: Expr, varied: Leaf, span: &Range<usize>) -> Elaborated<Expr> {
         let own = |l: &Leaf| l.symbol == varied.symbol && l.component == varied.component;
-        let named: Vec<Leaf> = self.graph.leaves([density]).into_iter().filter(own).collect();
+        let named: Vec<Leaf> = self.graph.leaves_within([density]).into_iter().filter(own).collect();
         let mut sum = self.graph.integer(0);
         for leaf in named {
             let whole = Tensor::scalar(density);

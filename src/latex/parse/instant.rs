@@ -212,7 +212,7 @@ impl Parser<'_> {
                 let applied = self.scope.applies(&s.name, s.sub.as_deref(), &s.arguments_text);
                 let elsewhere = self.scope.is_elsewhere(&s.name, s.sub.as_deref(), &s.arguments_text);
                 !applied && s.arguments.as_ref().is_some_and(|a| !a.iter().all(|a| self.is_time(a)))
-                    || s.arguments.is_some() && elsewhere
+                    || elsewhere && !s.arguments.iter().flatten().all(|a| self.varies(a))
             }
             NodeKind::Scripted { base, .. } => return self.rate_is_clear(base),
             NodeKind::At { .. } => true,
@@ -224,6 +224,15 @@ impl Parser<'_> {
         let message = "is this the derivative at a time or place, or that of a value?";
         let hint = r"write `\dot x(0)`, or `\frac{dx}{dt}(0)`; of a field, `u_x(0,t)` or `f'(0)`";
         refuse("latex::ambiguous", message, of.span.clone(), hint)
+    }
+
+    /// Whether something names the time, a coordinate, or what depends on them.
+    fn varies(&self, node: &Node) -> bool {
+        match &node.kind {
+            NodeKind::At { .. } => false,
+            NodeKind::Symbol(s) if s.sub.is_none() && self.scope.is_time_or_moving(&s.name) => true,
+            _ => self.moves(node) || node.children().into_iter().any(|n| self.varies(n)),
+        }
     }
 
     /// Whether something depends on time by the time itself alone, as `e^{-\gamma t}` does.
@@ -291,8 +300,9 @@ impl Parser<'_> {
             return refuse("latex::instant", "a value is taken at a time", span, hint);
         }
         let name = self.single_name()?.map(|(name, _)| name);
-        let Some(name) = name.filter(|n| self.scope.time_name() == Some(n.as_str()) && self.is('=')) else {
-            return refuse("latex::instant", "a value is taken at a time", span, hint);
+        let known = |n: &str| self.scope.time_name() == Some(n) || self.scope.coordinate(n).is_some();
+        let Some(name) = name.filter(|n| known(n) && self.is('=')) else {
+            return refuse("latex::instant", "a value is taken at a time, or at a coordinate's value", span, hint);
         };
         self.bump();
         let time = Box::new(self.sum()?);

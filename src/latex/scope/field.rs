@@ -49,7 +49,7 @@ impl Scope {
         allowed: &[Leaf],
         text: &str,
     ) -> Result<(), DeclareError> {
-        let fixed = |l: &Leaf| match self.role(l.symbol) {
+        let fixed = |l: &Leaf| match self.role(graph.field_of(l.symbol)) {
             Some(Role::Coordinate | Role::Time) => allowed.contains(l),
             Some(Role::State | Role::Observable) => false,
             // What it names must not depend on more than it does itself.
@@ -58,7 +58,7 @@ impl Scope {
             }
             Some(Role::Parameter | Role::Abbreviation | Role::Argument) | None => true,
         };
-        let Some(leaf) = graph.leaves(t.components.iter().copied()).into_iter().find(|l| !fixed(l)) else {
+        let Some(leaf) = graph.leaves_within(t.components.iter().copied()).into_iter().find(|l| !fixed(l)) else {
             return Ok(());
         };
         let message = format!("`{}` is not among the coordinates of this field", graph.name(leaf.symbol));
@@ -88,7 +88,7 @@ impl Scope {
             ));
         };
         let still = |l: &&Leaf| !matches!(self.role(l.symbol), Some(Role::Coordinate | Role::Parameter)) || l.rate > 0;
-        match graph.leaves([factor]).iter().find(still) {
+        match graph.leaves_within([factor]).iter().find(still) {
             None => Ok(factor),
             Some(leaf) => {
                 let message = format!("a scale factor does not depend on `{}`", graph.name(leaf.symbol));

@@ -11,6 +11,7 @@
 //! **Why a template in code:** `maud` escapes what it is given, and is checked by the compiler; there is no template
 //! language to learn, and no file to find at run time.
 
+mod board;
 mod claims;
 mod data;
 mod family;
@@ -21,6 +22,7 @@ mod map;
 mod matrix;
 mod motions;
 mod packed;
+mod portrait;
 mod reasons;
 mod region;
 mod shared;

@@ -6,16 +6,14 @@
 
 use maud::{Markup, html};
 
-use super::super::numbers::value;
 use super::super::region;
 use super::super::tally::name;
-use super::text::{plain, prose, unit};
+use super::board::{BOARD, axes, label, tick};
+use super::portrait;
+use super::text::prose;
 use crate::check::ClaimAccount;
-use crate::check::region::{Part, RangeAccount, RegionAccount, RegionMap};
+use crate::check::region::{Part, RegionAccount, RegionMap};
 use crate::latex::Scope;
-
-/// The board in units of the picture: left, top, and the length of a side.
-const BOARD: (f64, f64, f64) = (84.0, 12.0, 384.0);
 
 /// The block of a claim.
 pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {
@@ -31,6 +29,7 @@ pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {
             }
             @for note in region::notes(of) { p.quiet { (prose(&note, scope)) "." } }
             @if let Some(map) = &of.map { (figure(claim, of, map, scope)) }
+            @for portrait in &of.portraits { (portrait::figure(of, portrait, scope)) }
         }
     }
 }
@@ -42,22 +41,6 @@ const PARTS: [(&[Part], &str, &str); 4] = [
     (&[Part::NotApplicable], "rn", "does not apply"),
     (&[Part::Undecided], "ru", "undecided"),
 ];
-
-fn label(of: &RangeAccount) -> String {
-    let name = plain(&of.name);
-    match of.unit.as_deref().filter(|u| *u != "1") {
-        Some(u) => format!("{name} in {}", unit(u)),
-        None => name,
-    }
-}
-
-/// A number at an end or in the middle of an axis.
-fn tick(of: &RangeAccount, share: f64) -> String {
-    let (from, to) = of.values.unwrap_or((0.0, 1.0));
-    let x = from + share * (to - from);
-    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
-    value(rounded).replace('-', "−")
-}
 
 /// The path of a part on a board: its squares, diagonals through them, or a line in each row.
 fn path(map: &RegionMap, parts: &[Part], class: &str) -> String {
@@ -100,7 +83,7 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap, scope: &Sco
     let (Some(across), Some(up)) = (of.ranges.get(map.axes.0), of.ranges.get(map.axes.1)) else { return html! {} };
     let name = name(claim);
     let (left, top, side) = BOARD;
-    let (right, bottom) = (left + side, top + side);
+    let bottom = top + side;
     let scale = side / f64::from(map.squares);
     let shown: Vec<&(&[Part], &str, &str)> =
         PARTS.iter().filter(|(parts, ..)| map.patches.iter().any(|p| parts.contains(&p.part))).collect();
@@ -137,13 +120,7 @@ fn figure(claim: &ClaimAccount, of: &RegionAccount, map: &RegionMap, scope: &Sco
                 g transform=(format!("translate({left} {bottom}) scale({scale} -{scale})")) {
                     @for (parts, class, _) in &shown { path class=(class) d=(path(map, parts, class)) {} }
                 }
-                path.axis d=(format!("M{left} {top}h{side}v{side}h-{side}z")) {}
-                @for (share, anchor) in [(0.0, "start"), (0.5, "middle"), (1.0, "end")] {
-                    (text(left + share * side, bottom + 18.0, anchor, tick(across, share)))
-                    (text(left - 6.0, bottom - share * side + if share == 1.0 { 12.0 } else { 0.0 }, "end", tick(up, share)))
-                }
-                (text(0.5 * (left + right), bottom + 38.0, "middle", label(across)))
-                text transform=(format!("translate(16 {}) rotate(-90)", top + 0.5 * side)) text-anchor="middle" { (label(up)) }
+                (axes(across, up))
                 @for (i, (_, class, word)) in shown.iter().enumerate() {
                     @let before: usize = shown[..i].iter().map(|(_, _, word)| word.chars().count()).sum();
                     @let x = 24.0 + 34.0 * i as f64 + 8.0 * before as f64;
