@@ -222,15 +222,7 @@ fn evaluator<'t>(trial: &'t Trial, quantity: Expr) -> Option<impl Fn(&Values) ->
 
 /// Weighs one comparison, at the time at which the quantity is taken.
 fn weighed(trial: &Trial, at: &Taken, (label, kind, measured, size): Compared, node: Expr) -> Finding {
-    let comparison = Comparison {
-        label,
-        kind,
-        left: node,
-        right: node,
-        magnitude: node,
-        boundaries: Vec::new(),
-        told: Default::default(),
-    };
+    let comparison = Comparison::measured(label, kind, node);
     let group = Group { comparisons: vec![comparison], ..Group::default() };
     let mut series = Series::with_capacity(1);
     series.push(Ok(measured));

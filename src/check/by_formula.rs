@@ -6,7 +6,7 @@
 //!
 //! **Guaranteed.** A part is *true* if each of its equations is such an identity, and there is a time that counts at which the
 //! sides have values; *false* if sides differ for certain at a time of the span that counts, in the direction that an inequality
-//! forbids. That an inequality is true, ± and limits are left to other methods, and so is everything at events.
+//! forbids, or that *never* forbids. That an inequality is true, ± and limits are left to other methods, and so is everything at events.
 
 use super::account::ClaimAccount;
 use super::comparison::{Comparison, Group, may_leap};
@@ -352,7 +352,8 @@ impl<'a> Setting<'a> {
         part: &Part,
     ) -> Option<Result<(), (Witness, String)>> {
         let group = &part.group;
-        if group.asserted || part.is_definedness() {
+        let denied = matches!(part.what, What::Denied);
+        if !denied && (group.asserted || part.is_definedness()) {
             let sides: Vec<Expr> = group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
             // A formula for a rate may divide by 0 where there is a rate; that of the quantity itself may not.
             let leaves = self.graph.leaves(sides.iter().copied());
@@ -382,14 +383,17 @@ impl<'a> Setting<'a> {
                 let proved = group.comparisons.iter().all(constant);
                 return (proved && self.are_met_together(claim, guards, presupposed, group)).then_some(Ok(()));
             }
-            What::Denied | What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent => {
-                return None;
-            }
-            What::Across => {
-                return None;
-            }
+            // One time at which it is true refutes.
+            What::Denied if group.comparisons.len() == 1 => {}
+            What::Denied
+            | What::Defined
+            | What::Value
+            | What::Limit(_)
+            | What::SameMotion(..)
+            | What::Independent
+            | What::Across => return None,
         }
-        let mut holds = true;
+        let mut holds = !denied;
         for c in &group.comparisons {
             self.needs.clear();
             let sides = self.sides(&claim.scope, (c.left, c.right));
@@ -399,17 +403,19 @@ impl<'a> Setting<'a> {
                 holds = false;
                 continue;
             };
-            let refuted = match c.kind {
-                RelationKind::Equal => Refuted::Apart,
-                RelationKind::Less | RelationKind::LessEqual => Refuted::Above,
-                RelationKind::Greater | RelationKind::GreaterEqual => Refuted::Below,
-                RelationKind::NotEqual => {
+            let refuted = match (c.kind, denied) {
+                (RelationKind::Equal, false) | (RelationKind::NotEqual, true) => Refuted::Apart,
+                (RelationKind::Less | RelationKind::LessEqual, false)
+                | (RelationKind::Greater | RelationKind::GreaterEqual, true) => Refuted::Above,
+                (RelationKind::Greater | RelationKind::GreaterEqual, false)
+                | (RelationKind::Less | RelationKind::LessEqual, true) => Refuted::Below,
+                (RelationKind::NotEqual, false) | (RelationKind::Equal, true) => {
                     holds = false;
                     continue;
                 }
             };
             match self.ask(guards, needs, sides, refuted) {
-                Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
+                Along::Agree { everywhere, seen: Some(_) } if !denied && (everywhere || !group.asserted) => {}
                 Along::Differ(Apart { time, left, right, bound }) => {
                     let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
                     let what = if refuted == Refuted::Apart { "an equation" } else { "an inequality" };

@@ -36,6 +36,8 @@ pub(super) struct Comparison {
     pub boundaries: Vec<Expr>,
     /// Its terms, for the question whether it says anything.
     pub told: Told,
+    /// y and x of every atan2(y, x) in it. What is continued along a motion has no cut.
+    pub cuts: Vec<[Expr; 2]>,
 }
 
 impl Comparison {
@@ -50,7 +52,14 @@ impl Comparison {
     ) -> Comparison {
         let magnitude = magnitude_of(graph, scope, left, right);
         let boundaries = if kind == RelationKind::Equal { Vec::new() } else { boundaries(graph, scope, left, right) };
-        Comparison { label, kind, left, right, magnitude, boundaries, told: Told::default() }
+        let cuts = cuts(graph, scope, [left, right]);
+        Comparison { label, kind, left, right, magnitude, boundaries, told: Told::default(), cuts }
+    }
+
+    /// A comparison of `node` that is measured by other means than its formulas.
+    pub fn measured(label: String, kind: RelationKind, node: Expr) -> Comparison {
+        let (boundaries, cuts) = (Vec::new(), Vec::new());
+        Comparison { label, kind, left: node, right: node, magnitude: node, boundaries, told: Told::default(), cuts }
     }
 }
 
@@ -66,6 +75,12 @@ pub(super) fn magnitude_of(graph: &mut Graph, scope: &Scope, left: Expr, right: 
     }
     let (a, b) = (magnitude(graph, l), magnitude(graph, r));
     graph.add(a, b)
+}
+
+/// Where angles atan2(y, x) have their cuts: y and x. Observables are written out, but for those that are continued along a motion.
+pub(super) fn cuts(graph: &mut Graph, scope: &Scope, of: impl IntoIterator<Item = Expr>) -> Vec<[Expr; 2]> {
+    let written: Vec<Expr> = of.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
+    graph.arctan2s(written)
 }
 
 /// left − right for each sign of ±, unless it does not move.
@@ -103,8 +118,6 @@ pub(super) struct Group {
     /// What leaves one comparison without a value and not another, or for one sign of ±: where it vanishes, the sign that serves
     /// elsewhere may not count, and the other is false.
     pub one_sided: Vec<Expr>,
-    /// Whether an angle in it may leap: what is so on both sides of a leap need not be so at it.
-    pub leaps: bool,
 }
 
 impl Default for Group {
@@ -118,12 +131,16 @@ impl Default for Group {
             asserted: false,
             denied: false,
             one_sided: Vec::new(),
-            leaps: false,
         }
     }
 }
 
 impl Group {
+    /// Whether an angle in it may leap: what is so on both sides of a leap need not be so at it.
+    pub fn leaps(&self) -> bool {
+        self.comparisons.iter().any(|c| !c.cuts.is_empty())
+    }
+
     /// Whether at each time some sign of ± serves, not the same at all of them.
     pub fn chooses(&self) -> bool {
         self.branching && !self.throughout && self.signs == Quantifier::Some

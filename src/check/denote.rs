@@ -7,7 +7,7 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use super::comparison::{Comparison, Group, at_instant, presupposed, traced, traced_without_angles};
+use super::comparison::{Comparison, Group, at_instant, cuts, presupposed, traced};
 use super::program::{Assumption, Denoted, Part, Program, What};
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
@@ -201,17 +201,6 @@ fn one_sided(graph: &mut Graph, scope: &Scope, group: &Group) -> Vec<Expr> {
     some
 }
 
-/// Where angles atan2(y, x) in comparisons have their cuts. Observables are written out, but for those that are continued along a
-/// motion.
-fn cuts(graph: &mut Graph, scope: &Scope, sides: Vec<Vec<Expr>>) -> Vec<(usize, [Expr; 2])> {
-    let mut out = Vec::new();
-    for (position, sides) in sides.into_iter().enumerate() {
-        let written: Vec<Expr> = sides.into_iter().map(|e| traced_without_angles(graph, scope, e)).collect();
-        out.extend(graph.arctan2s(written).into_iter().map(|of| (position, of)));
-    }
-    out
-}
-
 /// What is asked of a term, as a relation to 0.
 pub(super) fn relation(sign: Sign) -> RelationKind {
     match sign {
@@ -232,9 +221,7 @@ impl Program {
         let Derivation { graph, claims, systems, .. } = derivation;
         let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
         let scope = &claims[claim].scope;
-        let sides: Vec<Vec<Expr>> = program.comparisons().map(|c| vec![c.left, c.right]).collect();
-        program.cut(cuts(graph, scope, sides));
-        program.leaps_at = !cuts(graph, scope, vec![program.at.into_iter().collect()]).is_empty();
+        program.leaps_at = !cuts(graph, scope, program.at).is_empty();
         program
     }
 }

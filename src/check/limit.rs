@@ -55,7 +55,7 @@ pub(super) fn limit(
     // What leaps at it shows that farther away only, and an angle at its cut has the value of one side at an exact time, too.
     let far = BESIDE * (to - from);
     let beside = [t0, t0.next_down(), t0.next_up(), t0 - far, t0 + far];
-    let alone = exact && program.cuts.is_empty();
+    let alone = exact && program.cuts().next().is_none();
     let beside = if alone { &beside[..1] } else { &beside[..] };
     let found: Vec<Found> = beside
         .iter()

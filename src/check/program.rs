@@ -113,11 +113,9 @@ pub(super) struct Program {
     pub steep: Vec<Expr>,
     /// What keeps its sign where something has a value, and whether it may be 0 there.
     pub edges: Vec<(Expr, bool)>,
-    /// y and x of every atan2(y, x) in a comparison, with its position. What is continued along a motion has no cut.
-    pub cuts: Vec<(usize, [Expr; 2])>,
     /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
     pub leaps_at: bool,
-    /// Left, right, and left − right of every comparison; then what `cuts` are of.
+    /// Left, right, and left − right of every comparison; then y and x of the cuts.
     sides: Option<Block>,
     /// The size of the terms of every comparison.
     sizes: Option<Block>,
@@ -141,22 +139,8 @@ pub(super) struct Denoted {
 impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
         let Denoted { selectors, hypotheses, parts, claim, at, steep, edges, sign } = of;
-        let (cuts, sides, sizes, inputs) = (Vec::new(), None, None, Vec::new());
-        Program {
-            selectors,
-            hypotheses,
-            parts,
-            claim,
-            at,
-            steep,
-            edges,
-            cuts,
-            leaps_at: false,
-            sides,
-            sizes,
-            inputs,
-            sign,
-        }
+        let (sides, sizes, inputs) = (None, None, Vec::new());
+        Program { selectors, hypotheses, parts, claim, at, steep, edges, leaps_at: false, sides, sizes, inputs, sign }
     }
 }
 
@@ -165,18 +149,6 @@ impl Program {
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         let assumed = self.selectors.iter().chain(&self.hypotheses).map(|a| &a.part.group);
         assumed.chain(self.parts.iter().map(|p| &p.group))
-    }
-
-    /// Notes where angles in its comparisons have their cuts.
-    pub fn cut(&mut self, cuts: Vec<(usize, [Expr; 2])>) {
-        let assumed = self.selectors.iter_mut().chain(&mut self.hypotheses).map(|a| &mut a.part.group);
-        let mut next = 0;
-        for group in assumed.chain(self.parts.iter_mut().map(|p| &mut p.group)) {
-            let own = next..next + group.comparisons.len();
-            next = own.end;
-            group.leaps = cuts.iter().any(|(position, _)| own.contains(position));
-        }
-        self.cuts = cuts;
     }
 
     /// The part, or hypothesis, that an atom of the claim stands for.
@@ -232,6 +204,11 @@ impl Program {
         self.groups().flat_map(|g| &g.comparisons)
     }
 
+    /// y and x of every atan2(y, x) in a comparison, with its position.
+    pub fn cuts(&self) -> impl Iterator<Item = (usize, [Expr; 2])> + '_ {
+        self.comparisons().enumerate().flat_map(|(n, c)| c.cuts.iter().map(move |&of| (n, of)))
+    }
+
     /// The position of a comparison in what [`Program::measure`] yields.
     pub fn position(&self, comparison: &Comparison) -> Option<usize> {
         self.comparisons().position(|c| std::ptr::eq(c, comparison))
@@ -247,7 +224,7 @@ impl Program {
         let roots = self.comparisons().flat_map(|c| [c.left, c.right, c.magnitude]);
         let one_sided = self.groups().flat_map(|g| &g.one_sided);
         let searched = self.steep.iter().chain(one_sided).copied().chain(self.edges());
-        let cuts = self.cuts.iter().flat_map(|(_, of)| *of);
+        let cuts = self.cuts().flat_map(|(_, of)| of);
         let roots = roots.chain(self.at).chain(searched).chain(cuts).collect::<Vec<_>>();
         graph.leaves(roots).into_iter().filter(|&l| l != self.sign).collect()
     }
@@ -260,7 +237,7 @@ impl Program {
         let compared: Vec<(Expr, Expr)> = self.comparisons().map(|c| (c.left, c.right)).collect();
         let sizes: Vec<Expr> = self.comparisons().map(|c| c.magnitude).collect();
         let mut sides: Vec<Expr> = compared.into_iter().flat_map(|(l, r)| [l, r, graph.sub(l, r)]).collect();
-        sides.extend(self.cuts.iter().flat_map(|(_, of)| *of));
+        sides.extend(self.cuts().flat_map(|(_, of)| of));
         let sides = Block::new(graph, known, self.sign, &sides)?;
         let sizes = Block::new(graph, known, self.sign, &sizes)?;
         self.inputs = sides.inputs().iter().chain(sizes.inputs()).copied().collect();
@@ -304,7 +281,7 @@ impl Program {
     /// Measures every comparison at the first `times` of the points, for one sign of ±.
     pub fn measure(&self, (points, times): (&Points, usize), sign: f64) -> Vec<Series> {
         let Some(sides) = &self.sides else { return Vec::new() };
-        let count = (sides.tape().output_count() - 2 * self.cuts.len()) / SIDES;
+        let count = self.comparisons().count();
         let mut out: Vec<Series> = (0..count).map(|_| Series::with_capacity(times)).collect();
         let mut evaluation = Evaluation::new(sides, points, sign, 0..sides.tape().output_count());
         let mut failed = 0;
@@ -351,18 +328,17 @@ impl Program {
         out
     }
 
-    /// The positions of the `count` comparisons in which an angle atan2(y, x) may lie on either side of its cut, as far as the
-    /// errors of y and x tell: it is π or −π there, and the error of a value near one of them says nothing of the other.
+    /// The positions of the `count` comparisons in which an angle may lie on either side of its cut.
     fn crossed<'p>(
         &'p self,
         count: usize,
         output: impl Fn(usize) -> Option<Bounded> + 'p,
     ) -> impl Iterator<Item = usize> + 'p {
         let straddles = move |at: usize| {
-            let (y, x) = (output(SIDES * count + 2 * at), output(SIDES * count + 2 * at + 1));
-            y.is_some_and(|y| y.contains_zero() && y.error > 0.0) && x.is_some_and(|x| x.value - x.error < 0.0)
+            let [y, x] = [0, 1].map(|n| output(SIDES * count + 2 * at + n));
+            y.zip(x).is_some_and(|(y, x)| y.straddles_cut(&x))
         };
-        self.cuts.iter().enumerate().filter(move |(at, _)| straddles(*at)).map(|(_, (position, _))| *position)
+        self.cuts().enumerate().filter(move |(at, _)| straddles(*at)).map(|(_, (position, _))| position)
     }
 }
 

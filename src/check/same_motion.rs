@@ -70,15 +70,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, othe
         let Some(at) = course.leaves.iter().position(|&l| l == leaf) else { continue };
         let Some(node) = derivation.graph.find(&Node::Leaf(leaf)) else { continue };
         let label = format!("{} of both motions", derivation.graph.leaf_latex(leaf));
-        comparisons.push(Comparison {
-            label,
-            kind: RelationKind::Equal,
-            left: node,
-            right: node,
-            magnitude: node,
-            boundaries: Vec::new(),
-            told: Default::default(),
-        });
+        comparisons.push(Comparison::measured(label, RelationKind::Equal, node));
         let compare = |(ours, theirs): (Sample, &Option<Vec<_>>)| {
             let theirs: &Vec<Result<Bounded, NoValue>> = theirs.as_ref().ok_or(NoValue::OutOfDomain)?;
             let (left, right): (Bounded, Bounded) = (ours.get(at)?, theirs[at]?);

@@ -343,7 +343,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
                 failures.push(Failure { size: 0.0, sign: best, comparison: c, time: i });
             } else if known.decided().is_none() {
                 inconclusive_count += 1;
-                leaps |= group.group.leaps;
+                leaps |= group.group.leaps();
                 inconclusive.get_or_insert_with(|| {
                     let why = fault(c, i, group.signs[best][c].difference(i).err().unwrap_or(NoValue::Indeterminate));
                     format!("at t = {:.6}, {why}", setting.times[i])
@@ -453,15 +453,7 @@ mod tests {
         let node = graph.integer(0);
         let label = String::new();
         let kind = RelationKind::Equal;
-        let comparison = Comparison {
-            label,
-            kind,
-            left: node,
-            right: node,
-            magnitude: node,
-            boundaries: Vec::new(),
-            told: Default::default(),
-        };
+        let comparison = Comparison::measured(label, kind, node);
         let group = Group { comparisons: vec![comparison; 3], ..Group::default() };
         let mut draws = Draws::new(11);
         let mut sized_apart = 0;

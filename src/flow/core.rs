@@ -105,7 +105,7 @@ impl Core {
             cuts.run(self, &mut bench, t, &turns);
             let value = |i: usize| cuts.output(&bench, i).map(|x| x.coefficient(0));
             (0..cuts.output_count() / 2).any(|i| match (value(2 * i), value(2 * i + 1)) {
-                (Ok(y), Ok(x)) => y.contains_zero() && y.error > 0.0 && x.value - x.error < 0.0,
+                (Ok(y), Ok(x)) => y.straddles_cut(&x),
                 (Err(_), _) | (_, Err(_)) => false,
             })
         })

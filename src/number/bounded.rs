@@ -62,6 +62,12 @@ impl Bounded {
         self.value.abs() <= self.error
     }
 
+    /// Whether a point (x, y), with `self` for y, may lie on either side of the cut of atan2(y, x), as far as its errors tell: the
+    /// angle is π or −π there, and the error of a value near one of them says nothing of the other.
+    pub fn straddles_cut(&self, x: &Bounded) -> bool {
+        self.error > 0.0 && self.contains_zero() && x.value - x.error < 0.0
+    }
+
     /// At least the largest absolute value of the numbers.
     #[inline(always)]
     pub fn magnitude(&self) -> f64 {

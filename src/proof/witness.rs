@@ -9,7 +9,7 @@ use super::exact::Exact;
 use super::linear::Combinations;
 use super::lower::{Generator, Generators};
 use super::outcome::{Point, PointValue, Refutation, Side};
-use expr::tape::{Slots, Tape};
+use expr::tape::{Instruction, Slots, Tape};
 use expr::{Expr, Graph, Leaf, Node, Op, Rational};
 use expr::{FastMap, FastSet};
 use number::{Bounded, Draws, NoValue, Number};
@@ -124,10 +124,8 @@ fn evaluate<N: Number<Context = ()>>(
 /// yield one of two representatives.
 pub(super) fn decimals(graph: &Graph, exprs: &[Expr], values: &Values) -> Vec<Option<Bounded>> {
     let (tape, slots) = evaluate::<Bounded>(graph, exprs, |l| values.get(&l).copied());
-    let torn = tape.instructions().iter().any(|i| {
-        let y = slots.value(i.a as usize);
-        i.op == Op::Arctan2 && y.error > 0.0 && y.contains_zero() && slots.value(i.b as usize).value < 0.0
-    });
+    let (a, b) = (|i: &Instruction| slots.value(i.a as usize), |i: &Instruction| slots.value(i.b as usize));
+    let torn = tape.instructions().iter().any(|i| i.op == Op::Arctan2 && a(i).straddles_cut(b(i)));
     (0..exprs.len()).map(|i| tape.output(i, &slots).ok().copied().filter(|_| !torn)).collect()
 }
 
