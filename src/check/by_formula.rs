@@ -273,6 +273,14 @@ impl<'a> Setting<'a> {
                 Some(Err((witness, reason))) => verdict.prove(position, Possible::FALSE, |e| {
                     (e.witness, e.reason) = (Some(witness), Some(reason));
                 }),
+                None if part.group.asserted || part.is_definedness() => {
+                    if let Some(t) = self.may_lack_a_rate(claim, &guards, part) {
+                        verdict.doubt(
+                            position,
+                            format!("whether there is a value near t = {t} is open: a rate may have none"),
+                        );
+                    }
+                }
                 None => {}
             }
             if matches!(verdict.outcome(), Outcome::Fails(Strength::Proved) | Outcome::NotApplicable(Strength::Proved))
@@ -352,8 +360,8 @@ impl<'a> Setting<'a> {
         part: &Part,
     ) -> Option<Result<(), (Witness, String)>> {
         let group = &part.group;
-        let denied = matches!(part.what, What::Denied);
-        if !denied && (group.asserted || part.is_definedness()) {
+        let promised = !matches!(part.what, What::Denied);
+        if promised && (group.asserted || part.is_definedness()) {
             let sides: Vec<Expr> = group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
             // A formula for a rate may divide by 0 where there is a rate; that of the quantity itself may not.
             let leaves = self.graph.leaves(sides.iter().copied());
@@ -383,17 +391,13 @@ impl<'a> Setting<'a> {
                 let proved = group.comparisons.iter().all(constant);
                 return (proved && self.are_met_together(claim, guards, presupposed, group)).then_some(Ok(()));
             }
-            // One time at which it is true refutes.
-            What::Denied if group.comparisons.len() == 1 => {}
-            What::Denied
-            | What::Defined
-            | What::Value
-            | What::Limit(_)
-            | What::SameMotion(..)
-            | What::Independent
-            | What::Across => return None,
+            // Its comparisons are the opposites of what must not be.
+            What::Denied => {}
+            What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
+                return None;
+            }
         }
-        let mut holds = !denied;
+        let mut holds = true;
         for c in &group.comparisons {
             self.needs.clear();
             let sides = self.sides(&claim.scope, (c.left, c.right));
@@ -403,19 +407,17 @@ impl<'a> Setting<'a> {
                 holds = false;
                 continue;
             };
-            let refuted = match (c.kind, denied) {
-                (RelationKind::Equal, false) | (RelationKind::NotEqual, true) => Refuted::Apart,
-                (RelationKind::Less | RelationKind::LessEqual, false)
-                | (RelationKind::Greater | RelationKind::GreaterEqual, true) => Refuted::Above,
-                (RelationKind::Greater | RelationKind::GreaterEqual, false)
-                | (RelationKind::Less | RelationKind::LessEqual, true) => Refuted::Below,
-                (RelationKind::NotEqual, false) | (RelationKind::Equal, true) => {
+            let refuted = match c.kind {
+                RelationKind::Equal => Refuted::Apart,
+                RelationKind::Less | RelationKind::LessEqual => Refuted::Above,
+                RelationKind::Greater | RelationKind::GreaterEqual => Refuted::Below,
+                RelationKind::NotEqual => {
                     holds = false;
                     continue;
                 }
             };
             match self.ask(guards, needs, sides, refuted) {
-                Along::Agree { everywhere, seen: Some(_) } if !denied && (everywhere || !group.asserted) => {}
+                Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
                 Along::Differ(Apart { time, left, right, bound }) => {
                     let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
                     let what = if refuted == Refuted::Apart { "an equation" } else { "an inequality" };
@@ -481,10 +483,16 @@ impl<'a> Setting<'a> {
     }
 
     /// Candidates for rational zeros of a formula in time, on the span: simple fractions close to where its sign changes.
-    fn rational_zeros(&mut self, e: Expr) -> Vec<Rational> {
-        let Ok(tape) = Tape::compile(&self.graph, &[self.time], &[e]) else { return Vec::new() };
-        let mut slots = tape.slots::<Bounded>(&());
-        let mut value = |t: f64| tape.evaluate(&(), &[Ok(Bounded::exact(t))], &mut slots).pop()?.ok().map(|v| v.value);
+    fn rational_zeros(&self, e: Expr) -> Vec<Rational> {
+        let mut out: Vec<Rational> =
+            self.changes(e).into_iter().flat_map(|(a, b)| [a, b]).filter_map(simple_fraction).collect();
+        out.dedup();
+        out
+    }
+
+    /// Where the sign of a formula in time is seen to change on the span: neighbouring numbers.
+    fn changes(&self, e: Expr) -> Vec<(f64, f64)> {
+        let Some(mut value) = self.value(e) else { return Vec::new() };
         let (from, to) = self.span;
         let place = |k: u32| from + (to - from) * f64::from(k) / f64::from(LOOKS);
         let mut out = Vec::new();
@@ -501,10 +509,32 @@ impl<'a> Setting<'a> {
                     _ => b = middle,
                 }
             }
-            out.extend([a, b].into_iter().filter_map(simple_fraction));
+            out.push((a, b));
         }
-        out.dedup();
         out
+    }
+
+    /// The values of a formula in time.
+    fn value(&self, e: Expr) -> Option<impl FnMut(f64) -> Option<f64>> {
+        let tape = Tape::compile(&self.graph, &[self.time], &[e]).ok()?;
+        let mut slots = tape.slots::<Bounded>(&());
+        Some(move |t: f64| {
+            tape.evaluate(&(), &[Ok(Bounded::exact(t))], &mut slots).pop()?.ok().map(|v: Bounded| v.value)
+        })
+    }
+
+    /// A time that may count at which the formula for a rate has no value, though what it is the rate of has one: there may be
+    /// no rate, as at a kink.
+    fn may_lack_a_rate(&mut self, claim: &Claim, guards: &InTime, part: &Part) -> Option<f64> {
+        let sides: Vec<Expr> = part.group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
+        let sides: Vec<Expr> = sides.into_iter().filter_map(|e| self.put(&claim.scope, e)).collect();
+        let needs = self.graph.needs_below(sides);
+        let guards: Vec<Expr> = guards.positive.iter().chain(&guards.not_negative).copied().collect();
+        needs.into_iter().filter(|n| !n.certain).flat_map(|n| self.changes(n.value)).map(|(a, b)| 0.5 * (a + b)).find(
+            |&t| {
+                guards.iter().all(|&e| self.value(e).and_then(|mut value| value(t)).is_none_or(|v| v >= -f64::EPSILON))
+            },
+        )
     }
 
     /// Whether something has, wherever it has a value, the value that it has at some time of the span that counts.

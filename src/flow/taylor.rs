@@ -83,6 +83,8 @@ pub(super) struct Walker<'a> {
     next: Vec<f64>,
     next_state: Vec<f64>,
     next_low: Vec<f64>,
+    /// A number for each component.
+    sums: Vec<f64>,
     scale: Vec<f64>,
     top: Vec<f64>,
     last_step: f64,
@@ -222,6 +224,7 @@ impl<'a> Walker<'a> {
             next: vec![0.0; n * row],
             next_state: state.to_vec(),
             next_low: vec![0.0; n],
+            sums: vec![0.0; n],
             scale: vec![0.0; flow.group_count],
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
@@ -333,8 +336,9 @@ impl<'a> Walker<'a> {
         let target = if size >= remaining { self.end } else { self.time + direction * size };
         let h = target - self.time;
         let row = self.control.order + 1;
+        sums(&self.now, row, h, |_| 1.0, &mut self.sums);
         for (i, c) in self.now.chunks_exact(row).enumerate() {
-            let y = self.low[i] + h * horner(&c[1..], h);
+            let y = self.low[i] + h * self.sums[i];
             let x = c[0];
             let s = x + y;
             let virtual_part = s - x;
@@ -398,12 +402,18 @@ impl<'a> Walker<'a> {
         self.aim().map(|()| false)
     }
 
+    /// c₁ + 2c₂h + … of each component: the slopes of the polynomials, in `sums`.
+    fn slopes(&mut self, h: f64) {
+        sums(&self.now, self.control.order + 1, h, |k| k as f64, &mut self.sums);
+    }
+
     /// Whether a rate is another one behind a kink than before it.
-    fn jumps_over(&self, h: f64) -> bool {
+    fn jumps_over(&mut self, h: f64) -> bool {
         let row = self.control.order + 1;
+        self.slopes(h);
         (0..self.flow.dimension).any(|i| {
             let c = &self.now[i * row..(i + 1) * row];
-            let before = slope_at(c, h);
+            let before = self.sums[i];
             let behind = self.next[i * row + 1];
             // A rate that vanishes at the kink is compared with what moves the state as far as its size.
             let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
@@ -430,10 +440,9 @@ impl<'a> Walker<'a> {
     /// The step went on for a time behind a kink, at the rates before it.
     fn add_late(&mut self, h: f64, behind: f64) {
         let row = self.control.order + 1;
+        self.slopes(h);
         for (i, late) in self.late.iter_mut().enumerate() {
-            let c = &self.now[i * row..(i + 1) * row];
-            let slope = slope_at(c, h);
-            *late += (slope - self.next[i * row + 1]).abs() * behind;
+            *late += (self.sums[i] - self.next[i * row + 1]).abs() * behind;
         }
     }
 
@@ -443,9 +452,9 @@ impl<'a> Walker<'a> {
     fn continues(&mut self, target: f64, h: f64) -> bool {
         let row = self.control.order + 1;
         let mut rounding: Option<Vec<f64>> = None;
+        self.slopes(h);
         (0..self.flow.dimension).all(|i| {
-            let c = &self.now[i * row..(i + 1) * row];
-            let slope = slope_at(c, h);
+            let slope = self.sums[i];
             let found = self.next[i * row + 1];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
             let off = (slope - found).abs();
@@ -515,15 +524,27 @@ pub(super) fn horner(c: &[f64], h: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &x| sum * h + x)
 }
 
-/// c₁ + 2c₂h + …: the slope of the same polynomial.
-#[inline]
-fn slope_at(c: &[f64], h: f64) -> f64 {
-    let (mut slope, mut k) = (0.0, c.len() as f64);
-    for &x in c.iter().skip(1).rev() {
-        k -= 1.0;
-        slope = slope * h + x * k;
+/// w₁c₁ + w₂c₂h + … for each of the rows c₀, c₁, … Four are summed side by side, each in the order of [`horner`], so that none
+/// waits for its own last product.
+fn sums(rows: &[f64], row: usize, h: f64, weight: impl Fn(usize) -> f64, out: &mut [f64]) {
+    for (some, out) in rows.chunks(4 * row).zip(out.chunks_mut(4)) {
+        if let ([a, b, c, d], true) = (&mut *out, some.len() == 4 * row) {
+            let (first, last) = some.split_at(2 * row);
+            let ((first, second), (third, fourth)) = (first.split_at(row), last.split_at(row));
+            [*a, *b, *c, *d] = [0.0; 4];
+            for k in (1..row).rev() {
+                let w = weight(k);
+                *a = *a * h + first[k] * w;
+                *b = *b * h + second[k] * w;
+                *c = *c * h + third[k] * w;
+                *d = *d * h + fourth[k] * w;
+            }
+        } else {
+            for (sum, c) in out.iter_mut().zip(some.chunks(row)) {
+                *sum = (1..row).rev().fold(0.0, |sum, k| sum * h + c[k] * weight(k));
+            }
+        }
     }
-    slope
 }
 
 /// Base-2 logarithm of a positive normal number, to 0.09: enough for a 20th root, and the same bits everywhere.

@@ -93,6 +93,8 @@ pub struct Minimum {
 struct Node {
     time: f64,
     value: Bounded,
+    /// How far the expression may be from its polynomial there: a minimum is not known better than that.
+    room: f64,
 }
 
 impl Node {
@@ -212,6 +214,7 @@ fn look(explorer: &mut Explorer) -> Seen {
                 }
             }
             Stretch::Piece(ref piece) => {
+                let room = room(piece).unwrap_or(f64::INFINITY);
                 if flat {
                     note(&mut incomplete, Incomplete::Vanishing { start: piece.start, end: piece.end });
                 }
@@ -220,13 +223,15 @@ fn look(explorer: &mut Explorer) -> Seen {
                         Some(run) => run,
                         None => continue,
                     };
-                    if run.last().is_some_and(|n: &Node| n.time >= time) {
+                    if let Some(last) = run.last_mut().filter(|n: &&mut Node| n.time >= time) {
+                        // Two pieces share an end.
+                        last.room = last.room.max(room);
                         continue;
                     }
                     let known =
                         if times.binary_search_by(|x| x.total_cmp(&time)).is_ok() { &mut ends } else { &mut further };
                     if let Some(value) = known.get(explorer, time) {
-                        run.push(Node { time, value });
+                        run.push(Node { time, value, room });
                         continue;
                     }
                     // A piece may end where there is no value. What it tends to tells whether it passes 0 before that.
@@ -237,9 +242,9 @@ fn look(explorer: &mut Explorer) -> Seen {
                             Incomplete::NoValue { start: time, end: time, reason: NoValue::Indeterminate },
                         );
                     } else if time == piece.start {
-                        runs.push(vec![Node { time, value }]);
+                        runs.push(vec![Node { time, value, room }]);
                     } else if time == piece.end {
-                        run.push(Node { time, value });
+                        run.push(Node { time, value, room });
                         runs.push(Vec::new());
                     }
                 }
@@ -251,9 +256,14 @@ fn look(explorer: &mut Explorer) -> Seen {
 
 /// What the first output of a piece tends to at a time of it.
 fn tends_to(piece: &Piece, time: f64) -> Option<Bounded> {
+    Some(Bounded { value: horner(piece.outputs.first()?, time - piece.centre), error: room(piece)? })
+}
+
+/// How far the first output of a piece may be from its polynomial: by the errors of its values, and by rounding.
+fn room(piece: &Piece) -> Option<f64> {
     let (c, x) = (piece.outputs.first()?, piece.values.first()?);
     let size: f64 = x.value.abs() + c.get(1).map_or(0.0, |c| c.abs() * piece.radius());
-    Some(Bounded { value: horner(c, time - piece.centre), error: 4.0 * x.error + 64.0 * f64::EPSILON * size })
+    Some(4.0 * x.error + 64.0 * f64::EPSILON * size)
 }
 
 /// Appends the turning points of the first output in ascending order; true if it stays within its error of 0 throughout.
@@ -373,7 +383,7 @@ fn separate(explorer: &mut Explorer, run: &mut Run, shortest: f64) {
             for x in [0.25, 0.5, 0.75] {
                 let time = a.time + x * (b.time - a.time);
                 if let Some(Ok(value)) = explorer.values(time).first() {
-                    more.push(Node { time, value: *value });
+                    more.push(Node { time, value: *value, room: a.room.max(b.room) });
                 }
             }
         }
@@ -404,7 +414,7 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
             let near = |n: &&Node| (n.time - b.time).abs() <= AROUND * (to - from);
             let around = run[..at].iter().rev().take_while(near).chain(run[at + 1..].iter().take_while(near));
             let largest = around.chain(beside).map(size).fold(0.0, f64::max);
-            if size(b) <= (16.0 * b.value.error).max(FLAT * largest) {
+            if size(b) <= (16.0 * b.value.error).max(FLAT * largest).max(b.room) {
                 out.touch(&mut explorer, *b);
             }
         }

@@ -5,8 +5,8 @@
 //! or neither was shown.
 //!
 //! **Guaranteed.** That sides agree is an identity, with the error bound of [`identity_test`](super::identity_test). That they
-//! differ is shown by balls that lie apart at a time that is a number of binary64, at which every formula has a value. The
-//! difference is computed twice: as it is written, and with its sums and products expanded over the generators, so that terms that
+//! differ is shown at a time that is a number of binary64, at which every formula has a value: by rational numbers, at the ends of
+//! the span, or by balls that lie apart. For these the difference is computed twice: as it is written, and with its sums and products expanded over the generators, so that terms that
 //! cancel along the motion, however large, are gone before a number is put in; and divided by its largest coefficient, so that
 //! what is too small for binary64 has a sign.
 
@@ -122,6 +122,22 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
         let everywhere = conditions.is_empty() && super::domains(graph, &formulas).is_empty();
         return Along::Agree { everywhere, seen };
     }
+    // At the ends everything may be a rational number.
+    let exact = [0, 1].into_iter().find_map(|at| {
+        let t = place(at);
+        let (l, r) = exactly_at(graph, question, time, t)?;
+        let refutes = match question.refuted {
+            Refuted::Apart => l != r,
+            Refuted::Above => l > r,
+            Refuted::Below => l < r,
+        };
+        let [left, right] = [&l, &r].map(|q| q.to_f64().value());
+        let bound = f64::EPSILON * (left.abs() + right.abs());
+        refutes.then_some(Apart { time: t, left, right, bound })
+    });
+    if let Some(exact) = exact {
+        return Along::Differ(exact);
+    }
     let expanded = expanded(graph, left, right);
     let apart = (0..TIMES).map(place).find_map(|t| {
         let (l, r) = sides_at(graph, question, time, t)?;
@@ -162,6 +178,24 @@ fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bo
         && nonzero.iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error));
     let sides = decimals(graph, &[left, right], &values);
     counts.then_some(sides[0]?).zip(sides[1])
+}
+
+/// Both sides at a time that counts, at which everything is a rational number; `None` otherwise.
+fn exactly_at(graph: &mut Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Rational, Rational)> {
+    let (left, right) = question.sides?;
+    let at = Rational::try_from(at).ok()?;
+    let at = graph.constant(at);
+    let mut value = |e: Expr| {
+        let then = graph.substitute(e, |_, l| (l == time).then_some(at));
+        graph.as_constant(then).cloned()
+    };
+    let sides = (value(left)?, value(right)?);
+    let zero = Rational::ZERO;
+    let counts = question.needs.iter().all(|&e| value(e).is_some())
+        && question.positive.iter().all(|&e| value(e).is_some_and(|v| v > zero))
+        && question.not_negative.iter().all(|&e| value(e).is_some_and(|v| v >= zero))
+        && question.nonzero.iter().all(|&e| value(e).is_some_and(|v| v != zero));
+    counts.then_some(sides)
 }
 
 /// left − right with all sums and products expanded over the generators, written in the formulas as given, divided by its

@@ -8,7 +8,7 @@ use super::rank::Rank;
 use super::ready::{Ready, Shown};
 use super::same::Same;
 use super::{event, limit, span};
-use crate::check::comparison::Comparison;
+use crate::check::comparison::{Comparison, Group};
 use crate::check::independence::Gradients;
 use crate::check::program::{Part, Program, What};
 use crate::derivation::Claim;
@@ -184,6 +184,14 @@ pub(super) fn strengthen(
                 ));
             }
         }
+        let shown = match (shown, near.and_then(|w| apart(group, w))) {
+            (Shown::Holds(enclosed, _), Some((difference, why))) if difference <= enclosed.gap => Shown::Nothing(why),
+            (shown @ (Shown::Holds(..) | Shown::Excluded(..)), Some((_, why))) => {
+                learn(verdict, position, shown, (part, beyond));
+                return Err(format!("{why}, and the enclosed one excludes it"));
+            }
+            (shown, _) => shown,
+        };
         match &shown {
             Shown::Nothing(reason) | Shown::Isolated(reason) if part.is_definedness() => {
                 // That there is a value everywhere is what was asked, and somewhere it is open.
@@ -207,6 +215,20 @@ pub(super) fn strengthen(
         remark(verdict, reason);
     }
     Ok(())
+}
+
+/// How far apart samples found the sides of an equation or inequality that they take for false, at least, and in words: `None`
+/// where the sides differ by less than errors explain. Where an enclosure allows more, it does not tell them apart.
+fn apart(group: &Group, seen: &Witness) -> Option<(f64, String)> {
+    // Where several comparisons are combined, or one has no value, another may have decided.
+    if group.branching || group.asserted || group.formula.is_some() {
+        return None;
+    }
+    let Witness { t, left, right, bound, .. } = seen;
+    let difference = left - right;
+    let beyond = difference.abs() - DISAGREEMENT * (bound + f64::EPSILON * (left.abs() + right.abs()));
+    let why = || format!("at t = {t} the sides differ by {difference:e} ± {bound:.1e} on the sampled motion");
+    (beyond > 0.0).then(|| (beyond, why()))
 }
 
 /// What was shown, as what is left possible of a part.
@@ -290,5 +312,27 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
             None => Shown::Nothing("it does not happen, but there is no time to show that counts".to_owned()),
         },
         (_, shown) => shown,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(left: f64, bound: f64) -> Witness {
+        Witness { t: 1.0, formula: "x=1".to_owned(), left, right: 1.0, bound, values: Vec::new() }
+    }
+
+    #[test]
+    fn samples_and_enclosures_that_contradict_each_other_do_not_pass_in_silence() {
+        let single = Group::default();
+        let far = apart(&single, &seen(1.5, 1e-6));
+        assert!(far.is_some_and(|(by, why)| (0.499..0.5).contains(&by) && why.contains("t = 1 ")));
+        // Of x < 1 samples say that it is false where both sides are the same as far as they see: that is no contradiction.
+        assert_eq!(apart(&single, &seen(1.0, 1e-6)), None);
+        assert_eq!(apart(&single, &seen(1.0 + 2e-5, 1e-6)), None);
+        // What has no value is not apart, nor decides one of several comparisons.
+        assert_eq!(apart(&Group { asserted: true, ..Group::default() }, &seen(1.5, 1e-6)), None);
+        assert_eq!(apart(&Group { branching: true, ..Group::default() }, &seen(1.5, 1e-6)), None);
     }
 }
