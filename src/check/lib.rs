@@ -25,6 +25,7 @@ mod denote;
 mod describe;
 mod doubt;
 mod enclose;
+mod extrapolate;
 pub mod family;
 mod follow;
 mod independence;

@@ -3,7 +3,7 @@
 use super::numbers::{count, size, time, value};
 use crate::check::family::{FamilyMap, MeasureAccount, SHARES};
 use crate::check::{FamilyAccount, MemberAccount};
-use crate::derivation::{Claim, Dependence, Event, Form, Measure};
+use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
@@ -13,12 +13,27 @@ pub(super) fn compared(claim: &Claim) -> Option<String> {
         _ => None,
     })?;
     let with = format!("${}$", across.name);
+    let point = across.point.as_ref().map(|p| p.text.as_str()).unwrap_or_default();
+    let limit = across.value.as_ref().map(|v| v.text.as_str()).unwrap_or_default();
     let says = match across.dependence {
         Dependence::Independent => format!("Does not depend on {with}"),
         Dependence::Increasing => format!("Grows with {with}"),
         Dependence::Decreasing => format!("Falls with growing {with}"),
         Dependence::Power { power, to } => {
             format!("Scales as a power of {with}, whose exponent is {} to within {}", value(power), value(to))
+        }
+        Dependence::Extremum { maximum, to } => {
+            let kind = if maximum { "largest" } else { "smallest" };
+            format!("Is {kind} at ${}={point}$ to within {}", across.name, value(to))
+        }
+        Dependence::Limit { end, to } => {
+            let end = match end {
+                End::Number => point,
+                End::Infinity => "\\infty",
+                End::MinusInfinity => "-\\infty",
+            };
+            let name = &across.name;
+            format!("Tends to ${limit}$ as ${name}\\rightarrow{end}$, to within {} by extrapolation", value(to))
         }
     };
     let when = claim.at.as_ref().map_or("", |at| if at.occasion.count.is_some() { ", when" } else { ", when first" });

@@ -11,6 +11,7 @@
 //! shown are made again from their numbers.
 
 mod account;
+mod beside;
 mod boundary;
 mod budget;
 mod confidence;
