@@ -6,7 +6,8 @@
 //! **How:** by Aitken's process, twice. Where the quantity is L + a x^p with any p, a sequence of x in a constant ratio makes it L + a r^k, of
 //! which three members give L; doing it again takes away the next power. (C. Brezinski, M. Redivo Zaglia, Extrapolation Methods,
 //! 1991, § 2.2.) The error is the larger one of two differences: between the last two of the second estimates, and between the last
-//! of the second and the last of the first, with what the members' own errors add.
+//! of the second and the last of the first, with what the members' own errors add; where the first agree to within their errors, how
+//! far they are apart.
 //!
 //! **No member of a sequence says where it ends.** So this is evidence of the weakest kind, and what is estimated is refused where the
 //! members speak against a geometric approach: the steps must shrink, by ratios that settle themselves. A quantity like 1/ln x,
@@ -80,8 +81,12 @@ pub(super) fn limit(of: &[Bounded]) -> Result<Bounded, &'static str> {
     }
     let coarse = last.error + before.magnitude();
     let first = estimates(of);
-    let once = first.as_ref().and_then(|e| e.last().copied());
-    let Some(once) = once else { return Ok(Bounded { value: last.value, error: coarse }) };
+    let Some((once, apart)) = first.as_deref().and_then(|estimates| {
+        let (last, others) = estimates.split_last()?;
+        Some((*last, others.iter().map(|e| (*last - *e).magnitude()).fold(0.0, f64::max)))
+    }) else {
+        return Ok(Bounded { value: last.value, error: coarse });
+    };
     let twice = first.and_then(|e| estimates(&e));
     let rounding = f64::EPSILON * last.magnitude();
     let found = match twice.as_deref() {
@@ -89,8 +94,8 @@ pub(super) fn limit(of: &[Bounded]) -> Result<Bounded, &'static str> {
             let apart = (later.value - earlier.value).abs().max((later.value - once.value).abs());
             Bounded { value: later.value, error: apart + later.error + rounding }
         }
-        // The first estimates agree to within their errors: the last member says how good they are.
-        _ => Bounded { value: once.value, error: (last - once).magnitude() + once.error + rounding },
+        // Nothing is left to be taken away: the first estimates agree to within their errors.
+        _ => Bounded { value: once.value, error: apart + once.error + rounding },
     };
     Ok(if found.error <= coarse { found } else { Bounded { value: last.value, error: coarse } })
 }

@@ -1,7 +1,8 @@
 //! Claims on families of motions, in the words of every kind of report.
 
+use super::conditions::explanation_in_words;
 use super::numbers::{count, size, time, value};
-use crate::check::family::{FamilyMap, MeasureAccount, SHARES};
+use crate::check::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES};
 use crate::check::{FamilyAccount, MemberAccount};
 use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
 
@@ -111,7 +112,47 @@ fn confidence(family: &FamilyAccount) -> Option<String> {
 
 /// What is said of a family beside its counts, each a sentence without its end; names are formulas between dollars.
 pub(super) fn remarks(family: &FamilyAccount) -> Vec<String> {
-    confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary)).collect()
+    let found = confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary));
+    found.chain(family.separation.as_ref().map(separation)).collect()
+}
+
+/// Which condition separates the members, and what it says of fresh ones: a sentence without its end; names are formulas between
+/// dollars.
+fn separation(found: &FamilySeparation) -> String {
+    let (holds, fails) = found.sides;
+    let Some(explanation) = &found.explanation else {
+        return format!(
+            "no condition of those that were tried separates {} on which it holds from {fails} on which it fails",
+            count(holds, "member")
+        );
+    };
+    let fresh = match found.right + found.wrong + found.open {
+        0 => "; there are no fresh members to try that on".to_owned(),
+        n => {
+            let open = match found.open {
+                0 => String::new(),
+                open => format!(", and {open} undecided"),
+            };
+            let wrong = match &found.exception {
+                None => String::new(),
+                Some(of) => {
+                    let values: Vec<String> = of.values.iter().map(|(name, x)| format!("${name}$ = {x:?}")).collect();
+                    let says = if of.holds { "holds" } else { "fails" };
+                    format!(": it {says} for {}", values.join(", "))
+                }
+            };
+            let of = count(n, "fresh member");
+            format!(
+                "; of {of}, which were not used to find that, it tells {} right, {} wrong{open}{wrong}",
+                found.right, found.wrong
+            )
+        }
+    };
+    format!(
+        "it holds just where {}, as {} say on which it holds and {fails} on which it fails{fresh}",
+        explanation_in_words(explanation),
+        count(holds, "member"),
+    )
 }
 
 /// How finely the boundary on the map was found, in a sentence without its end; names are formulas between dollars.

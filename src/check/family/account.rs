@@ -7,6 +7,7 @@
 use super::confidence::{CONFIDENCE, failing_share};
 use super::distribution::Distribution;
 use super::map::{Boundary, FamilyMap, Scale};
+use super::separate::FamilySeparation;
 use super::tally::{Counts, Ranked, Tally, deviation, gap};
 use crate::derivation::{Derivation, Family, Measure};
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
@@ -68,6 +69,8 @@ pub struct FamilyAccount {
     pub stopped: Option<String>,
     /// Where it holds and where it fails, over two of the symbols that vary.
     pub map: Option<FamilyMap>,
+    /// Which condition separates the members on which it holds from those on which it fails.
+    pub separation: Option<FamilySeparation>,
 }
 
 impl FamilyAccount {
@@ -171,6 +174,8 @@ pub(super) struct Counted<'a> {
     pub boundary: Option<&'a Boundary>,
     /// Why the members that are left were not tried.
     pub stopped: Option<&'a str>,
+    /// What separates them.
+    pub separation: Option<&'a FamilySeparation>,
 }
 
 /// A member that was tried again, and turned out otherwise than it was counted.
@@ -267,6 +272,7 @@ impl Counted<'_> {
                 cells: tally.map.clone(),
                 boundary: self.boundary.cloned(),
             }),
+            separation: self.separation.cloned(),
         })
     }
 }

@@ -10,7 +10,7 @@ use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
 use super::draw::{Random, Sequence, exp, ln, normal_at, polar_at, random_normal};
 use super::map::Scale;
-use crate::derivation::{Derivation, Drawing, Family, Spread};
+use crate::derivation::{Derivation, Drawing, Family, Spread, Varied};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
 use crate::number::Bounded;
@@ -134,6 +134,36 @@ impl Members {
         if is_member { Member::Found(values, 0) } else { Member::Rejected }
     }
 
+    /// A motion that is no member: its values lie between those of rows and lists, and are drawn as others are. The number determines it.
+    /// `None` where none is found that satisfies the constraints, or where nothing but what is a member could be.
+    pub fn fresh(&self, number: u64) -> Option<Vec<f64>> {
+        let varies = |(n, _): (usize, &Varied)| {
+            let (least, greatest) = self.range(n);
+            least < greatest
+        };
+        if !self.family.vary.iter().enumerate().any(varies) {
+            return None;
+        }
+        let one = |attempt: u64, (n, varied): (usize, &Varied)| {
+            let mut random = Random::new(self.family.seed, number, attempt, n as u64);
+            let (numbers, ends) = (&self.numbers[n], self.range(n));
+            let (from, to) = ends;
+            let even = |share: f64| short((1.0 - share) * from + share * to, ends);
+            let logarithmic = |share: f64| short(exp((1.0 - share) * ln(from) + share * ln(to)), ends);
+            match &varied.spread {
+                Spread::Values(_) | Spread::Grid { logarithmic: false, .. } | Spread::Uniform(..) => {
+                    even(random.share())
+                }
+                Spread::Grid { logarithmic: true, .. } | Spread::LogUniform(..) => logarithmic(random.share()),
+                Spread::Polar(..) => short(polar_at(random.share(), ends), ends),
+                Spread::Normal(..) => short(numbers[0] + numbers[1] * random_normal(&mut random), (f64::MIN, f64::MAX)),
+            }
+        };
+        let each = |attempt| self.family.vary.iter().enumerate().map(|of| one(attempt, of)).collect::<Vec<f64>>();
+        let wanted = |values: &Vec<f64>| values.iter().all(|x| x.is_finite()) && self.is_wanted(values);
+        (0..MOST_DRAWS).map(each).find(wanted)
+    }
+
     /// Where the values of a number stand in their rows.
     pub(super) fn positions(&self, number: u64) -> Vec<u64> {
         // The last of the symbols changes fastest; draws of one point of the grid follow one another.
@@ -151,7 +181,7 @@ impl Members {
         let positions = self.positions(number);
         let sequence = self.sequence.as_ref().filter(|_| attempt == 0);
         let mut drawn = 0;
-        let one = |(n, (varied, position)): (usize, (&crate::derivation::Varied, u64))| {
+        let one = |(n, (varied, position)): (usize, (&Varied, u64))| {
             let numbers = &self.numbers[n];
             let mut random = Random::new(self.family.seed, number, attempt, n as u64);
             // One share for each symbol that is drawn.
@@ -206,7 +236,7 @@ impl Members {
 
     /// Whether values satisfy the constraints, and are positive where they must be. What has no value satisfies nothing.
     pub(super) fn is_wanted(&self, values: &[f64]) -> bool {
-        let positive = |(varied, x): (&crate::derivation::Varied, &f64)| !varied.positive || *x > 0.0;
+        let positive = |(varied, x): (&Varied, &f64)| !varied.positive || *x > 0.0;
         if !self.family.vary.iter().zip(values).all(positive) {
             return false;
         }

@@ -25,6 +25,7 @@ use super::distribution::Distribution;
 use super::map::{Boundary, Scale};
 use super::member::{MOST_DRAWS, Member, Members};
 use super::parts::Joined;
+use super::separate::separations;
 use super::sums::Sums;
 use super::tally::Tally;
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
@@ -141,6 +142,11 @@ impl Families {
             }
             let scales = members.scales();
             let boundaries = troupe.boundaries(tallies, scales.as_ref(), options)?;
+            // What was not tried might separate them otherwise.
+            let separations = match stopped {
+                Some(_) => vec![None; asked.len()],
+                None => separations(derivation, members, &asked, tallies, options)?,
+            };
             let again = troupe.again(sums.kept())?;
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
@@ -151,7 +157,8 @@ impl Families {
                 }
                 let scales = scales.as_ref();
                 let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
-                let counted = Counted { size, precision, tally, scales, boundary, stopped };
+                let separation = separations[n].as_ref();
+                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation };
                 let member = |number: u64| {
                     let one: &One = again.get(&number)?;
                     Some((one.values.as_deref()?, one.verdicts.get(n)?))
