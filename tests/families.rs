@@ -425,6 +425,10 @@ fn what_separates_is_tried_on_fresh_members() {
     assert_eq!(explanation.conditions[0].id.as_deref(), Some("near"), "{of:?}");
     assert_eq!((of.right, of.wrong, of.open), (48, 0, 0));
     assert!(page.contains("it begins near"), "{page}");
+    // Fresh ones satisfy the constraints, too: between 0.5 and 2 this number would be wrong.
+    let apart = "vary = { 'x' = { uniform = [0, 4] } }\ndraws = 30\nseed = 2\nwhere = ['(x-0.5)(x-2)>0']";
+    let of = separation(apart, "", false).0.separation.expect("what separates");
+    assert_eq!((formula(&of), of.right, of.wrong, of.open), (vec!["x<1.0".to_owned()], 48, 0, 0));
     // Verdicts alone, and claims that do not fail on some and hold on others, are not asked.
     assert_eq!(separation(row, "", true).0.separation, None);
     assert_eq!(separation("vary = { 'x' = { values = [1, 1.5] } }", "", false).0.separation, None);
