@@ -408,7 +408,7 @@ fn what_separates_is_tried_on_fresh_members() {
     assert!((2.0..3.0).contains(&x) && !exception.holds, "{exception:?}");
     assert!(exception.toml.contains(&format!("'x' = {x:?}")) && page.contains(&format!("{x:?}")), "{}", exception.toml);
     // What lies between two numbers.
-    let row = "vary = { 'x' = { values = [-3, -2.5, -1, 0, 1, 2.5] } }";
+    let row = "vary = { 'x' = { values = [-3, -2.5, -1, 0, 1, 2.5, 3] } }";
     let claim = "\n[[claim]]\nid = 'd'\nsays = 's'\ntrajectories = []\nfamilies = ['f']\nalways = ['|x|<2']\n";
     let text = format!("{HEAD}\n[[family]]\nid = 'f'\nof = 'a'\n{row}\n{claim}");
     let mut derivation = parse(Source { path: "t.toml".into(), text }, "t").expect("no problems");

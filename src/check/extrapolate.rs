@@ -28,10 +28,10 @@ const SHRINKS: f64 = 0.55;
 const SETTLES: f64 = 0.3;
 const STEADY: f64 = 0.01;
 
-/// How many times the unsteadiness of the ratios is the least share of what is extrapolated that counts as error. With 16, of 30,000
-/// random series of powers, roots, logarithms and sines the estimate was off by more than its error in 1 of 200, most of these with
-/// logarithms.
-const DOUBT: f64 = 16.0;
+/// How many times the unsteadiness of the ratios is the least share of what is extrapolated that counts as error. A comparison wants
+/// two sides to be ten errors apart. Of 50,000 random series of powers, roots, logarithms and sines that were not refused, 40 had a
+/// limit further than that from the estimate, all but one with logarithms.
+const DOUBT: f64 = 2.0;
 
 /// A value whose error says nothing of it.
 fn is_known(x: &Bounded) -> bool {

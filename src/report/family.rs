@@ -149,7 +149,7 @@ fn separation(found: &FamilySeparation) -> String {
         }
     };
     format!(
-        "it holds just where {}, as {} say on which it holds and {fails} on which it fails{fresh}",
+        "it holds just where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
         explanation_in_words(explanation),
         count(holds, "member"),
     )

@@ -9,7 +9,7 @@
 //! (`separation`). A condition of the file comes first; then that one value that varies lies above or below a number; then
 //! conditions that are built from the symbols; then that it lies between two numbers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::account::{ClaimAccount, PairAccount};
 use super::super::memory::Recall;
@@ -49,6 +49,17 @@ pub struct FamilySeparation {
     pub open: usize,
     /// The first on which it is wrong.
     pub exception: Option<Exception>,
+}
+
+/// The most numbers that are looked at for members.
+const LOOKED_AT: u64 = 4096;
+
+/// The fewest members that say that a value lies between two numbers.
+const FEWEST: usize = 3;
+
+/// At most `most` of the numbers below `size`, spread evenly.
+fn spread(size: u64, most: u64) -> Vec<u64> {
+    (0..size.min(most)).map(|i| if size <= most { i } else { i * (size - 1) / (most - 1) }).collect()
 }
 
 /// A member that is tried as a trajectory: its values, and its id.
@@ -174,6 +185,11 @@ fn thresholds(of: &[(&[f64], bool)], varied: usize) -> Option<(Vec<Threshold>, J
         return None;
     }
     let one = |w: &&[(f64, bool)]| Some(Threshold { varied, number: between(w[0].0, w[1].0)?, above: w[1].1 });
+    // Any few could be fenced in by chance.
+    let inside = row.iter().filter(|(_, holds)| *holds != row[0].1).count();
+    if changes.len() == 2 && inside < FEWEST {
+        return None;
+    }
     let found: Option<Vec<Threshold>> = changes.iter().map(one).collect();
     // Between two numbers, or outside of them.
     let join = if changes[0][1].1 { Join::And } else { Join::Or };
@@ -238,13 +254,16 @@ pub(super) fn separations(
     }
     let family = &members.family;
     let size = family.size();
-    let spread = |i: u64| 1 + if size <= MOST { i } else { i * (size - 1) / (MOST - 1) };
-    let mut numbers: BTreeSet<u64> = (0..size.min(MOST)).map(spread).collect();
-    numbers.extend(split.iter().flat_map(|&n| tallies[n].kept()));
-    let found = numbers.into_iter().filter_map(|number| match members.member(number) {
+    // Of those that satisfy the constraints.
+    let member = |number: u64| match members.member(number) {
         Member::Found(values, _) => Some((number, values)),
         Member::Rejected | Member::TooRare => None,
-    });
+    };
+    let some: Vec<(u64, Vec<f64>)> = spread(size, LOOKED_AT).into_iter().map(|i| i + 1).filter_map(member).collect();
+    let mut found: BTreeMap<u64, Vec<f64>> =
+        spread(some.len() as u64, MOST).into_iter().filter_map(|i| some.get(i as usize).cloned()).collect();
+    found.extend(split.iter().flat_map(|&n| tallies[n].kept()).filter_map(member));
+    let found = found.into_iter();
     let Some((mut of_members, tried)) = with_members(derivation, members, found) else { return Ok(out) };
     let ids = || split.iter().map(|&n| asked[n].id.clone()).collect::<BTreeSet<String>>();
     let Some(accounts) = try_on(&mut of_members, ids(), &tried, true, options)? else { return Ok(out) };
@@ -328,6 +347,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_are_spread_from_the_first_to_the_last() {
+        assert_eq!(spread(3, 48), [0, 1, 2]);
+        assert_eq!(spread(0, 48), [0; 0]);
+        let of = spread(1_000_000_000, 48);
+        assert!(of.len() == 48 && of[0] == 0 && of[47] == 999_999_999 && of.windows(2).all(|w| w[0] < w[1]));
+    }
+
+    #[test]
     fn a_number_between_has_few_digits() {
         assert_eq!(between(2.9, 3.01), Some(3.0));
         assert_eq!(between(0.1, 0.2), Some(0.15));
@@ -351,8 +378,9 @@ mod tests {
         };
         assert_eq!(of(&[true, true, false]), Some(1));
         assert_eq!(of(&[false, true, true]), Some(1));
-        assert_eq!(of(&[false, true, false]), Some(2));
-        assert_eq!(of(&[true, false, false, true]), Some(2));
+        assert_eq!(of(&[false, true, true, true, false]), Some(2));
+        assert_eq!(of(&[true, false, false, false, true]), Some(2));
+        assert_eq!(of(&[true, false, false, true, true, true]), None, "two are too few");
         assert_eq!(of(&[true, false, true, false]), None);
     }
 
