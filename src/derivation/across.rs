@@ -98,17 +98,17 @@ impl Loader<'_> {
         table: &Table<'_, '_>,
         kind: FormKind,
     ) -> (Option<Written<Expr>>, Option<Written<Tensor>>) {
-        match kind {
-            FormKind::Extremum => (self.place(table, "at", &claim.scope), None),
-            FormKind::Limit => {
-                let point = match end(table) {
-                    End::Number => self.place(table, "tends-to", &claim.scope),
-                    End::Infinity | End::MinusInfinity => None,
-                };
-                (point, self.limit(claim, table))
-            }
-            _ => (None, None),
+        if kind == FormKind::Extremum {
+            return (self.place(table, "at", &claim.scope), None);
         }
+        if kind != FormKind::Limit {
+            return (None, None);
+        }
+        let point = match end(table) {
+            End::Number => self.place(table, "tends-to", &claim.scope),
+            End::Infinity | End::MinusInfinity => None,
+        };
+        (point, self.limit(claim, table))
     }
 
     /// A number at which something is.

@@ -26,12 +26,13 @@ mod sweep;
 mod tally;
 mod troupe;
 
-pub use account::{ExtremeAccount, FailingShare, FamilyAccount, MeasureAccount, MemberAccount};
+pub use account::{
+    Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilySeparation, MeasureAccount, MemberAccount,
+};
 pub use confidence::{CONFIDENCE, failing_share};
 pub use distribution::{Distribution, SHARES};
 pub use map::{Axis, Boundary, Crossing, FamilyMap};
 pub use parts::{Join, Joined, MOST_PARTS, Part, PartFault, Swept, SweptClaim, SweptMeasure};
-pub use separate::{Exception, FamilySeparation};
 pub use sweep::sweep;
 pub use tally::{Counts, Ranked, Tally};
 pub(super) use troupe::Families;

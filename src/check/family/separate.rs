@@ -15,6 +15,7 @@ use super::super::account::{ClaimAccount, PairAccount};
 use super::super::memory::Recall;
 use super::super::separation::{self, ConditionName, Explanation, Join};
 use super::super::{CheckError, Options, check_and};
+use super::account::{Exception, FamilySeparation};
 use super::member::{Member, Members};
 use super::tally::Tally;
 use crate::derivation::{Claim, Derivation, Form};
@@ -22,34 +23,6 @@ use crate::verdict::Outcome;
 
 /// The most members on which a condition is looked for, and the most fresh ones.
 const MOST: u64 = 48;
-
-/// A fresh member on which a condition says something else than what is so.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Exception {
-    /// What varies, in LaTeX, with its values.
-    pub values: Vec<(String, f64)>,
-    /// Whether the claim holds on it.
-    pub holds: bool,
-    /// It as a `[[trajectory]]` of a derivation file.
-    pub toml: String,
-}
-
-/// What separates the members on which a claim holds from those on which it fails.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FamilySeparation {
-    /// The simplest condition that was found; `None` where none of those that were tried separates them.
-    pub explanation: Option<Explanation>,
-    /// On how many of the members that were looked at it holds, and on how many it fails.
-    pub sides: (usize, usize),
-    /// On how many fresh members the condition is met just where the claim holds.
-    pub right: usize,
-    /// On how many it is met where the claim fails, or the other way round.
-    pub wrong: usize,
-    /// On how many one of the two is undecided, or does not apply.
-    pub open: usize,
-    /// The first on which it is wrong.
-    pub exception: Option<Exception>,
-}
 
 /// The most numbers that are looked at for members.
 const LOOKED_AT: u64 = 4096;
