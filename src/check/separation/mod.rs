@@ -33,9 +33,6 @@ use assumptions::Dropped;
 use candidates::Candidate;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What the ids of claims begin with that are made here: no id of a file can.
-const PROBE: char = '~';
-
 /// How a condition stands on every trajectory that was tried: met throughout, not met, or undecided.
 type Truth = Vec<Option<bool>>;
 
