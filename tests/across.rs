@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use rederive::check::{Account, FamilyAccount, Options, check};
+use rederive::check::{Account, CheckError, FamilyAccount, Options, check};
 use rederive::derivation::{load, parse};
 use rederive::diag::{Source, render};
 use rederive::report;
@@ -48,6 +48,17 @@ fn verdicts_are_as_expected_and_members_are_counted() {
     assert_eq!(counts("never-there"), (12, 0, 0, 12, 0));
     // What differs by less than its error is in no order.
     assert_eq!(counts("no-order"), (12, 0, 0, 4, 8));
+    // All members are compared with a motion at 45°, which is none of them; and each with another beside it.
+    assert_eq!(counts("farthest"), (7, 7, 0, 0, 0));
+    // The motion at 0.79 flies farther: that is seen from the three members below. The member at 0.8 has no side.
+    assert_eq!(counts("farthest-elsewhere"), (7, 3, 3, 1, 0));
+    assert_eq!(counts("fastest-when-small"), (5, 4, 0, 1, 0));
+    assert_eq!(counts("extremum-of-no-member"), (8, 0, 0, 8, 0));
+    // -7 does not tend to infinity, 3 and 10 not to minus infinity; of two values of A.
+    assert_eq!(counts("far-away"), (6, 4, 0, 2, 0));
+    assert_eq!(counts("far-below"), (6, 2, 0, 4, 0));
+    assert_eq!(counts("even-at-zero"), (8, 6, 0, 2, 0));
+    assert_eq!(counts("not-allowed"), (2, 0, 0, 2, 0));
 }
 
 #[test]
@@ -107,6 +118,46 @@ fn what_has_no_meaning_is_refused() {
             "families = ['drawn']\nmonotone = { of = 'k', with = 'x', direction = 'increasing' }".to_owned(),
             "draws `x`, so that no value follows another",
         ),
+        (format!("{springs}\nextremum = {{ of = 'k', with = 'x', at = 1, to = 0.1 }}"), "needs `kind`"),
+        (
+            format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'largest', at = 1, to = 0.1 }}"),
+            "there is no kind `largest`",
+        ),
+        (format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'maximum', to = 0.1 }}"), "needs `at`"),
+        (format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'maximum', at = 1 }}"), "needs `to`"),
+        (
+            format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'maximum', at = 1, to = -1 }}"),
+            "`to` lies above 0",
+        ),
+        (
+            format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'maximum', at = 'k', to = 1 }}"),
+            "is a number, `k` is none",
+        ),
+        (
+            format!("{springs}\nextremum = {{ of = 'k', with = 'x', kind = 'maximum', at = [1], to = 1 }}"),
+            "a number is needed",
+        ),
+        (format!("{springs}\nlimit = {{ of = 'k', with = 'x', value = 0, to = 1 }}"), "needs `tends-to`"),
+        (format!("{springs}\nlimit = {{ of = 'k', with = 'x', tends-to = 0, to = 1 }}"), "needs `value`"),
+        (format!("{springs}\nlimit = {{ of = 'k', with = 'x', tends-to = 0, value = 0 }}"), "needs `to`"),
+        (
+            format!("{springs}\nlimit = {{ of = 'k', with = 'x', tends-to = 0, value = 0, to = 0 }}"),
+            "`to` lies above 0",
+        ),
+        (
+            format!("{springs}\nlimit = {{ of = 'E(0)', with = 'x', tends-to = 0, value = 'kx(0)', to = 1 }}"),
+            "no problem",
+        ),
+        (
+            format!("{springs}\nlimit = {{ of = 'E(0)', with = 'k', tends-to = 0, value = 'k', to = 1 }}"),
+            "the limit is one number, and `k` tends to something itself",
+        ),
+        (format!("{springs}\nlimit = {{ of = 'E(0)', with = 'x', tends-to = 0, value = 'E', to = 1 }}"), "this moves"),
+        (
+            format!("{springs}\nlimit = {{ of = 'k', with = 'x', tends-to = '\\infty+1', value = 0, to = 1 }}"),
+            "\\infty",
+        ),
+        (format!("{springs}\nlimit = {{ of = 'k', with = 'x', tends-to = 'zero', value = 0, to = 1 }}"), "tends-to"),
         ("ranges = { 'x' = [0, 1] }\nindependent-of = { of = 'k', with = 'x' }".to_owned(), "over ranges"),
     ];
     for (claim, expected) in cases {
@@ -119,13 +170,67 @@ fn what_has_no_meaning_is_refused() {
 fn every_report_says_what_is_compared() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml");
     let mut derivation = load(&path).unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let options = Options { plain: true, claims: vec!["square".to_owned(), "grows".to_owned()], ..Options::default() };
+    let options = Options {
+        plain: true,
+        claims: ["square", "grows", "farthest", "small-swings"].map(str::to_owned).to_vec(),
+        ..Options::default()
+    };
     let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
     for report in [report::markdown, report::page, report::tex] {
         let text = report(&derivation, &account);
         let words = text.contains("Scales as a power of") && text.contains("whose exponent is 2 to within 0.01");
+        assert!(text.contains("Is largest at") && text.contains("to within 0.01"), "{text}");
+        assert!(text.contains("Tends to") && text.contains("by extrapolation"), "{text}");
         assert!(words && text.contains("Grows with") && !text.contains("The motion is that of"), "{text}");
     }
     let text = report::explain(&derivation, &account, &["square".to_owned()], false);
     assert!(text.contains("Scales as a power of x, whose exponent is 2 to within 0.01"), "{text}");
+}
+
+#[test]
+fn an_extremum_outside_of_the_family_is_refused() {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml"));
+    let text = text.expect("the corpus");
+    for (old, new, expected) in [
+        ("at = 0.79, to", "at = 1.5, to", "the family `throws` varies `\\alpha` from 0.2 to 1.4"),
+        ("at = 0.79, to", "at = '\\sqrt{-1}', to", "is no real number"),
+        ("tends-to = 0, value = '2\\pi',", "tends-to = '\\frac10', value = '2\\pi',", ""),
+    ] {
+        let text = text.replace(old, new);
+        let source = Source { path: "t.toml".into(), text };
+        let found = match parse(source, "t") {
+            Err(found) => render(&found, false),
+            Ok(mut derivation) => match check(&mut derivation, &Options::default(), &|_, _| {}) {
+                Err(CheckError::Problems(found)) => render(&found, false),
+                other => panic!("{new}: {other:?}"),
+            },
+        };
+        assert!(found.contains(expected) && found.contains("t.toml:"), "{new}\n{found}");
+    }
+}
+
+#[test]
+#[expect(clippy::disallowed_methods, reason = "what is expected is compared with room for how a platform rounds")]
+fn the_witness_of_an_extremum_flies_farther_and_that_of_a_limit_is_estimated() {
+    let account = account();
+    let found = on(&account, "farthest-elsewhere");
+    let first = found.first_failing.as_ref().expect("it fails");
+    assert_eq!(first.number, 1);
+    let witness = first.verdict.evidence().witness.as_ref().expect("a witness");
+    let value = |n: usize| witness.values[n].1;
+    // The motion beside the place, and the one at the place: sin 2α.
+    assert!((value(0) - 0.79).abs() < 1e-12 && value(1) == 0.8, "{:?}", witness.values);
+    for n in [0, 1] {
+        assert!((value(n + 2) - (2.0 * value(n)).sin()).abs() < 1e-9, "{:?}", witness.values);
+    }
+    assert!(value(2) > value(3));
+    let found = on(&account, "small-swings-are-slower");
+    let witness = found.first_failing.as_ref().and_then(|f| f.verdict.evidence().witness.clone()).expect("a witness");
+    let names: Vec<&str> = witness.values.iter().map(|(name, _)| name.as_str()).collect();
+    let expected = ["x", "x of the last of the sequence", "t", "t of the last of the sequence", "estimated limit of t"];
+    assert_eq!(names, expected);
+    let value = |n: usize| witness.values[n].1;
+    assert_eq!(value(1), value(0) / 1024.0);
+    assert!((value(4) - 2.0 * std::f64::consts::PI).abs() < 1e-8, "{}", value(4));
+    assert!((witness.left - 1e-6).abs() < 1e-8 && witness.right == 1e-7, "{witness:?}");
 }

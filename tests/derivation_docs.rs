@@ -56,7 +56,7 @@ fn the_example_is_a_derivation_file() {
     let source = Source { path: "docs/derivation-file.md".into(), text: example() };
     let derivation = parse(source, "pendulum").unwrap_or_else(|found| panic!("{}", render(&found, false)));
     assert_eq!(derivation.trajectories.len(), 4);
-    assert_eq!(derivation.claims.len(), 23);
+    assert_eq!(derivation.claims.len(), 25);
 }
 
 #[test]

@@ -371,3 +371,65 @@ fn the_same_bytes_with_one_and_two_threads() {
     let text = value.to_string();
     assert!(text.contains("\"first_failing\"") && text.contains("\"failing_share\""), "{}", text.len());
 }
+
+/// What separates the members of a family of springs that begin at rest, on which `x<2` is claimed: it fails from x = 2 on.
+fn separation(vary: &str, more: &str, plain: bool) -> (FamilyAccount, String) {
+    let family = format!("\n[[family]]\nid = 'f'\nof = 'a'\n{vary}\n");
+    let claim = CLAIM.replace("says = 's'", "says = 's'\ntrajectories = []");
+    let text = format!("{HEAD}{family}{claim}{more}");
+    let mut derivation =
+        parse(Source { path: "t.toml".into(), text }, "t").unwrap_or_else(|e| panic!("{}", render(&e, false)));
+    let options = Options { plain, ..Options::default() };
+    let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let page = rederive::report::markdown(&derivation, &account);
+    (on(&account, "c", "f").clone(), page)
+}
+
+#[test]
+fn what_separates_is_tried_on_fresh_members() {
+    let formula = |of: &rederive::check::family::FamilySeparation| {
+        let explanation = of.explanation.as_ref().expect("a condition");
+        explanation.conditions.iter().map(|c| c.formula.clone()).collect::<Vec<_>>()
+    };
+    // Nine members below 2, and seven above.
+    let row = "vary = { 'x' = { from = 0.3, to = 3.3, count = 16 } }";
+    let (found, page) = separation(row, "", false);
+    let of = found.separation.as_ref().expect("what separates");
+    assert_eq!((formula(of), of.sides), (vec!["x<2.0".to_owned()], (9, 7)));
+    assert_eq!((of.right, of.wrong, of.open, &of.exception), (48, 0, 0, &None));
+    assert!(page.contains("48 fresh members, which were not used to find that, it tells 48 right, 0 wrong"), "{page}");
+    // By chance: two members say that it lies in the middle between them, and fresh ones that it does not.
+    let (found, page) = separation("vary = { 'x' = { values = [1, 5] } }", "", false);
+    let of = found.separation.as_ref().expect("what separates");
+    assert_eq!((formula(of), of.sides), (vec!["x<3.0".to_owned()], (1, 1)));
+    assert!(of.right + of.wrong == 48 && (3..30).contains(&of.wrong), "{of:?}");
+    let exception = of.exception.as_ref().expect("a member");
+    let x = exception.values[0].1;
+    assert!((2.0..3.0).contains(&x) && !exception.holds, "{exception:?}");
+    assert!(exception.toml.contains(&format!("'x' = {x:?}")) && page.contains(&format!("{x:?}")), "{}", exception.toml);
+    // What lies between two numbers.
+    let row = "vary = { 'x' = { values = [-3, -2.5, -1, 0, 1, 2.5, 3] } }";
+    let claim = "\n[[claim]]\nid = 'd'\nsays = 's'\ntrajectories = []\nfamilies = ['f']\nalways = ['|x|<2']\n";
+    let text = format!("{HEAD}\n[[family]]\nid = 'f'\nof = 'a'\n{row}\n{claim}");
+    let mut derivation = parse(Source { path: "t.toml".into(), text }, "t").expect("no problems");
+    let account = check(&mut derivation, &Options::default(), &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+    let of = on(&account, "d", "f").separation.clone().expect("what separates");
+    assert_eq!(formula(&of), ["x>-2.0", "x<2.0"], "{of:?}");
+    // With the constraints of the family, and a condition of the file, which comes first.
+    let drawn =
+        "vary = { 'x' = { uniform = [0, 4] }, 'k' = { uniform = [1, 2] } }\ndraws = 30\nseed = 2\nwhere = ['x>k']";
+    let condition = "\n[[condition]]\nid = 'near'\nsays = 'it begins near'\nholds = ['x(0)^2<4']\n";
+    let (found, page) = separation(drawn, condition, false);
+    let of = found.separation.as_ref().expect("what separates");
+    let explanation = of.explanation.as_ref().expect("a condition");
+    assert_eq!(explanation.conditions[0].id.as_deref(), Some("near"), "{of:?}");
+    assert_eq!((of.right, of.wrong, of.open), (48, 0, 0));
+    assert!(page.contains("it begins near"), "{page}");
+    // Fresh ones satisfy the constraints, too: between 0.5 and 2 this number would be wrong.
+    let apart = "vary = { 'x' = { uniform = [0, 4] } }\ndraws = 30\nseed = 2\nwhere = ['(x-0.5)(x-2)>0']";
+    let of = separation(apart, "", false).0.separation.expect("what separates");
+    assert_eq!((formula(&of), of.right, of.wrong, of.open), (vec!["x<1.0".to_owned()], 48, 0, 0));
+    // Verdicts alone, and claims that do not fail on some and hold on others, are not asked.
+    assert_eq!(separation(row, "", true).0.separation, None);
+    assert_eq!(separation("vary = { 'x' = { values = [1, 1.5] } }", "", false).0.separation, None);
+}

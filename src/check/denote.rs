@@ -455,7 +455,8 @@ impl Denotation<'_> {
                 Form::Across(across) => {
                     let mut group = self.values(&across.of, sign, str::to_owned, false);
                     let zero = self.graph.integer(0);
-                    group.comparisons.iter_mut().for_each(|c| c.right = zero);
+                    let limit = across.value.as_ref().and_then(|w| w.value.as_scalar()).unwrap_or(zero);
+                    group.comparisons.iter_mut().for_each(|c| c.right = limit);
                     says.push(self.part(What::Across, group));
                 }
                 // Over ranges of values, and not along motions.

@@ -25,6 +25,8 @@ mod denote;
 mod describe;
 mod doubt;
 mod enclose;
+mod error;
+mod extrapolate;
 pub mod family;
 mod follow;
 mod independence;
@@ -67,6 +69,7 @@ pub use account::{
 };
 pub use cache::Cache;
 pub use enclose::Rigor;
+pub use error::CheckError;
 use family::Joined;
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Certificate, Cofactor, Origin};
@@ -83,8 +86,8 @@ pub use verdict::{
     Verdict, Witness,
 };
 
-use crate::diag::Diagnostic;
 use derivation::{Claim, Derivation, Premise};
+use error::CANCELLED;
 use expr::Rational;
 use family::Families;
 use flow::Motion;
@@ -114,18 +117,6 @@ pub struct Options {
     /// When the run must end.
     pub limits: Limits,
 }
-
-/// Why a check could not be made.
-#[derive(Clone, Debug, PartialEq)]
-pub enum CheckError {
-    /// Problems in the derivation file.
-    Problems(Vec<Diagnostic>),
-    /// The program contradicts itself: a defect to be reported.
-    Defect(String),
-}
-
-/// What a run ends with once its flag is raised: nobody sees it who raised the flag.
-const CANCELLED: &str = "the run was cancelled";
 
 /// A claim with everything that is compiled for it.
 struct Prepared<'a> {

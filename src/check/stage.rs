@@ -177,8 +177,11 @@ fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usiz
     };
     let mut needed: Vec<bool> = (0..count).map(|t| requests.tried.contains(&t)).collect();
     for form in requests.claims.iter().flat_map(|c| &c.forms) {
-        if let Form::SameMotion { other, .. } | Form::Across(Across { other: Some(other), .. }) = form {
+        if let Form::SameMotion { other, .. } = form {
             needed[*other] = true;
+        }
+        if let Form::Across(Across { others, .. }) = form {
+            others.iter().for_each(|other| needed[*other] = true);
         }
     }
     for t in 0..count {

@@ -30,6 +30,8 @@ pub(super) const FORMS: &[FormKind] = &[
     FormKind::IndependentOf,
     FormKind::ScalesAs,
     FormKind::Monotone,
+    FormKind::Extremum,
+    FormKind::Limit,
 ];
 
 fn has_forms(table: &Table<'_, '_>) -> bool {
@@ -312,7 +314,11 @@ impl Loader<'_> {
                 FormKind::SameMotion => self.same_motion(claim, table),
                 FormKind::Independent => self.independent(claim, table),
                 FormKind::Exists => self.exists(claim, table),
-                FormKind::IndependentOf | FormKind::ScalesAs | FormKind::Monotone => self.across(claim, table, kind),
+                FormKind::IndependentOf
+                | FormKind::ScalesAs
+                | FormKind::Monotone
+                | FormKind::Extremum
+                | FormKind::Limit => self.across(claim, table, kind),
             }
             let said = claim.forms.iter().any(|f| f.kind() == kind);
             if !said && self.problems.found.len() == before {

@@ -16,13 +16,38 @@ pub enum Dependence {
         /// How far it may be off.
         to: f64,
     },
+    /// At a value of what varies it is larger, or smaller, than at all values that are far enough from that one.
+    Extremum {
+        /// Whether it is larger there.
+        maximum: bool,
+        /// From which distance on.
+        to: f64,
+    },
+    /// It tends to a value.
+    Limit {
+        /// What the symbol tends to.
+        end: End,
+        /// How far the limit may be off.
+        to: f64,
+    },
+}
+
+/// What a symbol tends to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// A number.
+    Number,
+    /// It grows without bound.
+    Infinity,
+    /// It falls without bound.
+    MinusInfinity,
 }
 
 impl Dependence {
     /// Whether neighbours are compared, so that values must follow one another.
     pub fn is_of_neighbours(self) -> bool {
         match self {
-            Dependence::Independent => false,
+            Dependence::Independent | Dependence::Extremum { .. } | Dependence::Limit { .. } => false,
             Dependence::Increasing | Dependence::Decreasing | Dependence::Power { .. } => true,
         }
     }
@@ -37,4 +62,10 @@ pub enum NoOther {
     Last,
     /// So many did not satisfy the constraints that the search was ended.
     TooRare,
+    /// The motion that it would be compared with does not satisfy the constraints.
+    Rejected,
+    /// It lies nearer to the place of the extremum than what the claim speaks of.
+    Near,
+    /// It lies where the symbol tends to, or beyond.
+    Beyond,
 }

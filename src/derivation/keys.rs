@@ -84,6 +84,8 @@ pub const READING: &[&str] = &[
     "independent-of",
     "scales-as",
     "monotone",
+    "extremum",
+    "limit",
     "domain",
     "ranges",
     "at",
@@ -106,6 +108,10 @@ pub const INDEPENDENT_OF: &[&str] = &["of", "with"];
 pub const SCALES_AS: &[&str] = &["of", "with", "power", "to"];
 /// Keys of `monotone`.
 pub const MONOTONE: &[&str] = &["of", "with", "direction"];
+/// Keys of `extremum`.
+pub const EXTREMUM: &[&str] = &["of", "with", "kind", "at", "to"];
+/// Keys of `limit`.
+pub const LIMIT: &[&str] = &["of", "with", "tends-to", "value", "to"];
 /// Keys of `expect`: the verdicts.
 pub const EXPECT: &[&str] = &["holds", "fails", "not-applicable", "undecided"];
 /// Keys of `[[measure]]`.
@@ -135,6 +141,8 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("independent-of", INDEPENDENT_OF),
     ("scales-as", SCALES_AS),
     ("monotone", MONOTONE),
+    ("extremum", EXTREMUM),
+    ("limit", LIMIT),
     ("expect", EXPECT),
     ("[[measure]]", MEASURE),
     ("[[condition]]", CONDITION),

@@ -41,7 +41,7 @@ mod unit;
 mod values;
 
 pub use claims::DEFAULT_PRECISION;
-pub use dependence::{Dependence, NoOther};
+pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
 pub use load::{LARGEST_FILE, load, parse};

@@ -290,6 +290,10 @@ pub enum FormKind {
     ScalesAs,
     /// It grows with the symbol, or falls.
     Monotone,
+    /// It is largest, or smallest, at a value of the symbol.
+    Extremum,
+    /// It tends to a value as the symbol does.
+    Limit,
 }
 
 impl FormKind {
@@ -308,6 +312,8 @@ impl FormKind {
             FormKind::IndependentOf => "independent-of",
             FormKind::ScalesAs => "scales-as",
             FormKind::Monotone => "monotone",
+            FormKind::Extremum => "extremum",
+            FormKind::Limit => "limit",
         }
     }
 }
@@ -377,10 +383,14 @@ pub struct Across {
     pub name: String,
     /// How the quantity depends on it.
     pub dependence: Dependence,
-    /// Where a member is tried: the trajectory that it is compared with, by its position.
-    pub other: Option<usize>,
-    /// Where a member is tried: its value of what varies, and that of the other; or why there is none.
-    pub values: Result<(f64, f64), NoOther>,
+    /// Where the extremum lies, or what the symbol tends to: an expression without leaves; nothing where there is no such number.
+    pub point: Option<Written<Expr>>,
+    /// The limit.
+    pub value: Option<Written<Tensor>>,
+    /// Where a member is tried: the trajectories that it is compared with, by their positions.
+    pub others: Vec<usize>,
+    /// Where a member is tried: its value of what varies, and those of the others; or why there is none.
+    pub values: Result<Vec<f64>, NoOther>,
 }
 
 /// One component of a symbol, and the values that it has in a claim over ranges.
@@ -458,6 +468,8 @@ impl Form {
                 Dependence::Independent => FormKind::IndependentOf,
                 Dependence::Increasing | Dependence::Decreasing => FormKind::Monotone,
                 Dependence::Power { .. } => FormKind::ScalesAs,
+                Dependence::Extremum { .. } => FormKind::Extremum,
+                Dependence::Limit { .. } => FormKind::Limit,
             },
         }
     }

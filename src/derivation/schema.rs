@@ -177,6 +177,10 @@ fn describe(table: &str, key: &str) -> Option<Value> {
             }
             "scales-as" => part("scales-as", "A quantity is a power of a symbol that a family varies"),
             "monotone" => part("monotone", "A quantity grows, or falls, with a symbol that a family varies"),
+            "extremum" => {
+                part("extremum", "A quantity is largest, or smallest, at a value of a symbol that a family varies")
+            }
+            "limit" => part("limit", "A quantity tends to a value as a symbol that a family varies tends to one"),
             "domain" => text("The claim is about the values of this domain: its id"),
             "ranges" => values(
                 "The claim is about all these values, and no motion: [from, to] for a range, one number or formula for a fixed value",
@@ -200,14 +204,34 @@ fn describe(table: &str, key: &str) -> Option<Value> {
         ("[[claim]]", "reading") => many("reading", "The ways in which the claim can be understood"),
         ("same-motion", "as") => text("The id of the other trajectory"),
         ("same-motion", "of") => ids("The states that are compared"),
-        ("independent-of" | "scales-as" | "monotone", "of") => formula("The quantity, one number of each member"),
-        ("independent-of" | "scales-as" | "monotone", "with") => text("The symbol that the family varies"),
+        ("independent-of" | "scales-as" | "monotone" | "extremum" | "limit", "of") => {
+            formula("The quantity, one number of each member")
+        }
+        ("independent-of" | "scales-as" | "monotone" | "extremum" | "limit", "with") => {
+            text("The symbol that the family varies")
+        }
         ("scales-as", "power") => json!({ "type": "number", "description": "The slope of the logarithms" }),
         ("scales-as", "to") => json!({
             "type": "number", "exclusiveMinimum": 0, "description": "How far the slope may be off",
         }),
         ("monotone", "direction") => json!({
             "enum": ["increasing", "decreasing"], "description": "With larger values of the symbol the quantity is larger, or smaller",
+        }),
+        ("extremum", "kind") => {
+            json!({ "enum": ["maximum", "minimum"], "description": "Whether it is largest or smallest" })
+        }
+        ("extremum", "at") => {
+            json!({ "$ref": "#/definitions/value", "description": "The value of the symbol at which it is" })
+        }
+        ("extremum", "to") => json!({
+            "type": "number", "exclusiveMinimum": 0, "description": "From which distance on other values of the symbol are compared",
+        }),
+        ("limit", "tends-to") => json!({
+            "$ref": "#/definitions/value", "description": "What the symbol tends to: a number, '\\infty' or '-\\infty'",
+        }),
+        ("limit", "value") => json!({ "$ref": "#/definitions/value", "description": "The limit" }),
+        ("limit", "to") => json!({
+            "type": "number", "exclusiveMinimum": 0, "description": "How far the limit may be off",
         }),
         ("independent", "functions") => formulas("The functions"),
         ("independent", "subject-to") => formulas("Equations that hold between the states anyway"),
@@ -291,6 +315,8 @@ const TABLES: &[&str] = &[
     "independent-of",
     "scales-as",
     "monotone",
+    "extremum",
+    "limit",
     "expect",
     "[[measure]]",
     "[[condition]]",
@@ -351,6 +377,8 @@ pub fn schema() -> Value {
         "independent-of": object(&["independent-of"], &["of", "with"]),
         "scales-as": object(&["scales-as"], &["of", "with", "power", "to"]),
         "monotone": object(&["monotone"], &["of", "with", "direction"]),
+        "extremum": object(&["extremum"], &["of", "with", "kind", "at", "to"]),
+        "limit": object(&["limit"], &["of", "with", "tends-to", "value", "to"]),
         "exists": object(&["exists"], &["unknowns", "such-that"]),
         "expect": { "anyOf": [{ "enum": keys::EXPECT }, expect] },
         "measure": object(&["[[measure]]"], &["id", "says", "formula"]),

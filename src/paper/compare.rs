@@ -267,7 +267,10 @@ fn written(claim: &Claim) -> Vec<(&str, Range<usize>)> {
                 out.extend(functions.iter().map(|w| (w.text.as_str(), w.span.clone())));
             }
             Form::Exists { such_that, .. } => out.extend(such_that.iter().map(|w| (w.text.as_str(), w.span.clone()))),
-            Form::Across(across) => out.push((across.of.text.as_str(), across.of.span.clone())),
+            Form::Across(across) => {
+                let both = std::iter::once(&across.of).chain(&across.value);
+                out.extend(both.map(|w| (w.text.as_str(), w.span.clone())));
+            }
             Form::Solves { .. } | Form::SameMotion { .. } => {}
         }
     }

@@ -27,6 +27,10 @@ const TERMINAL: Style =
     Style { formula: |f| f.to_owned(), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: false };
 const MARKDOWN: Style = Style { formula: math, id: |i| format!("`{i}`"), text: prose, in_words: true };
 
+/// For sentences that every kind of report has.
+const DOLLARS: Style =
+    Style { formula: |f| format!("${f}$"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
+
 /// For the page, which typesets what stands between backticks.
 const PAGE: Style =
     Style { formula: |f| format!("`{f}`"), id: |i| i.to_owned(), text: |t| t.to_owned(), in_words: true };
@@ -220,7 +224,12 @@ fn condition_json(c: &ConditionName) -> Value {
     json!({ "id": c.id, "formula": c.formula, "says": c.says, "negated": c.negated })
 }
 
-fn explanation_json(e: &Explanation) -> Value {
+/// An explanation in words, formulas between dollars.
+pub(super) fn explanation_in_words(e: &Explanation) -> String {
+    explanation(e, &DOLLARS)
+}
+
+pub(super) fn explanation_json(e: &Explanation) -> Value {
     json!({ "join": e.join.word(), "conditions": e.conditions.iter().map(condition_json).collect::<Vec<_>>() })
 }
 

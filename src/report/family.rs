@@ -1,9 +1,10 @@
 //! Claims on families of motions, in the words of every kind of report.
 
+use super::conditions::explanation_in_words;
 use super::numbers::{count, size, time, value};
-use crate::check::family::{FamilyMap, MeasureAccount, SHARES};
+use crate::check::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES};
 use crate::check::{FamilyAccount, MemberAccount};
-use crate::derivation::{Claim, Dependence, Event, Form, Measure};
+use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.
@@ -13,12 +14,27 @@ pub(super) fn compared(claim: &Claim) -> Option<String> {
         _ => None,
     })?;
     let with = format!("${}$", across.name);
+    let point = across.point.as_ref().map(|p| p.text.as_str()).unwrap_or_default();
+    let limit = across.value.as_ref().map(|v| v.text.as_str()).unwrap_or_default();
     let says = match across.dependence {
         Dependence::Independent => format!("Does not depend on {with}"),
         Dependence::Increasing => format!("Grows with {with}"),
         Dependence::Decreasing => format!("Falls with growing {with}"),
         Dependence::Power { power, to } => {
             format!("Scales as a power of {with}, whose exponent is {} to within {}", value(power), value(to))
+        }
+        Dependence::Extremum { maximum, to } => {
+            let kind = if maximum { "largest" } else { "smallest" };
+            format!("Is {kind} at ${}={point}$ to within {}", across.name, value(to))
+        }
+        Dependence::Limit { end, to } => {
+            let end = match end {
+                End::Number => point,
+                End::Infinity => "\\infty",
+                End::MinusInfinity => "-\\infty",
+            };
+            let name = &across.name;
+            format!("Tends to ${limit}$ as ${name}\\rightarrow{end}$, to within {} by extrapolation", value(to))
         }
     };
     let when = claim.at.as_ref().map_or("", |at| if at.occasion.count.is_some() { ", when" } else { ", when first" });
@@ -96,7 +112,47 @@ fn confidence(family: &FamilyAccount) -> Option<String> {
 
 /// What is said of a family beside its counts, each a sentence without its end; names are formulas between dollars.
 pub(super) fn remarks(family: &FamilyAccount) -> Vec<String> {
-    confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary)).collect()
+    let found = confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary));
+    found.chain(family.separation.as_ref().map(separation)).collect()
+}
+
+/// Which condition separates the members, and what it says of fresh ones: a sentence without its end; names are formulas between
+/// dollars.
+fn separation(found: &FamilySeparation) -> String {
+    let (holds, fails) = found.sides;
+    let Some(explanation) = &found.explanation else {
+        return format!(
+            "no condition of those that were tried separates {} on which it holds from {fails} on which it fails",
+            count(holds, "member")
+        );
+    };
+    let fresh = match found.right + found.wrong + found.open {
+        0 => "; there are no fresh members to try that on".to_owned(),
+        n => {
+            let open = match found.open {
+                0 => String::new(),
+                open => format!(", and {open} undecided"),
+            };
+            let wrong = match &found.exception {
+                None => String::new(),
+                Some(of) => {
+                    let values: Vec<String> = of.values.iter().map(|(name, x)| format!("${name}$ = {x:?}")).collect();
+                    let says = if of.holds { "holds" } else { "fails" };
+                    format!(": it {says} for {}", values.join(", "))
+                }
+            };
+            let of = count(n, "fresh member");
+            format!(
+                "; of {of}, which were not used to find that, it tells {} right, {} wrong{open}{wrong}",
+                found.right, found.wrong
+            )
+        }
+    };
+    format!(
+        "it holds just where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
+        explanation_in_words(explanation),
+        count(holds, "member"),
+    )
 }
 
 /// How finely the boundary on the map was found, in a sentence without its end; names are formulas between dollars.

@@ -317,7 +317,10 @@ fn written_in(form: &Form) -> Vec<(&str, Range<usize>)> {
         Form::FirstIntegral(w) | Form::Defined(w) => vec![(w.text.as_str(), w.span.clone())],
         Form::Independent { functions, .. } => functions.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
         Form::Exists { such_that, .. } => such_that.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
-        Form::Across(across) => vec![(across.of.text.as_str(), across.of.span.clone())],
+        Form::Across(across) => {
+            let both = std::iter::once(&across.of).chain(&across.value);
+            both.map(|w| (w.text.as_str(), w.span.clone())).collect()
+        }
         Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
     }
 }

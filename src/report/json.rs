@@ -7,7 +7,9 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::family::{Axis, Boundary, ExtremeAccount, FamilyMap, MeasureAccount, SHARES};
+use crate::check::family::{
+    Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES,
+};
 use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
@@ -284,7 +286,28 @@ fn on_family(family: &FamilyAccount) -> Value {
     if let Some(map) = &family.map {
         out["map"] = of_map(map);
     }
+    if let Some(found) = &family.separation {
+        out["separation"] = separation(found);
+    }
     out
+}
+
+/// What separates the members of a family.
+fn separation(of: &FamilySeparation) -> Value {
+    let exception = |e: &Exception| {
+        json!({
+            "values": e.values.iter().map(|(name, x)| (name.clone(), number(*x))).collect::<Map<String, Value>>(),
+            "holds": e.holds,
+            "trajectory": e.toml,
+        })
+    };
+    json!({
+        "explanation": of.explanation.as_ref().map(super::conditions::explanation_json),
+        "holds": of.sides.0,
+        "fails": of.sides.1,
+        "fresh": { "right": of.right, "wrong": of.wrong, "undecided": of.open },
+        "exception": of.exception.as_ref().map(exception),
+    })
 }
 
 /// An entry of `distributions`.

@@ -375,7 +375,25 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
             json!({ "type": ["number", "null"], "description": "How near the sides of an inequality come in it, against the size of their terms" }),
         ),
     ]);
-    with_optional(family, &[("map", map)])
+    let values = json!({ "type": "object", "additionalProperties": number("Value of what varies") });
+    let exception = object(&[
+        ("values", values),
+        ("holds", flag("Whether the claim holds on it")),
+        ("trajectory", text("It as a [[trajectory]] of a derivation file")),
+    ]);
+    let fresh = object(&[
+        ("right", whole("Fresh members on which the condition is met just where the claim holds")),
+        ("wrong", whole("Fresh members on which it is not so")),
+        ("undecided", whole("Fresh members on which one of the two is undecided")),
+    ]);
+    let separation = object(&[
+        ("explanation", or_null(explanation().0)),
+        ("holds", whole("Members that were looked at on which the claim holds")),
+        ("fails", whole("Members that were looked at on which it fails")),
+        ("fresh", fresh),
+        ("exception", or_null(exception)),
+    ]);
+    with_optional(family, &[("map", map), ("separation", separation)])
 }
 
 /// What one motion alone could have decided.
@@ -452,15 +470,20 @@ fn variants() -> Value {
     ])
 }
 
-/// Under which condition a claim holds, and which of its assumptions it needs.
-fn conditions() -> Value {
+/// Conditions that are put together, and one condition.
+fn explanation() -> (Value, Value) {
     let condition = object(&[
         ("id", text_or_null("Its id; null for one that was built")),
         ("formula", text("In LaTeX")),
         ("says", text_or_null("In words")),
         ("negated", flag("Whether it is its opposite")),
     ]);
-    let explanation = object(&[("join", json!({ "enum": ["and", "or"] })), ("conditions", list(condition.clone()))]);
+    (object(&[("join", json!({ "enum": ["and", "or"] })), ("conditions", list(condition.clone()))]), condition)
+}
+
+/// Under which condition a claim holds, and which of its assumptions it needs.
+fn conditions() -> Value {
+    let (explanation, condition) = explanation();
     let rival = object(&[
         ("explanation", explanation.clone()),
         ("differ_on", texts("Trajectories on which the two differ, without a verdict of the claim")),

@@ -232,9 +232,11 @@ fn claims(derivation: &Derivation, account: &Account, out: &mut String) {
                 FormKind::Defined => "Has a real value at every time",
                 FormKind::Independent => "Independent functions",
                 FormKind::Exists => "A solution exists of",
-                FormKind::IndependentOf | FormKind::ScalesAs | FormKind::Monotone => {
-                    "Compared between members of a family"
-                }
+                FormKind::IndependentOf
+                | FormKind::ScalesAs
+                | FormKind::Monotone
+                | FormKind::Extremum
+                | FormKind::Limit => "Compared between members of a family",
                 FormKind::Solves => {
                     out.push_str(&format!("The motion solves the system {}.\n\n", escaped(text)));
                     continue;

@@ -339,6 +339,15 @@ impl<'d> Checker<'d> {
         self.formula(kind, of, written.span.start, &written.text, exprs, None, expected);
     }
 
+    /// What a quantity tends to. As with values that a motion gives, a plain number may have any unit.
+    fn limit(&mut self, of: &str, (quantity, limit): (&Written<Tensor>, &Written<Tensor>), expected: bool) {
+        let plain = self.graph().leaves_within(limit.value.components.iter().copied()).is_empty();
+        let sides = quantity.value.as_scalar().zip(limit.value.as_scalar());
+        let fault = sides.filter(|_| !plain).and_then(|(l, r)| self.inference.compared(l, r));
+        let exprs = limit.value.components.clone();
+        self.formula("claim", of, limit.span.start, &limit.text, exprs, fault, expected);
+    }
+
     #[expect(clippy::too_many_arguments, reason = "a formula with its place and what was found")]
     fn formula(
         &mut self,
@@ -380,7 +389,10 @@ impl<'d> Checker<'d> {
                     Form::Exists { such_that, .. } => {
                         such_that.iter().for_each(|w| self.statement("claim", &name, w, expected));
                     }
-                    Form::Across(across) => self.expression("claim", &name, &across.of, expected),
+                    Form::Across(across) => {
+                        self.expression("claim", &name, &across.of, expected);
+                        across.value.iter().for_each(|w| self.limit(&name, (&across.of, w), expected));
+                    }
                     // The system is looked at where it stands; two motions of one state have one unit.
                     Form::Solves { .. } | Form::SameMotion { .. } => {}
                 }

@@ -8,6 +8,7 @@ use super::confidence::{CONFIDENCE, failing_share};
 use super::distribution::Distribution;
 use super::map::{Boundary, FamilyMap, Scale};
 use super::tally::{Counts, Ranked, Tally, deviation, gap};
+use crate::check::separation::Explanation;
 use crate::derivation::{Derivation, Family, Measure};
 use crate::verdict::{Evidence, Finding, Outcome, Possible, Verdict};
 
@@ -35,6 +36,34 @@ pub struct FailingShare {
     pub failures: u64,
     /// To how many of those that were drawn the claim applies, or may apply.
     pub draws: u64,
+}
+
+/// A fresh member on which a condition says something else than what is so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exception {
+    /// What varies, in LaTeX, with its values.
+    pub values: Vec<(String, f64)>,
+    /// Whether the claim holds on it.
+    pub holds: bool,
+    /// It as a `[[trajectory]]` of a derivation file.
+    pub toml: String,
+}
+
+/// What separates the members on which a claim holds from those on which it fails.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FamilySeparation {
+    /// The simplest condition that was found; `None` where none of those that were tried separates them.
+    pub explanation: Option<Explanation>,
+    /// On how many of the members that were looked at it holds, and on how many it fails.
+    pub sides: (usize, usize),
+    /// On how many fresh members the condition is met just where the claim holds.
+    pub right: usize,
+    /// On how many it is met where the claim fails, or the other way round.
+    pub wrong: usize,
+    /// On how many one of the two is undecided, or does not apply.
+    pub open: usize,
+    /// The first on which it is wrong.
+    pub exception: Option<Exception>,
 }
 
 /// One claim on one family.
@@ -68,6 +97,8 @@ pub struct FamilyAccount {
     pub stopped: Option<String>,
     /// Where it holds and where it fails, over two of the symbols that vary.
     pub map: Option<FamilyMap>,
+    /// Which condition separates the members on which it holds from those on which it fails.
+    pub separation: Option<FamilySeparation>,
 }
 
 impl FamilyAccount {
@@ -171,6 +202,8 @@ pub(super) struct Counted<'a> {
     pub boundary: Option<&'a Boundary>,
     /// Why the members that are left were not tried.
     pub stopped: Option<&'a str>,
+    /// What separates them.
+    pub separation: Option<&'a FamilySeparation>,
 }
 
 /// A member that was tried again, and turned out otherwise than it was counted.
@@ -267,6 +300,7 @@ impl Counted<'_> {
                 cells: tally.map.clone(),
                 boundary: self.boundary.cloned(),
             }),
+            separation: self.separation.cloned(),
         })
     }
 }

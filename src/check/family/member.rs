@@ -10,7 +10,7 @@ use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
 use super::draw::{Random, Sequence, exp, ln, normal_at, polar_at, random_normal};
 use super::map::Scale;
-use crate::derivation::{Derivation, Drawing, Family, NoOther, Spread};
+use crate::derivation::{Derivation, Drawing, Family, Spread, Varied};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
 use crate::number::Bounded;
@@ -22,7 +22,7 @@ pub(super) const MOST_DRAWS: u64 = 10_000;
 pub(super) struct Members {
     pub family: Family,
     /// The numbers that each spread is given by.
-    numbers: Vec<Vec<f64>>,
+    pub(super) numbers: Vec<Vec<f64>>,
     /// The points of a sequence that the draws are; nothing where they are random.
     sequence: Option<Sequence>,
     /// The links of the constraints: kinds of relations; their sides are the first outputs of the tape, in pairs.
@@ -134,8 +134,38 @@ impl Members {
         if is_member { Member::Found(values, 0) } else { Member::Rejected }
     }
 
+    /// A motion that is no member: its values lie between those of rows and lists, and are drawn as others are. The number determines it.
+    /// `None` where none is found that satisfies the constraints, or where nothing but what is a member could be.
+    pub fn fresh(&self, number: u64) -> Option<Vec<f64>> {
+        let varies = |(n, _): (usize, &Varied)| {
+            let (least, greatest) = self.range(n);
+            least < greatest
+        };
+        if !self.family.vary.iter().enumerate().any(varies) {
+            return None;
+        }
+        let one = |attempt: u64, (n, varied): (usize, &Varied)| {
+            let mut random = Random::new(self.family.seed, number, attempt, n as u64);
+            let (numbers, ends) = (&self.numbers[n], self.range(n));
+            let (from, to) = ends;
+            let even = |share: f64| short((1.0 - share) * from + share * to, ends);
+            let logarithmic = |share: f64| short(exp((1.0 - share) * ln(from) + share * ln(to)), ends);
+            match &varied.spread {
+                Spread::Values(_) | Spread::Grid { logarithmic: false, .. } | Spread::Uniform(..) => {
+                    even(random.share())
+                }
+                Spread::Grid { logarithmic: true, .. } | Spread::LogUniform(..) => logarithmic(random.share()),
+                Spread::Polar(..) => short(polar_at(random.share(), ends), ends),
+                Spread::Normal(..) => short(numbers[0] + numbers[1] * random_normal(&mut random), (f64::MIN, f64::MAX)),
+            }
+        };
+        let each = |attempt| self.family.vary.iter().enumerate().map(|of| one(attempt, of)).collect::<Vec<f64>>();
+        let wanted = |values: &Vec<f64>| values.iter().all(|x| x.is_finite()) && self.is_wanted(values);
+        (0..MOST_DRAWS).map(each).find(wanted)
+    }
+
     /// Where the values of a number stand in their rows.
-    fn positions(&self, number: u64) -> Vec<u64> {
+    pub(super) fn positions(&self, number: u64) -> Vec<u64> {
         // The last of the symbols changes fastest; draws of one point of the grid follow one another.
         let mut point = (number - 1) / self.family.draws;
         let mut positions = vec![0; self.family.vary.len()];
@@ -147,11 +177,11 @@ impl Members {
     }
 
     /// The values of a number at an attempt to draw them. The first attempt is the point of the sequence, where there is one.
-    fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
+    pub(super) fn values(&self, number: u64, attempt: u64) -> Vec<f64> {
         let positions = self.positions(number);
         let sequence = self.sequence.as_ref().filter(|_| attempt == 0);
         let mut drawn = 0;
-        let one = |(n, (varied, position)): (usize, (&crate::derivation::Varied, u64))| {
+        let one = |(n, (varied, position)): (usize, (&Varied, u64))| {
             let numbers = &self.numbers[n];
             let mut random = Random::new(self.family.seed, number, attempt, n as u64);
             // One share for each symbol that is drawn.
@@ -189,46 +219,24 @@ impl Members {
         self.family.vary.iter().zip(positions).enumerate().map(one).collect()
     }
 
-    /// The member beside one, which has another value of one symbol: the next larger value of its row that the constraints leave,
-    /// where `next`; else the first value of the row, with which all are compared, or another draw.
-    pub fn beside(&self, number: u64, values: &[f64], varied: usize, next: bool) -> Result<Vec<f64>, NoOther> {
-        let own = values[varied];
-        let with = |x: f64| {
-            let mut other = values.to_vec();
-            other[varied] = x;
-            (x.is_finite() && self.is_wanted(&other)).then_some(other)
-        };
-        let numbers = &self.numbers[varied];
-        let first = |mut of: &mut dyn Iterator<Item = f64>| {
-            let found = (&mut of).take(MOST_DRAWS as usize).find_map(with);
-            match found {
-                Some(other) if other[varied] == own => Err(NoOther::Last),
-                Some(other) => Ok(other),
-                None if of.next().is_some() => Err(NoOther::TooRare),
-                None => Err(NoOther::Last),
-            }
-        };
+    /// The least and the greatest value of a symbol that varies.
+    pub fn range(&self, varied: usize) -> (f64, f64) {
         match &self.family.vary[varied].spread {
-            Spread::Values(_) if next => {
-                let mut later: Vec<f64> = numbers.iter().copied().filter(|x| *x > own).collect();
-                later.sort_by(f64::total_cmp);
-                first(&mut later.into_iter())
-            }
-            Spread::Values(_) => first(&mut numbers.iter().copied()),
-            Spread::Grid { count, logarithmic, .. } => {
-                let begin = if next { self.positions(number)[varied] + 1 } else { 0 };
-                first(&mut (begin..*count).map(|at| on_grid((numbers[0], numbers[1]), (at, *count), *logarithmic)))
-            }
-            // Draws that no member is made of.
-            Spread::Uniform(..) | Spread::LogUniform(..) | Spread::Polar(..) | Spread::Normal(..) => {
-                first(&mut (MOST_DRAWS..).map(|attempt| self.values(number, attempt)[varied]))
+            Spread::Normal(..) => (f64::NEG_INFINITY, f64::INFINITY),
+            Spread::Values(_)
+            | Spread::Grid { .. }
+            | Spread::Uniform(..)
+            | Spread::LogUniform(..)
+            | Spread::Polar(..) => {
+                let of = self.numbers[varied].iter().copied();
+                of.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
             }
         }
     }
 
     /// Whether values satisfy the constraints, and are positive where they must be. What has no value satisfies nothing.
-    fn is_wanted(&self, values: &[f64]) -> bool {
-        let positive = |(varied, x): (&crate::derivation::Varied, &f64)| !varied.positive || *x > 0.0;
+    pub(super) fn is_wanted(&self, values: &[f64]) -> bool {
+        let positive = |(varied, x): (&Varied, &f64)| !varied.positive || *x > 0.0;
         if !self.family.vary.iter().zip(values).all(positive) {
             return false;
         }
@@ -253,14 +261,14 @@ impl Members {
 }
 
 /// The values of expressions without leaves.
-fn evaluated(derivation: &Derivation, exprs: &[Expr]) -> Vec<Option<f64>> {
+pub(super) fn evaluated(derivation: &Derivation, exprs: &[Expr]) -> Vec<Option<f64>> {
     let Ok(tape) = Tape::compile(&derivation.graph, &[], exprs) else { return vec![None; exprs.len()] };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map(|x| x.ok().map(|x| x.value)).collect()
 }
 
 /// A value of a grid; its ends are those that are given.
-fn on_grid((from, to): (f64, f64), (position, count): (u64, u64), logarithmic: bool) -> f64 {
+pub(super) fn on_grid((from, to): (f64, f64), (position, count): (u64, u64), logarithmic: bool) -> f64 {
     if position == 0 || position + 1 == count {
         return if position == 0 { from } else { to };
     }

@@ -11,6 +11,7 @@
 //! shown are made again from their numbers.
 
 mod account;
+mod beside;
 mod boundary;
 mod budget;
 mod confidence;
@@ -19,12 +20,15 @@ mod draw;
 mod map;
 mod member;
 mod parts;
+mod separate;
 mod sums;
 mod sweep;
 mod tally;
 mod troupe;
 
-pub use account::{ExtremeAccount, FailingShare, FamilyAccount, MeasureAccount, MemberAccount};
+pub use account::{
+    Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilySeparation, MeasureAccount, MemberAccount,
+};
 pub use confidence::{CONFIDENCE, failing_share};
 pub use distribution::{Distribution, SHARES};
 pub use map::{Axis, Boundary, Crossing, FamilyMap};

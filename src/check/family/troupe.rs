@@ -18,15 +18,17 @@ use super::super::stage::{Fields, Requests, Stage};
 use super::super::trial::{self, Trial};
 use super::super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, witness};
 use super::account::{Counted, MeasureAccount, Otherwise, Spreading};
+use super::beside::{Beside, compared_with};
 use super::boundary::{self, Found, Width};
 use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::distribution::Distribution;
 use super::map::{Boundary, Scale};
 use super::member::{MOST_DRAWS, Member, Members};
 use super::parts::Joined;
+use super::separate::separations;
 use super::sums::Sums;
 use super::tally::Tally;
-use crate::derivation::{Claim, Derivation, Form, Measure, Spread, Trajectory};
+use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::flow::Motion;
@@ -140,6 +142,11 @@ impl Families {
             }
             let scales = members.scales();
             let boundaries = troupe.boundaries(tallies, scales.as_ref(), options)?;
+            // What was not tried might separate them otherwise.
+            let separations = match stopped {
+                Some(_) => vec![None; asked.len()],
+                None => separations(derivation, members, &asked, tallies, options)?,
+            };
             let again = troupe.again(sums.kept())?;
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
@@ -150,7 +157,8 @@ impl Families {
                 }
                 let scales = scales.as_ref();
                 let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
-                let counted = Counted { size, precision, tally, scales, boundary, stopped };
+                let separation = separations[n].as_ref();
+                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation };
                 let member = |number: u64| {
                     let one: &One = again.get(&number)?;
                     Some((one.values.as_deref()?, one.verdicts.get(n)?))
@@ -186,8 +194,8 @@ pub(super) struct Troupe<'a> {
     start_of: Vec<usize>,
     /// The position of the member among the trajectories.
     slot: usize,
-    /// The members that it is compared with, which follow it: the position of what varies, and whether it is the next of the row.
-    beside: Vec<(usize, bool)>,
+    /// The motions that it is compared with, which follow it: the position of what varies, and which.
+    beside: Vec<(usize, Beside)>,
 }
 
 /// A member that was tried.
@@ -232,20 +240,21 @@ impl<'a> Troupe<'a> {
         derivation.pictures.clear();
         let start = Rational::try_from(base.initial_time).unwrap_or(Rational::ZERO);
         derivation.trajectories.push(base.clone());
-        let mut beside: Vec<(usize, bool)> = Vec::new();
+        let mut beside: Vec<(usize, Beside)> = Vec::new();
+        let compared = compared_with(&derivation, members, asked)?;
         let here = |claim: &&Claim| Claim { trajectories: vec![slot], expect: vec![None], ..(*claim).clone() };
         derivation.claims = asked.iter().map(here).collect();
-        for claim in &mut derivation.claims {
+        for (claim, compared) in derivation.claims.iter_mut().zip(compared) {
             let Some(Form::Across(across)) = claim.forms.first_mut() else { continue };
-            let Some(varied) = members.family.vary.iter().position(|v| v.leaf == across.with) else { continue };
-            let which = (varied, across.dependence.is_of_neighbours());
-            let at = beside.iter().position(|b| *b == which).unwrap_or_else(|| {
-                beside.push(which);
-                beside.len() - 1
-            });
-            across.other = Some(slot + 1 + at);
-            claim.trajectories.push(slot + 1 + at);
-            claim.expect.push(None);
+            for which in compared {
+                let at = beside.iter().position(|b| *b == which).unwrap_or_else(|| {
+                    beside.push(which);
+                    beside.len() - 1
+                });
+                across.others.push(slot + 1 + at);
+                claim.trajectories.push(slot + 1 + at);
+                claim.expect.push(None);
+            }
         }
         derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
         // As in the file with the member pasted into it: the motions share the memory.
@@ -523,22 +532,32 @@ impl<'a> Troupe<'a> {
         let member = made(&mut derivation, values)?;
         let id = member.id.clone();
         derivation.trajectories[slot] = member.clone();
-        for (n, &(varied, next)) in self.beside.iter().enumerate() {
-            let at = slot + 1 + n;
-            let other = self.members.beside(number, values, varied, next);
+        // Of each motion beside it the value of what varies, or why there is none.
+        let mut others: Vec<Result<f64, NoOther>> = Vec::new();
+        for (n, &(varied, which)) in self.beside.iter().enumerate() {
+            let other = self.members.beside(number, values, varied, which);
             let motion = match &other {
                 Ok(other) => made(&mut derivation, other)?,
                 Err(_) => member.clone(),
             };
-            derivation.trajectories[at] = Trajectory { id: format!("{id}-other-{n}"), ..motion };
-            for form in derivation.claims.iter_mut().flat_map(|c| &mut c.forms) {
-                if let Form::Across(across) = form
-                    && across.other == Some(at)
-                {
-                    across.other = other.as_ref().ok().map(|_| at);
-                    across.values = other.as_ref().map(|o| (values[varied], o[varied])).map_err(|why| *why);
-                }
-            }
+            derivation.trajectories[slot + 1 + n] = Trajectory { id: format!("{id}-other-{n}"), ..motion };
+            others.push(other.map(|other| other[varied]));
+        }
+        for form in derivation.claims.iter_mut().flat_map(|c| &mut c.forms) {
+            let Form::Across(across) = form else { continue };
+            let Some(&(varied, _)) = across.others.first().and_then(|at| self.beside.get(at - slot - 1)) else {
+                continue;
+            };
+            let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
+            // Beside the place of an extremum there need be none.
+            let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
+                other.is_ok() || !matches!(which, Beside::Edge { .. })
+            };
+            let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
+                across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
+            let found: Result<Vec<f64>, NoOther> = std::iter::once(Ok(values[varied])).chain(found).collect();
+            across.others = if found.is_ok() { at } else { Vec::new() };
+            across.values = found;
         }
         Ok(derivation)
     }

@@ -1,7 +1,7 @@
 //! A claim with one of its assumptions left out.
 
-use super::PROBE;
 use super::account::{AssumptionAccount, Need};
+use super::candidates::PROBE;
 use crate::check::account::{ClaimAccount, PairAccount};
 use crate::derivation::{Claim, Derivation};
 use crate::latex::RelationKind;

@@ -33,11 +33,17 @@ use assumptions::Dropped;
 use candidates::Candidate;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What the ids of claims begin with that are made here: no id of a file can.
-const PROBE: char = '~';
-
 /// How a condition stands on every trajectory that was tried: met throughout, not met, or undecided.
 type Truth = Vec<Option<bool>>;
+
+/// Conditions by their names, each as the claim that it is met at every time; `None` for one that the file does not give rise to.
+pub(super) fn as_claims(derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>> {
+    let all = candidates::candidates(derivation);
+    let is_it = |known: &ConditionName, name: &ConditionName| {
+        (&known.id, &known.formula, &known.says) == (&name.id, &name.formula, &name.says)
+    };
+    names.iter().map(|name| all.iter().find(|c| is_it(&c.name, name)).map(|c| c.claim.clone())).collect()
+}
 
 /// Everything that may be asked once the verdicts are known: conditions, and claims without one of their assumptions.
 ///

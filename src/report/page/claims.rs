@@ -273,7 +273,7 @@ fn formulas(derivation: &Derivation, claim: &ClaimAccount) -> Markup {
                 "defined" => "Has a real value at every time",
                 "independent" => "Independent functions",
                 "exists" => "There is a solution of",
-                "independent-of" | "scales-as" | "monotone" => "Compared between members of a family",
+                "independent-of" | "scales-as" | "monotone" | "extremum" | "limit" => "Compared between members of a family",
                 _ => "",
             };
             @if kind == "solves" {
