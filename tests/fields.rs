@@ -181,6 +181,68 @@ fn what_follows_from_equations_of_fields() {
     ]);
 }
 
+/// Equations that lead with derivatives of one field: passive as they are, or with what follows from two of them.
+#[test]
+fn systems_that_are_made_passive() {
+    let maxwell = r"{\bf E}(x,y,z,t), {\bf B}(x,y,z,t): field, 3; c: positive";
+    let vacuum = r"\nabla\cdot{\bf E}=0; \nabla\cdot{\bf B}=0; \nabla\times{\bf E}=-\partial_t{\bf B}; c^2\nabla\times{\bf B}=\partial_t{\bf E}";
+    let turned = r"\nabla\cdot{\bf E}=0; \nabla\cdot{\bf B}=0; \nabla\times{\bf E}=\partial_t{\bf B}; c^2\nabla\times{\bf B}=\partial_t{\bf E}";
+    let fluid = r"{\bf v}(x,y,z,t): field, 3; p(x,y,z,t): field";
+    let euler = r"\partial_t{\bf v}+({\bf v}\cdot\nabla){\bf v}=-\nabla p; \nabla\cdot{\bf v}=0";
+    let wave = r"\nabla^2{\bf E}=\frac{1}{c^2}\partial_t^2{\bf E}";
+    let vorticity =
+        r"\partial_t(\nabla\times{\bf v})=\nabla\times({\bf v}\times(\nabla\times{\bf v}))";
+    all(&[
+        ("proved", wave, maxwell, vacuum),
+        ("refuted", r"\nabla^2{\bf E}=-\frac{1}{c^2}\partial_t^2{\bf E}", maxwell, vacuum),
+        ("refuted", r"\nabla^2{\bf E}=\frac{2}{c^2}\partial_t^2{\bf E}", maxwell, vacuum),
+        ("refuted", r"{\bf E}\cdot{\bf B}=0", maxwell, vacuum),
+        ("refuted", r"\partial_t({\bf E}^2+c^2{\bf B}^2)=2c^2\nabla\cdot({\bf E}\times{\bf B})", maxwell, vacuum),
+        ("proved", r"\partial_t({\bf E}^2+c^2{\bf B}^2)=-2c^2\nabla\cdot({\bf E}\times{\bf B})", maxwell, vacuum),
+        ("refuted", wave, maxwell, turned),
+        ("proved", r"\nabla^2{\bf E}=-\frac{1}{c^2}\partial_t^2{\bf E}", maxwell, turned),
+        ("proved", vorticity, fluid, euler),
+        ("refuted", r"\partial_t{\bf v}=-\nabla p", fluid, euler),
+        // What is added: an equation for the pressure.
+        ("proved", r"\nabla^2p=-\nabla\cdot(({\bf v}\cdot\nabla){\bf v})", fluid, euler),
+        ("refuted", r"\nabla^2p=\nabla\cdot(({\bf v}\cdot\nabla){\bf v})", fluid, euler),
+        ("refuted", r"\nabla^2p=0", fluid, euler),
+        // It is derived, too: at no point of a solution is this false.
+        (
+            "unrefuted",
+            r"\partial_t\nabla^2p=-\partial_t\nabla\cdot(({\bf v}\cdot\nabla){\bf v})",
+            fluid,
+            euler,
+        ),
+        ("refuted", r"u=0", "u(x,y): field", r"\partial_xu=2xu; \partial_yu=u"),
+        ("refuted", r"f'=0", "u(x,y), f(x), g(y): field", r"\partial_xu=f; \partial_yu=g"),
+        ("proved", r"f'=0", "u(x,y), f(x): field", r"\partial_xu=f; \partial_yu=f"),
+        ("refuted", r"f=0", "u(x,y), f(x): field", r"\partial_xu=f; \partial_yu=f"),
+        ("proved", r"x\partial_xv=y\partial_yv", "u(x,y), v(x,y): field", r"\partial_xu=yv; \partial_yu=xv"),
+        ("refuted", r"v=1", "u(x,y), v(x,y): field", r"\partial_xu=yv; \partial_yu=xv"),
+        // Only u = 0: two steps of completion lead there.
+        ("unrefuted", r"u=0", "u(x,y): field", r"\partial_x^2u=yu; \partial_y^2u=xu"),
+        ("unrefuted", r"\partial_xu=0", "u(x,y): field", r"\partial_x^2u=yu; \partial_y^2u=xu"),
+        // Janet's example: the solutions are twelve functions, polynomials of low degree.
+        (
+            "unrefuted",
+            r"\partial_x^4u=0",
+            "u(x,y,z): field",
+            r"\partial_z^2u=y\partial_x^2u; \partial_y^2u=0",
+        ),
+        // Contradictory, or for special values of what is constant.
+        ("unrefuted", r"u=0", "u(x,y), v(x,y), w(x,y): field", r"\partial_xu=v; \partial_yu=w; \partial_yv=\partial_xw+1"),
+        ("unrefuted", r"abu=c", "u(x,y): field; a, b, c", r"\partial_xu=au; \partial_yu=bu; \partial_x\partial_yu=c"),
+        ("refuted", r"u=1", "u(x,t): field; c", r"\partial_t^2u=\partial_x^2u; \partial_t^2u=c^2\partial_x^2u; c^2=1"),
+        ("unrefuted", r"(c^2-1)\partial_x^2u=0", "u(x,t): field; c", r"\partial_t^2u=\partial_x^2u; \partial_t^2u=c^2\partial_x^2u"),
+        // A proof does not say less because of what it adds.
+        ("proved", r"k\partial_yv=k\partial_xw", "u(x,y), v(x,y), w(x,y): field; k", r"k\partial_xu=v; k\partial_yu=w"),
+        ("proved", r"\partial_yv=\partial_xw", "u(x,y), v(x,y), w(x,y): field; k", r"k\partial_xu=v; k\partial_yu=w"),
+        // Not linear in what leads: no theorem.
+        ("undecided", r"u=1", "u(x,y): field", r"(\partial_xu)^2=u; (\partial_yu)^2=u"),
+    ]);
+}
+
 #[test]
 fn what_says_too_little_is_refused() {
     for (text, symbols) in [
