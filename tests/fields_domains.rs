@@ -114,3 +114,58 @@ always = ['\nabla\cdot{\bf v}=0']",
     let (_, account) = tried("ranges = { 'x' = [0, 1], 't' = 0, 'u' = 'x' }\nalways = ['u_x=1']");
     assert!(account.claims[0].region.as_ref().expect("a region").portraits.is_empty());
 }
+
+/// The altered formulas of the only claim: how many are rejected, of how many, and those that are not.
+fn altered(claim: &str) -> Option<(usize, usize, Vec<String>)> {
+    let (_, account) = tried(claim);
+    let variants = account.claims[0].variants.as_ref()?;
+    let (rejected, of) = variants.together()?;
+    Some((rejected, of, variants.survivors.iter().map(|s| s.formula.clone()).collect()))
+}
+
+#[test]
+fn altered_formulas_of_fields_are_told_from_them() {
+    // By values through which solutions pass.
+    let flow = r"follows-from = ['string']
+always = ['\partial_t((\partial_tu)^2+(c\,\partial_xu)^2)=2c^2\partial_x(\partial_tu\,\partial_xu)']";
+    let (rejected, of, left) = altered(flow).expect("they are tried");
+    assert!(of > 20 && rejected == of && left.is_empty(), "{rejected} of {of}: {left:?}");
+    // By points of a box. That the field solves another equation as well is no fault of the test.
+    let runs = r"ranges = { 'x' = [0, 1], 't' = [0, 1], 'c' = [1, 2], 'u' = '\sin(x-ct)' }
+always = ['\partial_t^2u=c^2\partial_x^2u']";
+    let (rejected, of, left) = altered(runs).expect("they are tried");
+    assert!(of > 10 && rejected == of && left.is_empty(), "{rejected} of {of}: {left:?}");
+    let still = r"ranges = { 'x' = [0, 1], 't' = [0, 1], 'c' = 0, 'u' = 'x' }
+always = ['\partial_t^2u=c^2\partial_x^2u']";
+    let (rejected, of, left) = altered(still).expect("they are tried");
+    assert!(rejected == 0 && left.len() == of, "{rejected} of {of}: {left:?}");
+    // Where it applies.
+    let half = r"ranges = { 'x' = [-1, 1], 't' = [0, 1], 'u' = '|x|' }
+assuming = ['x>0']
+always = ['u_x=1']";
+    let (rejected, of, left) = altered(half).expect("they are tried");
+    assert!(rejected == of && left.is_empty(), "{rejected} of {of}: {left:?}");
+    // Where no theorem gives a solution, none is tried; and none of a claim that does not hold.
+    assert_eq!(altered("assuming = ['(\\partial_xu)^2=u', '(\\partial_tu)^2=u']\nalways = ['4u_x^2=4u']"), None);
+    assert_eq!(altered("always = ['u_x=u_t']"), None);
+}
+
+#[test]
+fn pages_say_where_altered_formulas_were_tried() {
+    for (claim, said) in [
+        (
+            r"follows-from = ['shift']
+always = ['u_{tt}=u_{xx}']",
+            "would be noticed by solutions of what is given",
+        ),
+        (
+            r"ranges = { 'x' = [0, 1], 't' = [0, 1], 'u' = 'x-t' }
+always = ['u_t=-u_x']",
+            "would be noticed at points of the ranges",
+        ),
+    ] {
+        let (derivation, account) = tried(claim);
+        let page = report::page(&derivation, &account);
+        assert!(page.contains(said), "{said}");
+    }
+}

@@ -61,13 +61,14 @@ pub(super) struct Jets {
 }
 
 /// Where a derivative stands in the ranking.
-pub(super) fn rank(graph: &Graph, time: Option<Leaf>, leaf: Leaf) -> (u32, Vec<u8>, Unknown) {
+pub(super) fn rank(graph: &Graph, time: Option<Leaf>, leaf: Leaf) -> (u32, Vec<u8>, usize, Unknown) {
     let orders = leaf.partials.orders();
     let time = time.and_then(|t| graph.coordinate(t));
     let first = time.map_or(0, |at| orders[at]);
     let others = orders.into_iter().enumerate().filter(|(at, _)| Some(*at) != time).map(|(_, n)| n);
     let all = std::iter::once(first).chain(others).collect();
-    (leaf.partials.order(), all, (leaf.symbol, leaf.component))
+    let arguments = (0..graph.coordinates().count()).filter(|&at| graph.depends(leaf.symbol, at)).count();
+    (leaf.partials.order(), all, arguments, (leaf.symbol, leaf.component))
 }
 
 /// The field that an equation defines by others: u in u = −φ_x/φ. There it leads, whatever the order of the others; any ranking
@@ -241,10 +242,12 @@ impl Jets {
 
 /// What is divided by below some expressions, numbers apart.
 fn denominators(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> FastSet<Expr> {
-    let divided = |e: Expr| match *graph.node(e) {
-        Node::Binary(Op::Div, _, b) => Some(b),
-        Node::Unary(Op::Powi(n), a) if n < 0 => Some(a),
-        _ => None,
+    let divided = |e: Expr| {
+        if let Node::Binary(Op::Div, _, b) = *graph.node(e) {
+            return Some(b);
+        }
+        let Node::Unary(Op::Powi(n), a) = *graph.node(e) else { return None };
+        (n < 0).then_some(a)
     };
     graph.reachable(roots).into_iter().filter_map(divided).filter(|&b| graph.as_constant(b).is_none()).collect()
 }

@@ -1,0 +1,125 @@
+//! What the evidence is worth where there are no motions: over boxes, and of fields whatever they are.
+//!
+//! **In:** claims that hold over ranges, or for all fields that satisfy what is given. **Out:** for each of them which of its
+//! variants points reject: points of the box at which the claim applies; or values of the fields, their derivatives and all else
+//! through which a solution of what is given passes, see [`passive`](crate::identity).
+//!
+//! **Guaranteed:** a variant counts as rejected only if it is false at such a point, or has no value at any: then it does not
+//! hold over the box, or does not follow. Where no points are known, none was tried, and nothing is said.
+
+use super::account::{Survivor, VariantAccount};
+use super::battery::{Battery, Memory};
+use super::generate::{ClaimVariants, MOST_NODES, Setting};
+use super::rejection::{self, Evidence, Placed, Rejections};
+use crate::check::account::ClaimAccount;
+use crate::check::limits::Limits;
+use crate::check::region;
+use crate::check::step::Step;
+use crate::check::trial::Values;
+use crate::derivation::{Claim, Derivation, Region};
+use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::flow::Sample;
+use crate::verdict::Outcome;
+use rayon::prelude::*;
+
+/// The work that the variants of a claim may take, in nodes: formulas are inserted for fields, and derived.
+const MOST_STILL_NODES: usize = MOST_NODES / 4;
+
+/// The work that those of all such claims of a file may take.
+const MOST_NODES_OF_A_FILE: usize = 4_000_000;
+
+/// Adds to the accounts of claims that hold without a motion what became of their variants.
+pub fn weigh_still(derivation: &Derivation, accounts: &mut [ClaimAccount], limits: &Limits) {
+    let holds = |account: &ClaimAccount| {
+        account.region.as_ref().is_some_and(|r| matches!(r.verdict.outcome(), Outcome::Holds(_)))
+    };
+    let count = accounts.iter().filter(|a| holds(a)).count();
+    let room = (MOST_NODES_OF_A_FILE / count.max(1)).min(MOST_STILL_NODES);
+    accounts.par_iter_mut().with_max_len(1).filter(|a| holds(a)).for_each(|account| {
+        let declared = derivation.claims.iter().find(|c| c.id == account.id && c.reading == account.reading);
+        if limits.reached().is_none()
+            && let Some(claim) = declared
+            && let Some(region) = &claim.region
+        {
+            account.variants = Some(of_claim(derivation, claim, region, room));
+        }
+    });
+}
+
+fn of_claim(derivation: &Derivation, claim: &Claim, region: &Region, room: usize) -> VariantAccount {
+    let mut step = if claim.is_of_fields() { Step::of(derivation, claim) } else { None };
+    let mut own = derivation.graph.clone();
+    let graph = step.as_mut().map_or(&mut own, Step::graph);
+    let starts = [Rational::ZERO];
+    let setting = Setting { claim, starts: &starts, shared: graph.len() };
+    let mut variants = ClaimVariants::new(derivation, graph, &setting, room);
+    variants.reduce(derivation, claim, graph);
+    let sign = claim.scope.branch_sign();
+    let found = if variants.variants.is_empty() {
+        None
+    } else {
+        match &mut step {
+            Some(step) => {
+                let mut leaves = step.graph().leaves(variants.roots(0));
+                leaves.retain(|l| *l != sign);
+                let points = step.points(&leaves);
+                rejections(step.graph(), claim, &variants, (&leaves, &points))
+            }
+            None => {
+                let mut put = variants.clone();
+                let mut all: Vec<&mut Expr> = put.expressions_mut().collect();
+                region::points(derivation, claim, region, &mut own, &mut all)
+                    .and_then(|(leaves, points)| rejections(&own, claim, &put, (&leaves, &points)))
+            }
+        }
+    };
+    account(variants, found)
+}
+
+/// What points say of variants; none where there are no points.
+fn rejections(
+    graph: &Graph,
+    claim: &Claim,
+    variants: &ClaimVariants,
+    (leaves, points): (&[Leaf], &[Values]),
+) -> Option<Rejections> {
+    if points.is_empty() {
+        return None;
+    }
+    // In the order of leaves, as those of motions are.
+    let mut order: Vec<usize> = (0..leaves.len()).collect();
+    order.sort_by_key(|&at| leaves[at]);
+    let known: Vec<Leaf> = order.iter().map(|&at| leaves[at]).collect();
+    let points: Vec<Values> = points.iter().map(|p| order.iter().map(|&at| p[at]).collect()).collect();
+    let all = (0..variants.variants.len()).collect();
+    let battery = Battery::new(graph, variants, 0, all, claim.scope.branch_sign())?;
+    let samples: Vec<Sample> = points.iter().map(|values| Sample::Alone(values)).collect();
+    let evidence = Evidence {
+        points: &samples,
+        first_counts: false,
+        precision: claim.precision,
+        one_sign_throughout: claim.branches_throughout,
+    };
+    Some(rejection::rejected(variants, &Placed::new(battery, &known), &evidence, &mut Memory::default()))
+}
+
+fn account(variants: ClaimVariants, found: Option<Rejections>) -> VariantAccount {
+    let survives = |&v: &usize| found.as_ref().is_some_and(|f| !f.variants[v]);
+    let of = |v: usize| &variants.formulas[variants.variants[v].formula];
+    let survivors = (0..variants.variants.len()).filter(survives).map(|v| Survivor {
+        class: variants.variants[v].class,
+        printed: of(v).text.clone(),
+        place: of(v).place.clone(),
+        formula: variants.variants[v].text(&variants.formulas),
+        everywhere: true,
+    });
+    VariantAccount {
+        survivors: survivors.collect(),
+        classes: variants.counts.values().cloned().collect(),
+        tried_on: usize::from(found.is_some()),
+        cover: Vec::new(),
+        cover_is_least: true,
+        erratum: None,
+        skipped: variants.skipped,
+    }
+}
