@@ -308,6 +308,8 @@ fn what_says_too_little_is_refused() {
         (r"\partial_i(A_iA_i)=0", "A(x,y): field, 2"),
         (r"\partial_\mu A_\mu=0", "A(x,y): field, 2"),
         (r"\partial_su=0", "u(x,y): field"),
+        // Places in places in places.
+        (r"f(f(f(f(f(f(f(f(x))))))))=0", "f(x): field"),
         // Not Cartesian by its name.
         (r"\nabla^2f=f''", "f(r): field"),
     ] {

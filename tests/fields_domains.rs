@@ -141,11 +141,19 @@ always = ['\partial_t^2u=c^2\partial_x^2u']";
     let (rejected, of, left) = altered(still).expect("they are tried");
     assert!(rejected == 0 && left.len() == of, "{rejected} of {of}: {left:?}");
     // Where it applies.
-    let half = r"ranges = { 'x' = [-1, 1], 't' = [0, 1], 'u' = 'x|x|' }
+    let half = r"ranges = { 'x' = [-1, 1], 't' = [-1, -0.5], 'u' = 'x|x|' }
 assuming = ['x>0']
 always = ['u_x=2x']";
     let (rejected, of, left) = altered(half).expect("they are tried");
     assert!(rejected == of && left.is_empty(), "{rejected} of {of}: {left:?}");
+    // No point of those that are drawn is one at which this applies.
+    assert_eq!(
+        altered("ranges = { 'x' = [0, 1], 't' = [0, 1], 'u' = 'x' }\nassuming = ['x=t']\nalways = ['u=t']"),
+        None
+    );
+    // What is given, but not used, is not known to hold at a point.
+    let beside = "follows-from = ['a']\nalways = ['uu_x=\\frac12\\partial_x(u^2)']\n[[claim]]\nid = \"a\"\nsays = \"s\"\nalways = ['u\\ne 1']";
+    assert_eq!(altered(beside), None);
     // Where no theorem gives a solution, none is tried; and none of a claim that does not hold.
     assert_eq!(altered("assuming = ['(\\partial_xu)^2=u', '(\\partial_tu)^2=u']\nalways = ['4u_x^2=4u']"), None);
     assert_eq!(altered("always = ['u_x=u_t']"), None);
@@ -216,6 +224,19 @@ fn squares_and_axes_are_where_they_belong() {
     );
     let axes = r#"<path class=axis d="M84 12h384v384h-384z"></path><text x=84 y=414 text-anchor=start>−1</text><text x=78 y=396 text-anchor=end>0</text><text x=276 y=414 text-anchor=middle>1</text><text x=78 y=204 text-anchor=end>0.5</text><text x=468 y=414 text-anchor=end>3</text><text x=78 y=24 text-anchor=end>1</text><text x=276 y=434 text-anchor=middle>x</text><text transform="translate(16 204) rotate(-90)" text-anchor=middle>t</text>"#;
     assert!(field.contains(axes), "{field}");
+    // With units.
+    let claim =
+        "[[claim]]\nid = \"c\"\nsays = \"s\"\nranges = { 'x' = [0, 1], 't' = [0, 1], 'u' = 't' }\nalways = ['u=t']";
+    let text = HEAD
+        .replace("'x' = { role", "'x' = { unit = \"m\", role")
+        .replace("'t' = { role", "'t' = { unit = \"s\", role");
+    let mut derivation =
+        parse(Source { path: "t.toml".into(), text: format!("{text}{claim}") }, "t").expect("it is read");
+    let account = check(&mut derivation, &Options::default(), &|_, _| {}).expect("it is checked");
+    let page = report::page(&derivation, &account);
+    assert!(
+        page.contains("text-anchor=middle>x in m</text>") && page.contains("<desc>x in m to the right, t in s upwards")
+    );
     let up = figures("ranges = { 'x' = [0, 1], 't' = [-1, 3], 'u' = 't' }\nalways = ['u=2t']");
     let (above, below) = (squares(&up[0], "fp"), squares(&up[0], "fm"));
     assert!(above.iter().all(|s| s.1 > 6.0) && below.iter().all(|s| s.1 < 6.0) && above.len() == 18 * 24);
@@ -259,5 +280,28 @@ fn arrows_point_where_the_field_does() {
     );
     assert!(across.contains("arrows, the longest of length 0.917"));
     let up = of("(0,y)");
+    // The length of an arrow is that of the vector.
+    assert!(of("(x,y)").contains("arrows, the longest of length 1.3."));
     assert!(up.contains("M0.5 0.95l0 -0.9l") && up.contains("M11.5 11.05l0 0.9l"), "{up}");
+}
+
+#[test]
+fn what_claims_of_fields_should_have_said_is_offered() {
+    let offered = |claim: &str| -> Vec<(String, bool)> {
+        let (_, account) = tried(claim);
+        let erratum = account.claims[0].variants.as_ref().and_then(|v| v.erratum.as_ref());
+        erratum.map_or_else(Vec::new, |e| e.corrections.iter().map(|c| (c.formula.clone(), c.proved)).collect())
+    };
+    // On a box, and for all fields.
+    let box_ = r"ranges = { 'x' = [0, 1], 't' = [0, 1], 'c' = [1, 2], 'u' = '\sin(x-ct)' }
+always = ['\partial_t^2u=-c^2\partial_x^2u']";
+    let found = offered(box_);
+    assert!(found.iter().any(|(f, proved)| f == r"\partial_t^2 u=c^2\partial_x^2 u" && *proved), "{found:?}");
+    let fields = r"follows-from = ['string']
+always = ['\partial_t((\partial_tu)^2+(c\,\partial_xu)^2)=c^2\partial_x(\partial_tu\,\partial_xu)']";
+    let found = offered(fields);
+    assert!(found.first().is_some_and(|(f, proved)| f.contains("=2c^2") && *proved), "{found:?}");
+    // Nothing is offered that does not hold.
+    assert!(offered("ranges = { 'x' = [1, 2], 't' = [1, 2], 'u' = '\\sin(x^2t)' }\nalways = ['u_x=u_t']").is_empty());
+    assert!(offered("always = ['u_x=u_t']").is_empty());
 }

@@ -143,7 +143,11 @@ pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
 pub(super) fn standing(c: &Correction) -> String {
     let proved = if c.proved { "**proved**, " } else { "" };
     let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
-    format!("{proved}holds on {} ({})", count(c.holds_on, "trajectory"), classes.join(", "))
+    match c.holds_on {
+        // Over ranges, or for all fields.
+        0 => format!("{proved}holds ({})", classes.join(", ")),
+        n => format!("{proved}holds on {} ({})", count(n, "trajectory"), classes.join(", ")),
+    }
 }
 
 /// The part of the summary for a terminal: claims that no motion tests well, and corrections, a line or two for each.

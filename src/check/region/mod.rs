@@ -61,6 +61,9 @@ impl Judge for Question {
 /// The work that all claims of a file may take, in operations on intervals.
 const MOST_WORK_OF_A_FILE: u64 = 4_000_000_000;
 
+/// The work that a claim may take that is only a proposal.
+const MOST_WORK_OF_ONE: u64 = 50_000_000;
+
 /// Points at which variants of a claim are tried, and most that are drawn for them.
 const MOST_POINTS: usize = 48;
 const MOST_DRAWN: usize = 400;
@@ -97,6 +100,11 @@ pub(super) fn decide_all(
         }
     }
     if problems.is_empty() { Ok(out) } else { Err(problems) }
+}
+
+/// One claim by itself; `None` where a range is none.
+pub(super) fn decide_one(derivation: &Derivation, claim: &Claim, region: &Region) -> Option<RegionAccount> {
+    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok()
 }
 
 /// The value of an expression without leaves.

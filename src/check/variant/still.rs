@@ -4,13 +4,17 @@
 //! variants points reject: points of the box at which the claim applies; or values of the fields, their derivatives and all else
 //! through which a solution of what is given passes, see [`passive`](crate::identity).
 //!
+//! For a claim that fails it offers the altered formulas, with one edit, that hold instead: each is decided as a claim of its own.
+//!
 //! **Guaranteed:** a variant counts as rejected only if it is false at such a point, or has no value at any: then it does not
 //! hold over the box, or does not follow. Where no points are known, none was tried, and nothing is said.
 
-use super::account::{Survivor, VariantAccount};
+use super::account::{Correction, Erratum, Survivor, VariantAccount};
 use super::battery::{Battery, Memory};
-use super::generate::{ClaimVariants, MOST_NODES, Setting};
+use super::erratum::{Candidate, MOST_OFFERED, Made, as_claim, is_inequality, ranked};
+use super::generate::{ClaimVariants, Formula, MOST_NODES, Setting, Variant};
 use super::rejection::{self, Evidence, Placed, Rejections};
+use super::vocabulary::Vocabulary;
 use crate::check::account::ClaimAccount;
 use crate::check::limits::Limits;
 use crate::check::region;
@@ -19,7 +23,7 @@ use crate::check::trial::Values;
 use crate::derivation::{Claim, Derivation, Region};
 use crate::expr::{Expr, Graph, Leaf, Rational};
 use crate::flow::Sample;
-use crate::verdict::Outcome;
+use crate::verdict::{Outcome, Strength};
 use rayon::prelude::*;
 
 /// The work that the variants of a claim may take, in nodes: formulas are inserted for fields, and derived.
@@ -28,25 +32,32 @@ const MOST_STILL_NODES: usize = MOST_NODES / 4;
 /// The work that those of all such claims of a file may take.
 const MOST_NODES_OF_A_FILE: usize = 4_000_000;
 
-/// Adds to the accounts of claims that hold without a motion what became of their variants.
+/// Most claims that are corrected: every correction is a claim that is decided.
+const MOST_CORRECTED: usize = 24;
+
+/// Adds to the accounts of claims without a motion what became of their variants: of those that hold, which are rejected; for
+/// those that fail, which hold instead.
 pub fn weigh_still(derivation: &Derivation, accounts: &mut [ClaimAccount], limits: &Limits) {
-    let holds = |account: &ClaimAccount| {
-        account.region.as_ref().is_some_and(|r| matches!(r.verdict.outcome(), Outcome::Holds(_)))
-    };
-    let count = accounts.iter().filter(|a| holds(a)).count();
+    let outcome = |account: &ClaimAccount| account.region.as_ref().map(|r| r.verdict.outcome());
+    let holds = |account: &ClaimAccount| matches!(outcome(account), Some(Outcome::Holds(_)));
+    let fails = |account: &ClaimAccount| matches!(outcome(account), Some(Outcome::Fails(_)));
+    let count = accounts.iter().filter(|a| holds(a) || fails(a)).count();
     let room = (MOST_NODES_OF_A_FILE / count.max(1)).min(MOST_STILL_NODES);
-    accounts.par_iter_mut().with_max_len(1).filter(|a| holds(a)).for_each(|account| {
+    let corrected = accounts.iter().enumerate().filter(|(_, a)| fails(a)).nth(MOST_CORRECTED).map(|(k, _)| k);
+    let last = corrected.unwrap_or(usize::MAX);
+    accounts.par_iter_mut().enumerate().with_max_len(1).for_each(|(k, account)| {
         let declared = derivation.claims.iter().find(|c| c.id == account.id && c.reading == account.reading);
+        let wanted = holds(account) || fails(account) && k < last;
         if limits.reached().is_none()
-            && let Some(claim) = declared
+            && let Some(claim) = declared.filter(|_| wanted)
             && let Some(region) = &claim.region
         {
-            account.variants = Some(of_claim(derivation, claim, region, room));
+            account.variants = Some(of_claim(derivation, claim, region, holds(account), room));
         }
     });
 }
 
-fn of_claim(derivation: &Derivation, claim: &Claim, region: &Region, room: usize) -> VariantAccount {
+fn of_claim(derivation: &Derivation, claim: &Claim, region: &Region, holds: bool, room: usize) -> VariantAccount {
     let mut step = if claim.is_of_fields() { Step::of(derivation, claim) } else { None };
     let mut own = derivation.graph.clone();
     let graph = step.as_mut().map_or(&mut own, Step::graph);
@@ -73,7 +84,77 @@ fn of_claim(derivation: &Derivation, claim: &Claim, region: &Region, room: usize
             }
         }
     };
-    account(variants, found)
+    if holds {
+        return account(variants, found);
+    }
+    let graph = step.as_mut().map_or(&mut own, Step::graph);
+    let erratum = found.map(|found| corrections(derivation, &setting, region, graph, &variants, &found));
+    VariantAccount { erratum, ..account(variants, None) }
+}
+
+/// The altered formulas, with one edit, that hold where the claim fails.
+fn corrections(
+    derivation: &Derivation,
+    setting: &Setting,
+    region: &Region,
+    graph: &mut Graph,
+    variants: &ClaimVariants,
+    found: &Rejections,
+) -> Erratum {
+    let claim = setting.claim;
+    let vocabulary = Vocabulary::new(derivation, claim);
+    let mut out = Erratum::default();
+    let mut offered: Vec<(bool, Candidate, Correction)> = Vec::new();
+    for (f, formula) in variants.formulas.iter().enumerate() {
+        if is_inequality(formula) || !found.formulas[f] {
+            continue;
+        }
+        let of = |v: &&Variant| v.formula == f;
+        out.tried.0 += variants.variants.iter().filter(of).count();
+        let passes = variants.variants.iter().enumerate().filter(|(v, _)| !found.variants[*v]).map(|(_, v)| v);
+        let passes = passes.chain(&variants.empty).filter(of);
+        let made: Vec<Made> = passes.map(|v| (vec![v.class], v.tree(&variants.formulas))).collect();
+        for candidate in ranked(derivation, (0, f), graph, setting, formula, &vocabulary, made) {
+            let Some(proved) = decided(derivation, claim, region, &candidate, formula) else { continue };
+            let correction = Correction {
+                printed: formula.text.clone(),
+                formula: candidate.text.clone(),
+                difference: candidate.difference.clone(),
+                classes: candidate.classes.clone(),
+                proved,
+                holds_on: 0,
+            };
+            offered.push((proved, candidate, correction));
+        }
+    }
+    offered.sort_by(|a, b| a.1.nearness.than(a.0, &b.1.nearness, b.0));
+    out.corrections = offered.into_iter().map(|(.., correction)| correction).take(MOST_OFFERED).collect();
+    if out.corrections.is_empty() {
+        out.remark = Some("no formula with one edit holds instead, as far as that could be decided".to_owned());
+    }
+    out
+}
+
+/// Whether a candidate holds as a claim of its own, and then whether it is proved.
+fn decided(
+    derivation: &Derivation,
+    claim: &Claim,
+    region: &Region,
+    candidate: &Candidate,
+    formula: &Formula,
+) -> Option<bool> {
+    let mut scratch = derivation.clone();
+    let altered = as_claim(&mut scratch.graph, claim, "correction", candidate, formula.manner, Vec::new())?;
+    let of = if altered.is_of_fields() {
+        let step = Step::of(&scratch, &altered)?.decide()?.ok()?;
+        region::RegionAccount::of_step(&altered, region, Some(&step))
+    } else {
+        region::decide_one(&scratch, &altered, region)?
+    };
+    match of.verdict.outcome() {
+        Outcome::Holds(strength) => Some(strength == Strength::Proved),
+        Outcome::Fails(_) | Outcome::NotApplicable(_) | Outcome::Undecided => None,
+    }
 }
 
 /// What points say of variants; none where there are no points.
