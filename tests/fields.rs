@@ -301,6 +301,7 @@ fn what_says_too_little_is_refused() {
         // Indices: nothing that they could run over, once only, more than one sum, a sum inside.
         (r"\partial_iA_i=0", r"r: coordinate; \theta: coordinate = r; A(r,\theta): field, 2"),
         (r"\partial_iA_i=0", r"r, z: coordinate; A(r,z): field, 2"),
+        (r"\partial_iA_i=0", r"x: coordinate; y: coordinate = x; A(x,y): field, 2"),
         (r"\partial_iA_i=0", r"A: 3"),
         (r"\partial_iu=0+u\partial_ju", "u(x,y): field"),
         (r"\partial_iA_i=0", "A(x,y): field, 3"),
