@@ -181,6 +181,108 @@ fn what_follows_from_equations_of_fields() {
     ]);
 }
 
+/// Indices at ∂ run over Cartesian coordinates of space.
+#[test]
+fn derivatives_with_indices() {
+    let space = r"x, y, z: coordinate; A(x,y,z,t), B(x,y,z,t): field, 3; u(x,y,z,t), v(x,y,z,t): field";
+    let plane = r"x, y: coordinate; A(x,y): field, 2; u(x,y): field";
+    let places = r"{\bf r}: coordinate, 3; A({\bf r}): field, 3; {\bf w}: 3";
+    all(&[
+        ("proved", r"\partial_iA_i=\nabla\cdot A", space, ""),
+        ("proved", r"\partial_iA_i=\nabla\cdot A", plane, ""),
+        ("proved", r"\partial_i\partial_iu=\nabla^2u", space, ""),
+        ("proved", r"\partial_i^2u=\nabla^2u", space, ""),
+        ("proved", r"\partial_iu=(\nabla u)_i", space, ""),
+        ("proved", r"\epsilon_{ijk}\partial_jA_k=(\nabla\times A)_i", space, ""),
+        ("refuted", r"\epsilon_{ijk}\partial_jA_k=-(\nabla\times A)_i", space, ""),
+        ("refuted", r"\epsilon_{ijk}\partial_kA_j=(\nabla\times A)_i", space, ""),
+        ("proved", r"\partial_i(uA_i)=u\partial_iA_i+A_i\partial_iu", space, ""),
+        ("refuted", r"\partial_i(uA_i)=u\partial_iA_i", space, ""),
+        ("proved", r"\partial_i\partial_jA_j=\partial_j\partial_iA_j", space, ""),
+        ("proved", r"\epsilon_{ijk}\partial_i\partial_jA_k=0", space, ""),
+        ("proved", r"\partial_iu\,\partial_iv=(\nabla u)\cdot(\nabla v)", space, ""),
+        ("proved", r"(\partial_iu)(\partial_iu)=(\nabla u)^2", space, ""),
+        ("proved", r"A_j\partial_jA_i=((A\cdot\nabla)A)_i", space, ""),
+        ("proved", r"\partial_jA_i-\partial_iA_j=\epsilon_{jik}(\nabla\times A)_k", space, ""),
+        ("proved", r"\partial_{ij}u=\partial_i\partial_ju", space, ""),
+        ("proved", r"\partial_t\partial_iA_i=\partial_i\partial_tA_i", space, ""),
+        ("proved", r"\partial_ir_j=\delta_{ij}", places, ""),
+        ("proved", r"\partial_i(\epsilon_{ijk}w_jr_k)=0", places, ""),
+        ("proved", r"\partial_iA_i=\frac{\partial A_i}{\partial r_i}", places, ""),
+        ("proved", r"\partial_t\partial_iA_i=0", space, r"\partial_iA_i=0"),
+        ("refuted", r"A_1=0", space, r"\partial_iA_i=0"),
+        ("proved", r"\partial_tu+\partial_i(uA_i)=0", space, r"\partial_tu+A_i\partial_iu=0; \partial_iA_i=0"),
+    ]);
+}
+
+/// Equations that lead with derivatives of one field: passive as they are, or with what follows from two of them.
+#[test]
+fn systems_that_are_made_passive() {
+    let maxwell = r"{\bf E}(x,y,z,t), {\bf B}(x,y,z,t): field, 3; c: positive";
+    let vacuum = r"\nabla\cdot{\bf E}=0; \nabla\cdot{\bf B}=0; \nabla\times{\bf E}=-\partial_t{\bf B}; c^2\nabla\times{\bf B}=\partial_t{\bf E}";
+    let turned = r"\nabla\cdot{\bf E}=0; \nabla\cdot{\bf B}=0; \nabla\times{\bf E}=\partial_t{\bf B}; c^2\nabla\times{\bf B}=\partial_t{\bf E}";
+    let fluid = r"{\bf v}(x,y,z,t): field, 3; p(x,y,z,t): field";
+    let euler = r"\partial_t{\bf v}+({\bf v}\cdot\nabla){\bf v}=-\nabla p; \nabla\cdot{\bf v}=0";
+    let wave = r"\nabla^2{\bf E}=\frac{1}{c^2}\partial_t^2{\bf E}";
+    let vorticity = r"\partial_t(\nabla\times{\bf v})=\nabla\times({\bf v}\times(\nabla\times{\bf v}))";
+    all(&[
+        ("proved", wave, maxwell, vacuum),
+        ("refuted", r"\nabla^2{\bf E}=-\frac{1}{c^2}\partial_t^2{\bf E}", maxwell, vacuum),
+        ("refuted", r"\nabla^2{\bf E}=\frac{2}{c^2}\partial_t^2{\bf E}", maxwell, vacuum),
+        ("refuted", r"{\bf E}\cdot{\bf B}=0", maxwell, vacuum),
+        ("refuted", r"\partial_t({\bf E}^2+c^2{\bf B}^2)=2c^2\nabla\cdot({\bf E}\times{\bf B})", maxwell, vacuum),
+        ("proved", r"\partial_t({\bf E}^2+c^2{\bf B}^2)=-2c^2\nabla\cdot({\bf E}\times{\bf B})", maxwell, vacuum),
+        ("refuted", wave, maxwell, turned),
+        ("proved", r"\nabla^2{\bf E}=-\frac{1}{c^2}\partial_t^2{\bf E}", maxwell, turned),
+        ("proved", vorticity, fluid, euler),
+        ("refuted", r"\partial_t{\bf v}=-\nabla p", fluid, euler),
+        // What is added: an equation for the pressure.
+        ("proved", r"\nabla^2p=-\nabla\cdot(({\bf v}\cdot\nabla){\bf v})", fluid, euler),
+        ("refuted", r"\nabla^2p=\nabla\cdot(({\bf v}\cdot\nabla){\bf v})", fluid, euler),
+        ("refuted", r"\nabla^2p=0", fluid, euler),
+        // It is derived, too: at no point of a solution is this false.
+        ("unrefuted", r"\partial_t\nabla^2p=-\partial_t\nabla\cdot(({\bf v}\cdot\nabla){\bf v})", fluid, euler),
+        ("refuted", r"u=0", "u(x,y): field", r"\partial_xu=2xu; \partial_yu=u"),
+        ("refuted", r"f'=0", "u(x,y), f(x), g(y): field", r"\partial_xu=f; \partial_yu=g"),
+        ("proved", r"f'=0", "u(x,y), f(x): field", r"\partial_xu=f; \partial_yu=f"),
+        ("refuted", r"f=0", "u(x,y), f(x): field", r"\partial_xu=f; \partial_yu=f"),
+        ("proved", r"x\partial_xv=y\partial_yv", "u(x,y), v(x,y): field", r"\partial_xu=yv; \partial_yu=xv"),
+        ("refuted", r"v=1", "u(x,y), v(x,y): field", r"\partial_xu=yv; \partial_yu=xv"),
+        // Only u = 0: two steps of completion lead there.
+        ("unrefuted", r"u=0", "u(x,y): field", r"\partial_x^2u=yu; \partial_y^2u=xu"),
+        ("unrefuted", r"\partial_xu=0", "u(x,y): field", r"\partial_x^2u=yu; \partial_y^2u=xu"),
+        // Janet's example: the solutions are twelve functions, polynomials of low degree.
+        ("unrefuted", r"\partial_x^4u=0", "u(x,y,z): field", r"\partial_z^2u=y\partial_x^2u; \partial_y^2u=0"),
+        // Contradictory, or for special values of what is constant.
+        (
+            "unrefuted",
+            r"u=0",
+            "u(x,y), v(x,y), w(x,y): field",
+            r"\partial_xu=v; \partial_yu=w; \partial_yv=\partial_xw+1",
+        ),
+        ("unrefuted", r"abu=c", "u(x,y): field; a, b, c", r"\partial_xu=au; \partial_yu=bu; \partial_x\partial_yu=c"),
+        ("refuted", r"u=1", "u(x,t): field; c", r"\partial_t^2u=\partial_x^2u; \partial_t^2u=c^2\partial_x^2u; c^2=1"),
+        (
+            "unrefuted",
+            r"(c^2-1)\partial_x^2u=0",
+            "u(x,t): field; c",
+            r"\partial_t^2u=\partial_x^2u; \partial_t^2u=c^2\partial_x^2u",
+        ),
+        // A proof does not say less because of what it adds.
+        ("proved", r"k\partial_yv=k\partial_xw", "u(x,y), v(x,y), w(x,y): field; k", r"k\partial_xu=v; k\partial_yu=w"),
+        ("proved", r"\partial_yv=\partial_xw", "u(x,y), v(x,y), w(x,y): field; k", r"k\partial_xu=v; k\partial_yu=w"),
+        // A field that does not depend on the time leads nothing that does.
+        (
+            "refuted",
+            r"\partial_t{\bf v}=-\nabla p",
+            r"{\bf v}(x,y,z,t): field, 3; p(x,y,z,t): field; U(x,y,z): field",
+            r"\partial_t{\bf v}+({\bf v}\cdot\nabla){\bf v}=-\nabla p-\nabla U; \nabla\cdot{\bf v}=0",
+        ),
+        // Not linear in what leads: no theorem.
+        ("undecided", r"u=1", "u(x,y): field", r"(\partial_xu)^2=u; (\partial_yu)^2=u"),
+    ]);
+}
+
 #[test]
 fn what_says_too_little_is_refused() {
     for (text, symbols) in [
@@ -196,6 +298,19 @@ fn what_says_too_little_is_refused() {
         (r"\frac{\partial g(0,t)}{\partial x}=0", r"g(x,t): field = \sin(x-t)"),
         (r"\nabla g(0,t)=0", r"g(x,t): field = \sin(x-t)"),
         (r"\frac{d}{dx}h(1)=0", "h(x): field = x^2"),
+        // Indices: nothing that they could run over, once only, more than one sum, a sum inside.
+        (r"\partial_iA_i=0", r"r: coordinate; \theta: coordinate = r; A(r,\theta): field, 2"),
+        (r"\partial_iA_i=0", r"r, z: coordinate; A(r,z): field, 2"),
+        (r"\partial_iA_i=0", r"x: coordinate; y: coordinate = x; A(x,y): field, 2"),
+        (r"\partial_iA_i=0", r"A: 3"),
+        (r"\partial_iu=0+u\partial_ju", "u(x,y): field"),
+        (r"\partial_iA_i=0", "A(x,y): field, 3"),
+        (r"\partial_i\partial_iA_iA_i=0", "A(x,y): field, 2"),
+        (r"\partial_i(A_iA_i)=0", "A(x,y): field, 2"),
+        (r"\partial_\mu A_\mu=0", "A(x,y): field, 2"),
+        (r"\partial_su=0", "u(x,y): field"),
+        // Places in places in places.
+        (r"f(f(f(f(f(f(f(f(x))))))))=0", "f(x): field"),
         // Not Cartesian by its name.
         (r"\nabla^2f=f''", "f(r): field"),
     ] {

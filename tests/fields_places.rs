@@ -236,3 +236,20 @@ fn traps_of_fields() {
         ("unproved", r"f(0)=0", "f(r): field", r"rf=r^2"),
     ]);
 }
+
+#[test]
+fn places_that_are_the_same_and_places_in_places() {
+    all(&[
+        // At its own coordinates a field is itself.
+        ("proved", r"\left.u(y,t)\right|_{y=x}=u", "u(x,t): field; y: coordinate", ""),
+        ("proved", r"\left.\frac{\partial u(y,t)}{\partial y}\right|_{y=x}=u_x", "u(x,t): field; y: coordinate", ""),
+        // Values of two fields at one place have nothing to do with each other.
+        ("refuted", r"f(0)=g(0)", "f(x), g(x): field", ""),
+        ("refuted", r"f(0)=f(1)", "f(x): field", ""),
+        ("proved", r"f(0)=f(2-2)", "f(x): field", ""),
+        // What stands in a place that stands in a place.
+        ("proved", r"\frac{\partial}{\partial q}f(g(q))=f'(g(q))g'(q)", "f(x), g(x): field; q: state", ""),
+        ("proved", r"\frac{d}{dt}f(g(q))=\dot qf'(g(q))g'(q)", "f(x), g(x): field; q: state", ""),
+        ("refuted", r"\frac{\partial}{\partial q}f(g(q))=f'(g(q))", "f(x), g(x): field; q: state", ""),
+    ]);
+}

@@ -141,3 +141,17 @@ def test_words_of_python_are_keys_too() -> None:
     made = rederive.Derivation("x").trajectory("seen", from_="one", initial_time=1).claim("c", "y", rests_on="d")
     assert made.data["trajectory"] == [{"id": "seen", "from": "one", "initial-time": 1}]
     assert made.data["claim"] == [{"id": "c", "says": "y", "rests-on": ["d"]}]
+
+
+def test_fields_of_sympy() -> None:
+    sp = pytest.importorskip("sympy")
+    x, t = sp.symbols("x t", real=True)
+    c = sp.Symbol("c", positive=True)
+    u = sp.Function("u", real=True)(x, t)
+    made = rederive.Derivation("A string", concerns="A textbook").symbol("t", "time").symbol(x, "coordinate").symbol(c)
+    made.symbol(u).system("string", None, sp.Eq(u.diff(t, 2), c**2 * u.diff(x, 2)), fields=[u])
+    made.claim("flow", "What is gained has flowed", follows_from=["string"], always=sp.Eq(u.diff(t, 3), c**2 * u.diff(x, x, t)))
+    assert made.data["symbols"]["u(x,t)"] == {"role": "field"}
+    assert rederive.check(made).claims[0].decision is rederive.Decision.PROVED
+    with pytest.raises(rederive.NoCounterpart, match="coordinate y"):
+        made.symbol(sp.Function("v")(sp.Symbol("y"), t))

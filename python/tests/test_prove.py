@@ -103,6 +103,48 @@ def test_complex_symbols_of_sympy() -> None:
         rederive.prove(sp.Eq(sp.Symbol("y", imaginary=True), z))
 
 
+def test_functions_of_sympy_are_fields() -> None:
+    sp = pytest.importorskip("sympy")
+    x, y, t = sp.symbols("x y t", real=True)
+    c = sp.Symbol("c", positive=True)
+    f, g = sp.Function("f", real=True), sp.Function("g", real=True)
+    u, psi = g(x, t), sp.Function("psi", complex=True)(x, t)
+    d = sp.Derivative
+    transport = sp.Eq(d(u, t), c * d(u, x))
+    held = sp.Eq(g(0, t), 0)
+    true: list[tuple[object, list[object]]] = [
+        (sp.Eq(d(u, t, t), c**2 * d(u, x, x)), [transport]),
+        (sp.Eq(d(f(x - c * t), t), -c * d(f(x - c * t), x)), []),
+        (sp.Eq(d(f(x - c * t), t).doit(), -c * d(f(x - c * t), x).doit(), evaluate=False), []),
+        (sp.Eq(d(x * u, x), u + x * d(u, x)), []),
+        (sp.Eq(d(u, x, 2, t), d(u, t, x, x), evaluate=False), []),
+        (sp.Eq(d(u, t).subs(x, 0), 0), [held]),
+        (sp.Eq(d(psi * sp.conjugate(psi), x), psi * d(sp.conjugate(psi), x) + sp.conjugate(psi) * d(psi, x)), []),
+        (sp.Eq(d(sp.sin(c * x), x), c * sp.cos(c * x)), []),
+        (sp.Eq(d(f(t) ** 2, t), 2 * f(t) * d(f(t), t)), []),
+        (sp.Eq(d(g(x + y, t), x), d(g(x + y, t), y)), []),
+    ]
+    for equation, given in true:
+        proof = rederive.prove(equation, given=given)
+        assert proof.verdict is Decision.PROVED, (equation, proof.formula, proof.text)
+    for equation, given in [
+        (sp.Eq(d(u, t, t), -(c**2) * d(u, x, x)), [transport]),
+        (sp.Eq(d(u, x), d(u, t)), []),
+        (sp.Eq(d(x * u, x), x * d(u, x)), []),
+        (sp.Eq(g(t, x), g(x, t)), []),
+        (sp.Eq(d(u, x).subs(x, y**2), 0), []),
+    ]:
+        assert rederive.prove(equation, given=given).verdict is Decision.REFUTED, equation
+    n = sp.Symbol("n", integer=True, positive=True)
+    for wrong, words in [
+        (sp.Eq(d(u, (x, n)), 0), "order"),
+        (sp.Eq(d(f(x) ** 2, f(x)), f(x)), "by functions"),
+        (sp.Eq(f(x) + f(x, t), 0), "arguments"),
+    ]:
+        with pytest.raises(rederive.NoCounterpart, match=words):
+            rederive.prove(wrong)
+
+
 def test_what_is_no_formula() -> None:
     sp = pytest.importorskip("sympy")
     x = sp.Symbol("x")

@@ -217,10 +217,11 @@ fn check_and(
     };
     let motionless = derivation.trajectories.is_empty() && derivation.systems.is_empty();
     if derivation.scope.time().is_none() && motionless && !derivation.claims.iter().any(Claim::is_of_fields) {
-        return Ok(Account {
-            claims: regions(derivation)?.into_iter().map(|(_, c)| c).collect(),
-            ..Account::default()
-        });
+        let mut claims: Vec<ClaimAccount> = regions(derivation)?.into_iter().map(|(_, c)| c).collect();
+        if !options.plain {
+            variant::weigh_still(derivation, &mut claims, &options.limits);
+        }
+        return Ok(Account { claims, ..Account::default() });
     }
     let fields = match Fields::solve(derivation) {
         Ok(fields) => fields,
@@ -427,6 +428,9 @@ fn check_and(
     for (earlier, (at, of)) in regions.into_iter().enumerate() {
         let before = claimed.iter().filter(|&&c| c < at).count();
         account.claims.insert(before + earlier, of);
+    }
+    if !options.plain {
+        variant::weigh_still(derivation, &mut account.claims, &options.limits);
     }
     Ok(account)
 }

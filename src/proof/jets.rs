@@ -18,16 +18,12 @@
 //! A field at another place, u(0, t), is an unknown of its own there (see [`Place`]). The premises hold there, too, and are
 //! taken there with their derivatives. No point refutes then: a solution near one place says nothing of another.
 //!
-//! # Why a point is not enough
+//! # Points
 //!
-//! A point that satisfies all of them need not belong to a solution: u_x = yu, u_y = u have none but u = 0. It does if no
-//! premise names a field, since polynomials have any derivatives; or by **Riquier's theorem** (Riquier 1910; Ritt, *Differential
-//! Algebra*, 1950, ch. VIII): every equation is solved for its leader, the factor of which is not 0 at the point; each leads
-//! with another field, so that no condition of integrability arises; no equation names a derivative of another's leader; and
-//! they are analytic there; and that field depends on all coordinates of its equation. The ranking above is one of those for which the theorem holds: how two derivatives compare does not
-//! depend on the field, but for equal ones.
+//! Whether a point that satisfies all of them belongs to a solution is the subject of [`passive`](super::passive).
 
 use super::outcome::{Point, Premises, Reason};
+use super::passive::{depends_on_all, least_common, passive};
 use super::witness::{decimals, values_at};
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Place, Symbol};
 
@@ -45,10 +41,10 @@ type Unknown = (Symbol, u16);
 
 /// An equation, with the derivative that leads it.
 #[derive(Clone, Copy, Debug)]
-struct Led {
-    left: Expr,
-    right: Expr,
-    leader: Leaf,
+pub(super) struct Led {
+    pub(super) left: Expr,
+    pub(super) right: Expr,
+    pub(super) leader: Leaf,
 }
 
 /// Equations of fields with their derivatives.
@@ -60,16 +56,19 @@ pub(super) struct Jets {
     named: bool,
     /// What is divided by when each premise is solved for its leader, where Riquier's theorem applies.
     slopes: Option<Vec<Expr>>,
+    /// What holds besides where nothing of that is 0.
+    beside: Vec<(Expr, Expr)>,
 }
 
 /// Where a derivative stands in the ranking.
-fn rank(graph: &Graph, time: Option<Leaf>, leaf: Leaf) -> (u32, Vec<u8>, Unknown) {
+pub(super) fn rank(graph: &Graph, time: Option<Leaf>, leaf: Leaf) -> (u32, Vec<u8>, usize, Unknown) {
     let orders = leaf.partials.orders();
     let time = time.and_then(|t| graph.coordinate(t));
     let first = time.map_or(0, |at| orders[at]);
     let others = orders.into_iter().enumerate().filter(|(at, _)| Some(*at) != time).map(|(_, n)| n);
     let all = std::iter::once(first).chain(others).collect();
-    (leaf.partials.order(), all, (leaf.symbol, leaf.component))
+    let arguments = (0..graph.coordinates().count()).filter(|&at| graph.depends(leaf.symbol, at)).count();
+    (leaf.partials.order(), all, arguments, (leaf.symbol, leaf.component))
 }
 
 /// The field that an equation defines by others: u in u = −φ_x/φ. There it leads, whatever the order of the others; any ranking
@@ -104,7 +103,10 @@ impl Jets {
         for &(left, right) in equations {
             let fields = graph.fields([left, right]);
             let highest = fields.iter().copied().max_by_key(|l| rank(graph, time, *l));
-            let Some(leader) = defined(graph, left, right).or(highest) else { continue };
+            let whole = |leader: &Leaf| depends_on_all(graph, &Led { left, right, leader: *leader });
+            let defined = defined(graph, left, right);
+            let leader = defined.filter(whole).or(highest.filter(whole)).or(defined).or(highest);
+            let Some(leader) = leader else { continue };
             out.named = true;
             // What stands at a fixed time, or moves, is no field of its coordinates.
             let elsewhere = |l: &Leaf| l.instant.is_some() || moving.contains(&l.symbol);
@@ -132,8 +134,37 @@ impl Jets {
                 out.derived.push(pair);
             }
         }
-        out.slopes = if pure && complete { solvable(graph, &led)? } else { None };
+        if pure && complete {
+            out.slopes = out.closed(graph, given, &led, &asked)?;
+        }
         Ok(out)
+    }
+
+    /// What must not be 0 at a point so that a solution passes through it, once the equations are passive. Those that this
+    /// adds, and their derivatives, are premises like the others, but for what divides by something that the premises do not
+    /// divide by: a proof from it would say less.
+    fn closed(
+        &mut self,
+        graph: &mut Graph,
+        given: &Premises,
+        led: &[Led],
+        asked: &[Expr],
+    ) -> Result<Option<Vec<Expr>>, Reason> {
+        let Some(found) = passive(graph, led, &constants(graph, given), given.time)? else { return Ok(None) };
+        let Some(completed) = found.completed else { return Ok(Some(found.slopes)) };
+        let mut more = Jets::default();
+        let complete = more.derive(graph, &completed, asked, given.time)?;
+        let known = denominators(graph, given.equations.iter().flat_map(|&(l, r)| [l, r]));
+        for pair in completed[led.len()..].iter().map(|p| (p.left, p.right)).chain(more.derived) {
+            if given.equations.contains(&pair) || self.derived.contains(&pair) {
+                continue;
+            }
+            match denominators(graph, [pair.0, pair.1]).is_subset(&known) {
+                true => self.derived.push(pair),
+                false => self.beside.push(pair),
+            }
+        }
+        Ok(complete.then_some(found.slopes))
     }
 
     /// The derivatives that are asked for, by what was asked and by each other; whether all were formed.
@@ -195,8 +226,49 @@ impl Jets {
             return true;
         }
         let Some(slopes) = &self.slopes else { return false };
-        let known = decimals(graph, slopes, &values_at(point));
+        let values = values_at(point);
+        let known = decimals(graph, slopes, &values);
+        let sides: Vec<Expr> = self.beside.iter().flat_map(|&(l, r)| [l, r]).collect();
         known.into_iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error))
+            && decimals(graph, &sides, &values).chunks(2).all(|pair| match pair {
+                &[Some(l), Some(r)] => {
+                    let error = l.error + r.error;
+                    (l.value - r.value).abs() <= error && error <= 1e-6 * l.value.abs().max(1.0)
+                }
+                _ => false,
+            })
+    }
+}
+
+/// What is divided by below some expressions, numbers apart.
+fn denominators(graph: &Graph, roots: impl IntoIterator<Item = Expr>) -> FastSet<Expr> {
+    let divided = |e: Expr| {
+        if let Node::Binary(Op::Div, _, b) = *graph.node(e) {
+            return Some(b);
+        }
+        let Node::Unary(Op::Powi(n), a) = *graph.node(e) else { return None };
+        (n < 0).then_some(a)
+    };
+    graph.reachable(roots).into_iter().filter_map(divided).filter(|&b| graph.as_constant(b).is_none()).collect()
+}
+
+/// What is given of constants: it holds at all places and times.
+fn constants(graph: &Graph, given: &Premises) -> Premises {
+    let constant = |roots: &[Expr]| {
+        let changes = |l: &Leaf| {
+            let moves = given.moving.contains(&l.symbol) || Some(*l) == given.time;
+            moves || l.instant.is_some() || l.rate > 0 || graph.is_field(l.symbol) || graph.coordinate(*l).is_some()
+        };
+        !graph.leaves_within(roots.iter().copied()).iter().any(changes)
+    };
+    let facts = |all: &[Expr]| all.iter().copied().filter(|&e| constant(&[e])).collect();
+    Premises {
+        equations: given.equations.iter().copied().filter(|&(l, r)| constant(&[l, r])).collect(),
+        nonzero: facts(&given.nonzero),
+        positive: facts(&given.positive),
+        not_negative: facts(&given.not_negative),
+        parameters: given.parameters.clone(),
+        ..Premises::default()
     }
 }
 
@@ -303,58 +375,4 @@ fn derivative(
         known.insert((at, so_far), pair);
     }
     Ok(pair)
-}
-
-/// The least derivative that is one of both.
-fn least_common(a: Partials, b: Partials) -> Option<Partials> {
-    let missing: Vec<usize> = a
-        .orders()
-        .iter()
-        .zip(b.orders())
-        .enumerate()
-        .flat_map(|(at, (&a, b))| vec![at; usize::from(b.saturating_sub(a))])
-        .collect();
-    missing.into_iter().try_fold(a, |p, at| p.raised(at))
-}
-
-/// What each equation is divided by when it is solved for its leader, if Riquier's theorem applies where none of it is 0.
-fn solvable(graph: &mut Graph, led: &[Led]) -> Result<Option<Vec<Expr>>, Reason> {
-    let mut slopes = Vec::new();
-    for (at, p) in led.iter().enumerate() {
-        let others = led.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, q)| q.leader);
-        let below = |leader: Leaf, l: &Leaf| {
-            (l.symbol, l.component) == (leader.symbol, leader.component) && l.partials.beyond(leader.partials).is_some()
-        };
-        let named = graph.fields([p.left, p.right]);
-        let mut others = others;
-        if others.any(|leader| {
-            (leader.symbol, leader.component) == (p.leader.symbol, p.leader.component)
-                || named.iter().any(|l| below(leader, l))
-        }) {
-            return Ok(None);
-        }
-        // A field that does not depend on a coordinate of the equation satisfies another one: its derivative by it is 0.
-        let depends = |l: &Leaf, at: usize| graph.coordinate(*l) == Some(at) || graph.depends(l.symbol, at);
-        let of_others = (0..graph.coordinates().count()).any(|at| {
-            !graph.depends(p.leader.symbol, at) && graph.leaves([p.left, p.right]).iter().any(|l| depends(l, at))
-        });
-        if of_others {
-            return Ok(None);
-        }
-        let analytic = graph.reachable([p.left, p.right]).into_iter().all(|e| match *graph.node(e) {
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) => true,
-            Node::Unary(op, _) => matches!(
-                op,
-                Op::Neg | Op::Powi(_) | Op::Exp | Op::Sin | Op::Cos | Op::Sinh | Op::Cosh | Op::Tanh | Op::Arctan
-            ),
-            Node::Binary(op, ..) => matches!(op, Op::Add | Op::Sub | Op::Mul | Op::Div),
-        });
-        if !analytic {
-            return Ok(None);
-        }
-        let residual = graph.sub(p.left, p.right);
-        let slope = graph.slope(residual, p.leader).map_err(|_| Reason::NoDerivative)?;
-        slopes.push(slope);
-    }
-    Ok(Some(slopes))
 }

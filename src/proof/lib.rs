@@ -131,6 +131,7 @@ mod newton;
 pub mod order;
 mod orthogonal;
 mod outcome;
+mod passive;
 mod polynomial;
 mod prepare;
 mod probe;

@@ -79,7 +79,8 @@ pub(super) fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> Strin
     let weak = weak_pairs(claim);
     let mut out = String::new();
     if !never.is_empty() {
-        out.push_str(&format!("No motion here notices every slip of these kinds: {}. ", slips(&never)));
+        let nothing = if claim.region.is_some() { "Nothing that was tried" } else { "No motion here" };
+        out.push_str(&format!("{nothing} notices every slip of these kinds: {}. ", slips(&never)));
     }
     if let Some(weakest) = weak.iter().min_by_key(|p| p.discrimination.as_ref().map_or(0, |d| d.rejected))
         && let Some(d) = &weakest.discrimination
@@ -91,6 +92,15 @@ pub(super) fn sentence(claim: &ClaimAccount, variants: &VariantAccount) -> Strin
         ));
     }
     out.trim_end().to_owned()
+}
+
+/// Where variants were tried, in words.
+pub(super) fn tried_where(claim: &ClaimAccount, variants: &VariantAccount) -> String {
+    match &claim.region {
+        Some(region) if region.is_of_fields() => "by solutions of what is given".to_owned(),
+        Some(_) => "at points of the ranges".to_owned(),
+        None => format!("on {}", count(variants.tried_on, "trajectory")),
+    }
 }
 
 /// The motions that suffice, in words.
@@ -133,7 +143,11 @@ pub(super) fn corrections_markdown(erratum: &Erratum) -> String {
 pub(super) fn standing(c: &Correction) -> String {
     let proved = if c.proved { "**proved**, " } else { "" };
     let classes: Vec<&str> = c.classes.iter().map(|c| c.word()).collect();
-    format!("{proved}holds on {} ({})", count(c.holds_on, "trajectory"), classes.join(", "))
+    match c.holds_on {
+        // Over ranges, or for all fields.
+        0 => format!("{proved}holds ({})", classes.join(", ")),
+        n => format!("{proved}holds on {} ({})", count(n, "trajectory"), classes.join(", ")),
+    }
 }
 
 /// The part of the summary for a terminal: claims that no motion tests well, and corrections, a line or two for each.

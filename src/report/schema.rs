@@ -446,7 +446,7 @@ fn variants() -> Value {
         ("difference", text("Both in one: what goes, what comes")),
         ("classes", texts("What was edited")),
         ("proved", flag("Whether it was proved for all values")),
-        ("holds_on", whole("Trajectories on which it holds")),
+        ("holds_on", whole("Trajectories on which it holds; 0 where it holds over ranges or for all fields")),
     ]);
     let tried = object(&[
         ("single", whole("Single edits")),

@@ -56,8 +56,9 @@ class Derivation:
     def symbol(self, name: Any, role: Optional[str] = None, *, latex: Optional[str] = None, **keys: Any) -> Derivation:
         """Declares a symbol: its LaTeX name, or a symbol or function of SymPy, whose assumptions are taken over.
 
-        ``role`` is ``"parameter"`` unless given, and ``"state"`` for an applied function such as ``q(t)``. ``latex`` is what
-        a symbol of SymPy is called in formulas.
+        ``role`` is ``"parameter"`` unless given, and ``"state"`` for an applied function such as ``q(t)``, and
+        ``"field"`` for one of several coordinates, ``u(x, t)``, which are declared before it. ``latex`` is what a symbol of
+        SymPy is called in formulas.
         """
         if is_sympy(name):
             latex, own_role, taken = self._names.declare(name, latex)

@@ -212,7 +212,8 @@ def prove(
     """Decides an equation for all values of its symbols.
 
     ``formula``: an equation in LaTeX; several are separated by commas, and all must hold. Or an ``Eq`` of SymPy: its
-    symbols are declared with their assumptions then, and premises may be relations of SymPy.
+    symbols are declared with their assumptions then, and premises may be relations of SymPy. Functions in it are fields,
+    and what they are functions of, or derived by, are coordinates.
     ``symbols``: declarations, in the words of ``rederive prove --symbol``: ``"x"``, ``"x, y: positive"``, ``"q: state"``.
     ``given``: premises, relations in LaTeX.
     ``throughout``: of ± one sign must serve all points.
@@ -239,8 +240,7 @@ def _seconds(deadline: Optional[float]) -> Optional[float]:
 def _of_sympy(formula: Any, words: list[str], given: list[Any]) -> tuple[str, list[str], list[str]]:
     """An equation of SymPy with its symbols, and what is assumed of them."""
     names = Names()
-    free = set(formula.free_symbols).union(*(one.free_symbols for one in given if is_sympy(one)))
-    declared, assumed = names.premises(sorted(free, key=str))
+    declared, assumed = names.premises([formula, *(one for one in given if is_sympy(one))])
     premises = [names.latex(one) if is_sympy(one) else str(one) for one in given]
     return names.latex(formula), words + declared, premises + assumed
 

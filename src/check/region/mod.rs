@@ -36,7 +36,7 @@ use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::number::Interval;
+use crate::number::{Bounded, Draws, Interval};
 use crate::verdict::Strength;
 use portrait::portraits;
 use question::{Insertion, Question};
@@ -60,6 +60,13 @@ impl Judge for Question {
 
 /// The work that all claims of a file may take, in operations on intervals.
 const MOST_WORK_OF_A_FILE: u64 = 4_000_000_000;
+
+/// The work that a claim may take that is only a proposal.
+const MOST_WORK_OF_ONE: u64 = 50_000_000;
+
+/// Points at which variants of a claim are tried, and most that are drawn for them.
+const MOST_POINTS: usize = 48;
+const MOST_DRAWN: usize = 400;
 
 /// The accounts of the claims over ranges among those that are asked for, by their positions in the file.
 ///
@@ -93,6 +100,11 @@ pub(super) fn decide_all(
         }
     }
     if problems.is_empty() { Ok(out) } else { Err(problems) }
+}
+
+/// One claim by itself; `None` where a range is none.
+pub(super) fn decide_one(derivation: &Derivation, claim: &Claim, region: &Region) -> Option<RegionAccount> {
+    decide(derivation, claim, region, MOST_WORK_OF_ONE).ok()
 }
 
 /// The value of an expression without leaves.
@@ -175,6 +187,47 @@ fn decide(
     account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
     account.conclude(&division, if question.identical { Strength::Proved } else { Strength::Enclosed });
     Ok(account)
+}
+
+/// Points of the box at which a claim applies, and some expressions with everything inserted that has one value there: the
+/// variables, and their values at each point. `None` where a range is none.
+pub(super) fn points(
+    derivation: &Derivation,
+    claim: &Claim,
+    region: &Region,
+    graph: &mut Graph,
+    expressions: &mut [&mut Expr],
+) -> Option<(Vec<Leaf>, Vec<super::trial::Values>)> {
+    let variables = variables(derivation, graph, &region.ranges).ok()?;
+    let leaves: Vec<Leaf> = variables.iter().map(|v| v.leaf).collect();
+    let put = Insertion::new(graph, &claim.scope, &region.ranges);
+    // What is assumed, by itself.
+    let assumed = Claim { forms: Vec::new(), ..claim.clone() };
+    let question = match claim.assuming.is_empty() {
+        true => None,
+        false => Some(Question::new(graph, &assumed, &put, variables.clone()).ok()?),
+    };
+    for e in expressions.iter_mut() {
+        **e = put.put(graph, **e, &leaves);
+    }
+    let mut draws = Draws::new(super::SEED);
+    let (mut out, mut scratch) = (Vec::new(), Scratch::default());
+    for _ in 0..MOST_DRAWN {
+        let at = variables.iter().map(|v| {
+            let share = (draws.bits() >> 11) as f64 / (1u64 << 53) as f64;
+            (v.inner.lo() + share * (v.inner.hi() - v.inner.lo())).clamp(v.inner.lo(), v.inner.hi())
+        });
+        let at: Vec<f64> = at.collect();
+        let sides: Option<Vec<Interval>> = at.iter().map(|&x| Interval::new(x, x).ok()).collect();
+        let cell = Cell::inside(sides?);
+        if question.as_ref().is_none_or(|q| q.applies_now(&cell, &mut scratch) == signs::Truth::True) {
+            out.push(at.into_iter().map(|x| Ok(Bounded::exact(x))).collect());
+        }
+        if out.len() == MOST_POINTS || variables.is_empty() {
+            break;
+        }
+    }
+    Some((leaves, out))
 }
 
 /// The point at which the claim fails, with the sides of the formula that does.

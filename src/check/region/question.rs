@@ -345,6 +345,12 @@ impl Question {
         }
     }
 
+    /// The same, of a cell that was not looked at before.
+    pub fn applies_now(&self, cell: &Cell, scratch: &mut Scratch) -> Truth {
+        self.signs.begin(scratch);
+        self.applies(cell, scratch)
+    }
+
     /// Judges a cell.
     pub fn judge(&self, cell: &Cell, scratch: &mut Scratch) -> Part {
         self.signs.begin(scratch);

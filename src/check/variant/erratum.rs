@@ -56,7 +56,7 @@ const MOST_CORRECTED: usize = 200;
 /// Most points at which completions are fitted.
 const FITTED: usize = 12;
 /// Most corrections that are offered for a claim.
-const MOST_OFFERED: usize = 5;
+pub(super) const MOST_OFFERED: usize = 5;
 
 /// Everything that the search shares.
 pub(super) struct Search<'a> {
@@ -73,18 +73,18 @@ pub(super) struct Search<'a> {
 }
 
 /// A formula that may be what was meant.
-struct Candidate {
+pub(super) struct Candidate {
     claim: usize,
     formula: usize,
     tree: Chain,
-    text: String,
-    classes: Vec<EditClass>,
-    difference: String,
-    nearness: Nearness,
+    pub text: String,
+    pub classes: Vec<EditClass>,
+    pub difference: String,
+    pub nearness: Nearness,
 }
 
 /// An altered formula, with the edits that lead to it.
-type Made = (Vec<EditClass>, Chain);
+pub(super) type Made = (Vec<EditClass>, Chain);
 
 /// The motions on which a correction must hold.
 struct Asked {
@@ -194,7 +194,7 @@ impl Search<'_> {
                 made.extend(screened(&mut graph, &mut pairs.inspect(|_| tried += 1)));
                 erratum.tried.2 += tried;
             }
-            out.extend(self.ranked(k, f, &mut graph, &setting, &variants.formulas[f], &vocabulary, made));
+            out.extend(ranked(self.derivation, (k, f), &mut graph, &setting, &variants.formulas[f], &vocabulary, made));
         }
         out
     }
@@ -304,84 +304,6 @@ impl Search<'_> {
         }
     }
 
-    /// Candidates, the closest to the print first, without those that say nothing or what another says.
-    #[expect(clippy::too_many_arguments, reason = "a formula, its surroundings, and what was made of it")]
-    fn ranked(
-        &self,
-        k: usize,
-        f: usize,
-        graph: &mut Graph,
-        setting: &Setting,
-        formula: &Formula,
-        vocabulary: &Vocabulary,
-        made: Vec<Made>,
-    ) -> Vec<Candidate> {
-        let print = to_latex(&formula.tree);
-        let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
-        let mut kept = Vec::new();
-        for (classes, tree) in made {
-            // What is multiplied and divided again was never there; an addition that only undoes what is printed is none.
-            let plain = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree.clone() };
-            if plain != tree && classes == [EditClass::Missing] {
-                continue;
-            }
-            let tree = plain;
-            let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
-            // Both sides are one expression, or nothing is left that could be compared.
-            let says_nothing = altered
-                .iter()
-                .all(|(_, p)| p.sides.0 == p.sides.1 || graph.leaves(p.difference.iter().copied()).is_empty());
-            if says_nothing && altered.len() == formula.parts.len() {
-                continue;
-            }
-            let (difference, changed) = difference(&print, &to_latex(&tree));
-            let class = classes.first().copied().unwrap_or(EditClass::Missing);
-            let variant = Variant { class, formula: 0, source: Source::Tree(Box::new(tree)), altered };
-            kept.push((variant, classes, difference, changed));
-        }
-        let nearness = Nearness::of_all(self.derivation, setting.claim, graph, formula, vocabulary, &kept);
-        // What adds joules to kilograms is no correction of what did not.
-        let as_printed: Vec<_> = formula.parts.iter().map(|p| (p.sides.0, Some(p.sides.1))).collect();
-        let odd = units::inconsistent(self.derivation, graph, &[as_printed]).contains(&true);
-        let mut kept: Vec<_> = kept.into_iter().zip(nearness).filter(|(_, n)| odd || !n.inconsistent).collect();
-        kept.sort_by(|a, b| a.1.cmp(&b.1));
-        let mut rest = Vec::new();
-        for ((variant, classes, difference, _), nearness) in kept {
-            group.variants.push(variant);
-            rest.push((classes, difference, nearness));
-        }
-        let sights = group.sights(self.derivation, setting.claim, graph, true);
-        let by_algebra = group.sights(self.derivation, setting.claim, graph, false);
-        let sights = sights.into_iter().zip(by_algebra);
-        // What is made of parameters alone can only be true by algebra.
-        let scope = &setting.claim.scope;
-        let residuals: Vec<Expr> = formula.parts.iter().flat_map(|p| p.difference.iter().copied()).collect();
-        let leaves = graph.leaves(residuals);
-        let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
-        let mut out: Vec<Candidate> = Vec::new();
-        for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
-            std::mem::take(&mut group.variants).into_iter().zip(sights).zip(rest)
-        {
-            if matches!(sight, Sight::Same | Sight::Repeated | Sight::Said) {
-                continue;
-            }
-            // What does not move anyway says nothing by being constant, and what was added only to make both sides one
-            // expression says nothing either.
-            let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
-            let made_up = moves && alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
-            if trivial || made_up {
-                continue;
-            }
-            let tree = variant.tree(&group.formulas);
-            let text = to_latex(&tree);
-            nearness.empty = sight == Sight::Empty;
-            out.push(Candidate { claim: k, formula: f, tree, text, classes, difference, nearness });
-        }
-        out.sort_by(|a, b| a.nearness.cmp(&b.nearness));
-        out.truncate(MOST_CANDIDATES);
-        out
-    }
-
     /// Tries the candidates on the motions of the check, and writes those that hold everywhere into the accounts.
     fn confirm(
         &self,
@@ -479,6 +401,82 @@ impl Search<'_> {
     }
 }
 
+/// Candidates, the closest to the print first, without those that say nothing or what another says.
+pub(super) fn ranked(
+    derivation: &Derivation,
+    (k, f): (usize, usize),
+    graph: &mut Graph,
+    setting: &Setting,
+    formula: &Formula,
+    vocabulary: &Vocabulary,
+    made: Vec<Made>,
+) -> Vec<Candidate> {
+    let print = to_latex(&formula.tree);
+    let mut group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
+    let mut kept = Vec::new();
+    for (classes, tree) in made {
+        // What is multiplied and divided again was never there; an addition that only undoes what is printed is none.
+        let plain = Chain { sides: tree.sides.iter().map(cancelled).collect(), ..tree.clone() };
+        if plain != tree && classes == [EditClass::Missing] {
+            continue;
+        }
+        let tree = plain;
+        let Some(altered) = setting.altered(graph, formula, &tree).filter(|a| !a.is_empty()) else { continue };
+        // Both sides are one expression, or nothing is left that could be compared.
+        let says_nothing = altered
+            .iter()
+            .all(|(_, p)| p.sides.0 == p.sides.1 || graph.leaves(p.difference.iter().copied()).is_empty());
+        if says_nothing && altered.len() == formula.parts.len() {
+            continue;
+        }
+        let (difference, changed) = difference(&print, &to_latex(&tree));
+        let class = classes.first().copied().unwrap_or(EditClass::Missing);
+        let variant = Variant { class, formula: 0, source: Source::Tree(Box::new(tree)), altered };
+        kept.push((variant, classes, difference, changed));
+    }
+    let nearness = Nearness::of_all(derivation, setting.claim, graph, formula, vocabulary, &kept);
+    // What adds joules to kilograms is no correction of what did not.
+    let as_printed: Vec<_> = formula.parts.iter().map(|p| (p.sides.0, Some(p.sides.1))).collect();
+    let odd = units::inconsistent(derivation, graph, &[as_printed]).contains(&true);
+    let mut kept: Vec<_> = kept.into_iter().zip(nearness).filter(|(_, n)| odd || !n.inconsistent).collect();
+    kept.sort_by(|a, b| a.1.cmp(&b.1));
+    let mut rest = Vec::new();
+    for ((variant, classes, difference, _), nearness) in kept {
+        group.variants.push(variant);
+        rest.push((classes, difference, nearness));
+    }
+    let sights = group.sights(derivation, setting.claim, graph, true);
+    let by_algebra = group.sights(derivation, setting.claim, graph, false);
+    let sights = sights.into_iter().zip(by_algebra);
+    // What is made of parameters alone can only be true by algebra.
+    let scope = &setting.claim.scope;
+    let residuals: Vec<Expr> = formula.parts.iter().flat_map(|p| p.difference.iter().copied()).collect();
+    let leaves = graph.leaves(residuals);
+    let moves = leaves.iter().any(|l| l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter));
+    let mut out: Vec<Candidate> = Vec::new();
+    for ((variant, (sight, alone)), (classes, difference, mut nearness)) in
+        std::mem::take(&mut group.variants).into_iter().zip(sights).zip(rest)
+    {
+        if matches!(sight, Sight::Same | Sight::Repeated | Sight::Said) {
+            continue;
+        }
+        // What does not move anyway says nothing by being constant, and what was added only to make both sides one
+        // expression says nothing either.
+        let trivial = sight == Sight::Empty && formula.manner == Manner::Constant;
+        let made_up = moves && alone == Sight::Empty && edits_between(&classes) > edits_between(&[EditClass::Sign]);
+        if trivial || made_up {
+            continue;
+        }
+        let tree = variant.tree(&group.formulas);
+        let text = to_latex(&tree);
+        nearness.empty = sight == Sight::Empty;
+        out.push(Candidate { claim: k, formula: f, tree, text, classes, difference, nearness });
+    }
+    out.sort_by(|a, b| a.nearness.cmp(&b.nearness));
+    out.truncate(MOST_CANDIDATES);
+    out
+}
+
 /// A formula of which nothing is known but its tree, so that nothing is compared with its print: every part says 0 = 0.
 fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
     let zero = graph.integer(0);
@@ -488,12 +486,12 @@ fn without_print(graph: &mut Graph, formula: &Formula) -> Formula {
 }
 
 /// Whether a formula says something else than equations: then an edit that holds says little.
-fn is_inequality(formula: &Formula) -> bool {
+pub(super) fn is_inequality(formula: &Formula) -> bool {
     formula.parts.iter().any(|p| p.kind != RelationKind::Equal)
 }
 
 /// The candidate as a claim of its own; `None` where it cannot be read as it is printed.
-fn as_claim(
+pub(super) fn as_claim(
     graph: &mut Graph,
     claim: &Claim,
     id: &str,

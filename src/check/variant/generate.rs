@@ -401,6 +401,15 @@ impl ClaimVariants {
         })
     }
 
+    /// Everything that is evaluated.
+    pub fn expressions_mut(&mut self) -> impl Iterator<Item = &mut Expr> {
+        let sizes = self.formulas.iter_mut().flat_map(|f| {
+            let parts = f.parts.iter_mut().flat_map(|p| &mut p.difference);
+            parts.chain(f.magnitudes.iter_mut().flatten())
+        });
+        sizes.chain(self.variants.iter_mut().flat_map(|v| &mut v.altered).flat_map(|(_, p)| &mut p.difference))
+    }
+
     /// Everything that is evaluated for one initial time.
     pub fn roots(&self, start: usize) -> Vec<Expr> {
         let own = self

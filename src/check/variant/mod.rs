@@ -6,7 +6,8 @@
 //!
 //! The order of work: `edit` and `convention` alter syntax trees, one place at a time or throughout; `generate` keeps those with a meaning; `equivalence`
 //! removes those that say what the print says; `battery` makes one program of what is left; `rejection` tries it at the points
-//! at which the claim was tried; `cover` chooses motions; `erratum` looks for what should have been printed.
+//! at which the claim was tried; `cover` chooses motions; `erratum` looks for what should have been printed. Claims without
+//! motions are `still`'s.
 //!
 //! **Guaranteed:** a variant counts as rejected only if it is violated by the rule that the print is judged by. What was
 //! not tried, and why, is counted and reported.
@@ -28,6 +29,7 @@ mod nearness;
 mod point;
 mod rejection;
 mod sites;
+mod still;
 mod tree;
 mod vocabulary;
 
@@ -35,6 +37,7 @@ pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, Var
 pub use alone::Alone;
 pub use edit::EditClass;
 pub use equivalence::SEED;
+pub(super) use still::weigh_still;
 
 use std::ops::Range;
 

@@ -130,8 +130,13 @@ impl Known<'_> {
         last.unwrap_or(true)
     }
 
-    /// Whether a state or a parameter has a value on some motion; true of all others.
+    /// Whether a state or a parameter has a value on some motion; true of all others. In a box, whether it has a value there; of
+    /// fields whatever they are, everything may be.
     fn is_given(&self, symbol: Symbol) -> bool {
+        if let Some(region) = &self.claim.region {
+            let defined = matches!(self.claim.scope.role(symbol), Some(Role::Observable | Role::Abbreviation));
+            return region.ranges.is_empty() || defined || region.ranges.iter().any(|r| r.leaf.symbol == symbol);
+        }
         let on_some = || {
             self.claim.trajectories.iter().any(|&t| {
                 let trajectory = &self.derivation.trajectories[t];

@@ -159,9 +159,23 @@ impl Elaborator<'_> {
                 Ok(usage)
             }
             NodeKind::Derivative { of, by, .. } => self.pieces([&**of, by]),
-            NodeKind::Partial { .. } | NodeKind::Nabla { .. } | NodeKind::Poisson(..) | NodeKind::Variation { .. } => {
-                self.pieces(node.children())
+            NodeKind::Partial { of, by, .. } => {
+                let mut usage = self.piece(of)?;
+                for by in by {
+                    let own = match self.space_index(by) {
+                        Some(letter) => {
+                            let extent = self.cartesian(&by.span)?.len() as u16;
+                            self.note_extent(&letter, extent, &by.span)?;
+                            let open = vec![Occurrence { letter, span: by.span.clone() }];
+                            Usage { open, closed: BTreeSet::new() }
+                        }
+                        None => self.piece(by)?,
+                    };
+                    usage.join(own)?;
+                }
+                Ok(usage)
             }
+            NodeKind::Nabla { .. } | NodeKind::Poisson(..) | NodeKind::Variation { .. } => self.pieces(node.children()),
             NodeKind::At { of, time, .. } => self.pieces([&**of, time]),
             NodeKind::Factorial(a)
             | NodeKind::Differential { of: a, .. }

@@ -8,9 +8,9 @@
 use std::ops::Range;
 
 use super::super::scope::{Role, Signature};
-use super::super::syntax::{Nabla, Node, NodeKind, SubItem};
+use super::super::syntax::{Nabla, Name, Node, NodeKind, SubItem};
 use super::super::tensor;
-use super::{Elaborated, Elaborator, refuse};
+use super::{Elaborated, Elaborator, refuse, stray};
 use expr::{DEEPEST_PLACE, Expr, Graph, Leaf, NoDerivative, Shape, Tensor};
 
 /// Names of coordinates that nobody takes for Cartesian.
@@ -186,6 +186,11 @@ impl Elaborator<'_> {
             _ => true,
         };
         for by in by.iter().rev() {
+            if let Some(letter) = self.space_index(by) {
+                let at = self.along(&letter, &by.span)?;
+                value = self.by_coordinate(value, at, span)?;
+                continue;
+            }
             if self.number(by)?.shape.is_complex() {
                 return refuse("latex::derivative", "a derivative by a complex number", &by.span, "");
             }
@@ -225,6 +230,36 @@ impl Elaborator<'_> {
         Ok(value)
     }
 
+    /// In `\partial_i`: the index, one of the letters from i to n that nothing is called.
+    pub(super) fn space_index(&self, by: &Node) -> Option<Name> {
+        let NodeKind::Symbol(s) = &by.kind else { return None };
+        let plain = s.sub.is_none() && s.sup.is_none() && s.arguments.is_none() && s.dots == 0;
+        let letter = matches!(s.name.as_bytes(), [b'i'..=b'n']);
+        (plain && letter && !self.scope.declares(&s.name)).then(|| s.name.clone())
+    }
+
+    /// The position of the coordinate along which `\partial_i` derives, for the value that the index has.
+    fn along(&mut self, letter: &Name, span: &Range<usize>) -> Elaborated<usize> {
+        let space = self.cartesian(span)?;
+        let Some(value) = self.value_of(letter) else { return stray(letter, span) };
+        let leaf = usize::from(value).checked_sub(1).and_then(|at| space.get(at));
+        match leaf.and_then(|&leaf| self.graph.coordinate(leaf)) {
+            Some(at) => Ok(at),
+            None => refuse("latex::index", "an index out of range", span, "it runs over the coordinates of space"),
+        }
+    }
+
+    /// The coordinates of space, where an index may run over them: they are Cartesian.
+    pub(super) fn cartesian(&mut self, span: &Range<usize>) -> Elaborated<Vec<Leaf>> {
+        let leaves = self.scope.space(self.graph);
+        let polar = |l: &Leaf| self.graph.component_count(l.symbol) == 1 && POLAR.contains(&self.graph.name(l.symbol));
+        if leaves.is_empty() || leaves.iter().any(polar) || self.scope.scale_factors(self.graph).is_some() {
+            let message = "an index at `\\partial` runs over Cartesian coordinates of space, and there are none";
+            return refuse("latex::derivative", message, span, "declare `x`, `y`, `z` with the role `coordinate`");
+        }
+        Ok(leaves)
+    }
+
     /// In `\left(\frac{\partial U}{\partial T}\right)_V`: the coordinates in the subscript, if these are what it holds.
     pub(super) fn held(&self, base: &Node, sub: Option<&[SubItem]>) -> Option<Vec<Leaf>> {
         let NodeKind::Group(inner, _) = &base.kind else { return None };
@@ -235,7 +270,7 @@ impl Elaborator<'_> {
         matches!(inner.kind, NodeKind::Partial { .. }).then(|| sub?.iter().map(one).collect())?
     }
 
-    /// A partial derivative that says what is held fixed: all else on which it depends, and nothing else.
+    /// A partial derivative that says what is held fixed: all else on which it depends.
     pub(super) fn holding(&mut self, base: &Node, held: &[Leaf], span: &Range<usize>) -> Elaborated<Tensor> {
         let NodeKind::Group(inner, _) = &base.kind else { return self.tensor(base) };
         let NodeKind::Partial { of, by, .. } = &inner.kind else { return self.tensor(base) };
@@ -248,7 +283,9 @@ impl Elaborator<'_> {
         let all = self.graph.coordinates().enumerate();
         let wrong = all.into_iter().find(|(at, c)| {
             let depends = leaves.iter().any(|l| l == c || self.graph.depends(l.symbol, *at));
-            (depends && !moved.contains(at)) != held.contains(c) || moved.contains(at) && held.contains(c)
+            // To hold what it does not depend on changes nothing.
+            let open = depends && !moved.contains(at) && !held.contains(c);
+            open || moved.contains(at) && held.contains(c)
         });
         match wrong {
             None => self.tensor(base),

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use super::super::certificates::file_name;
 use super::super::conditions::{separation_in_words, worth_in_words};
-use super::super::discrimination::{sentence, smallest, standing};
+use super::super::discrimination::{sentence, smallest, standing, tried_where};
 use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
@@ -154,12 +154,13 @@ fn discrimination(claim: &ClaimAccount, scope: &Scope) -> Markup {
         @if let Some((rejected, of)) = variants.together() {
             p {
                 b { "Discrimination: " }
-                "of " (count(of, "altered formula")) " " (rejected) " would be noticed on "
-                (count(variants.tried_on, "trajectory")) (smallest(variants).replace('`', "")) ". "
+                "of " (count(of, "altered formula")) " " (rejected) " would be noticed "
+                (tried_where(claim, variants)) (smallest(variants).replace('`', "")) ". "
                 (prose(&sentence(claim, variants), scope))
             }
             @if !alive.is_empty() {
-                p { b { "Altered formulas that no motion rejects:" } }
+                @let nothing = if claim.region.is_some() { "nothing that was tried" } else { "no motion" };
+                p { b { "Altered formulas that " (nothing) " rejects:" } }
                 ul {
                     @for s in alive.iter().take(SHOWN) { li { (s.class.word()) ": " (formula(&s.formula, scope)) } }
                     @if alive.len() > SHOWN { li { "and " (alive.len() - SHOWN) " more, in report.json" } }
