@@ -81,6 +81,15 @@ fn changes_and_means_between_events() {
     has(&format!("formula = '\\frac12v^2+2x^2'\nsince = {up}\nat = {up}\ntake = 'mean'"), &[18.0, 18.0]);
     has(&format!("formula = '|x|'\nsince = 'x=0'\nat = {second}\ntake = 'mean'"), &[6.0 / pi]);
     has(&format!("formula = 'e^{{x}}'\nsince = {up}\nat = {second}\ntake = 'mean'"), &[4.880_792_585_865_024]);
+    // Over a kink, and over leaps, that lie inside: the mean of |x| is 6/π, and of the sign 0.
+    has(&format!("formula = '|x|'\nsince = {up}\nat = {second}\ntake = 'mean'"), &[6.0 / pi]);
+    let slanted = "{ when = 'v=2x', direction = 'up' }";
+    has(&format!("formula = '\\operatorname{{sgn}}(x)'\nsince = {slanted}\nat = {slanted}\ntake = 'mean'"), &[0.0, 0.0]);
+    // Through a pole there is no integral.
+    for pole in ["\\frac1x", "\\frac{1}{x^2}"] {
+        let lines = format!("formula = '{pole}'\nsince = {slanted}\nat = {slanted}\ntake = 'mean'");
+        assert!(measured(&lines).iter().all(|m| m.values.is_empty() && m.reason.is_some()), "{pole}");
+    }
 }
 
 #[test]

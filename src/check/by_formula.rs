@@ -393,9 +393,20 @@ impl<'a> Setting<'a> {
             }
             // Its comparisons are the opposites of what must not be.
             What::Denied => {}
-            What::Defined | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
-                return None;
+            What::Defined => {
+                let formulas: Vec<Expr> =
+                    group.comparisons.iter().filter(|c| c.left == c.right).map(|c| c.left).collect();
+                let mut everywhere = |e: Expr| {
+                    self.needs.clear();
+                    let Some(e) = self.put(&claim.scope, e) else { return false };
+                    let needs = std::mem::take(&mut self.needs);
+                    let found = self.ask(guards, needs, (e, e), Refuted::Apart);
+                    matches!(found, Along::Agree { everywhere: true, seen: Some(_) })
+                };
+                let all = !formulas.is_empty() && formulas.into_iter().all(&mut everywhere);
+                return all.then_some(Ok(()));
             }
+            What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => return None,
         }
         let mut holds = true;
         for c in &group.comparisons {
@@ -523,14 +534,15 @@ impl<'a> Setting<'a> {
         })
     }
 
-    /// A time that may count at which the formula for a rate has no value, though what it is the rate of has one: there may be
-    /// no rate, as at a kink.
+    /// A time that may count at which the formula for a rate may have no value: there may be no rate, as at a kink.
     fn may_lack_a_rate(&mut self, claim: &Claim, guards: &InTime, part: &Part) -> Option<f64> {
         let sides: Vec<Expr> = part.group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
+        let moves = |l: &Leaf| l.rate > 0 && l.instant.is_none();
+        let sides: Vec<Expr> = sides.into_iter().filter(|&e| self.graph.leaves([e]).iter().any(moves)).collect();
         let sides: Vec<Expr> = sides.into_iter().filter_map(|e| self.put(&claim.scope, e)).collect();
-        let needs = self.graph.needs_below(sides);
+        let needs: Vec<Expr> = self.graph.needs_below(sides).into_iter().map(|n| n.value).collect();
         let guards: Vec<Expr> = guards.positive.iter().chain(&guards.not_negative).copied().collect();
-        needs.into_iter().filter(|n| !n.certain).flat_map(|n| self.changes(n.value)).map(|(a, b)| 0.5 * (a + b)).find(
+        needs.into_iter().flat_map(|e| self.changes(self.graph.root_of_zeros(e))).map(|(a, b)| 0.5 * (a + b)).find(
             |&t| {
                 guards.iter().all(|&e| self.value(e).and_then(|mut value| value(t)).is_none_or(|v| v >= -f64::EPSILON))
             },

@@ -102,7 +102,7 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
             continue;
         }
         let label = format!("{} has a value", w.text);
-        let value = if need.sign == Sign::NotZero { root_of_zeros(graph, need.value) } else { need.value };
+        let value = if need.sign == Sign::NotZero { graph.root_of_zeros(need.value) } else { need.value };
         let condition = Comparison::new(graph, scope, label, relation(need.sign), value, zero);
         match need.certain {
             true => out.push(condition),
@@ -110,18 +110,6 @@ fn domain_conditions(graph: &mut Graph, scope: &Scope, w: &Written<Tensor>) -> (
         }
     }
     (out, edges)
-}
-
-/// What is 0 where this is, and changes its sign there sooner: |x|, x² and √x are 0 where x is.
-fn root_of_zeros(graph: &Graph, e: Expr) -> Expr {
-    let mut root = e;
-    loop {
-        match *graph.node(root) {
-            Node::Unary(Op::Abs | Op::Sqrt, a) => root = a,
-            Node::Unary(Op::Powi(n), a) if n > 0 => root = a,
-            Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => return root,
-        }
-    }
 }
 
 /// Powers from this one on are taken for exponentials.
@@ -413,14 +401,14 @@ impl Denotation<'_> {
                 Form::Solves { system } => {
                     for w in &self.systems[*system].equations {
                         for said in self.relations(w, sign) {
-                            let needs = self.needs(&said);
-                            let mut group = self.group(&[said], false, &selected);
-                            group.asserted = true;
+                            let sides = [&said.1.left, &said.1.right].map(|side| Written {
+                                text: said.0.to_owned(),
+                                span: 0..0,
+                                value: side.clone(),
+                            });
+                            let group = self.group(&[said], false, &selected);
                             says.push(self.part(What::Every, group));
-                            if !needs.is_empty() {
-                                let group = Group { comparisons: needs, asserted: true, ..Group::default() };
-                                says.push(self.part(What::Every, group));
-                            }
+                            says.extend(sides.iter().map(|side| self.defined(side, sign)));
                         }
                     }
                 }
@@ -438,15 +426,8 @@ impl Denotation<'_> {
                     }
                 }
                 Form::Defined(w) => {
-                    let mut group = self.values(w, sign, |text| format!("{text} has a value"), false);
-                    let (conditions, edges) = domain_conditions(self.graph, &claim.scope, w);
-                    if let Some(first) = group.comparisons.first_mut() {
-                        // The search between the samples looks there, too.
-                        first.boundaries.extend(edges);
-                    }
-                    group.comparisons.extend(conditions);
-                    group.asserted = true;
-                    says.push(self.part(What::Defined, group));
+                    let part = self.defined(w, sign);
+                    says.push(part);
                 }
                 Form::SameMotion { other, of } => {
                     says.push(self.part(What::SameMotion(*other, of.clone()), Group::default()));
@@ -484,13 +465,17 @@ impl Denotation<'_> {
         self.part(what, group)
     }
 
-    /// The conditions under which both sides of a relation have values.
-    fn needs(&mut self, (text, relation): &Said) -> Vec<Comparison> {
-        let of = [&relation.left, &relation.right].into_iter().flat_map(|side| {
-            let value = side.clone();
-            domain_conditions(self.graph, &self.claim.scope, &Written { text: (*text).to_owned(), span: 0..0, value }).0
-        });
-        of.collect()
+    /// That a formula has a value at every time.
+    fn defined(&mut self, w: &Written<Tensor>, sign: Option<i64>) -> Proposition {
+        let mut group = self.values(w, sign, |text| format!("{text} has a value"), false);
+        let (conditions, edges) = domain_conditions(self.graph, &self.claim.scope, w);
+        if let Some(first) = group.comparisons.first_mut() {
+            // The search between the samples looks there, too.
+            first.boundaries.extend(edges);
+        }
+        group.comparisons.extend(conditions);
+        group.asserted = true;
+        self.part(What::Defined, group)
     }
 
     fn part(&mut self, what: What, group: Group) -> Proposition {

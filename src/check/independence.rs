@@ -6,7 +6,7 @@
 
 use nalgebra::DMatrix;
 
-use super::comparison::traced_now;
+use super::comparison::{GUARD, traced_now};
 use super::stage::Fields;
 use super::trial::{Trial, Tried};
 use super::weigh::Left;
@@ -278,7 +278,7 @@ fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Op
         let shrunk = lengths(&values).into_iter().zip(&longest).skip(of.constraints);
         let shrunk = shrunk.filter(|(_, most)| **most > 0.0).map(|(now, most)| now / most).fold(1.0, f64::min);
         let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
-        let mut all: Vec<f64> = normalised(rows, n, &values).singular_values().iter().copied().collect();
+        let mut all: Vec<f64> = normalised(rows, n, &values).0.singular_values().iter().copied().collect();
         all.sort_by(|a, b| b.total_cmp(a));
         let wanted = base + of.functions;
         Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
@@ -328,27 +328,37 @@ fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
     })
 }
 
-/// A matrix with rows scaled to length 1; zero rows stay.
-fn normalised(rows: usize, columns: usize, values: &[Bounded]) -> DMatrix<f64> {
+/// Gradients with rows scaled to length 1, and how far the whole may be off; rows of zeros stay.
+fn normalised(rows: usize, columns: usize, values: &[Bounded]) -> (DMatrix<f64>, f64) {
     let mut m = DMatrix::from_fn(rows, columns, |i, j| values[i * columns + j].value);
-    for mut row in m.row_iter_mut() {
-        let length = row.norm();
+    let mut off = 0.0_f64;
+    for (mut row, of) in m.row_iter_mut().zip(values.chunks(columns.max(1))) {
+        let (length, error) = (row.norm(), of.iter().map(|x| x.error).fold(0.0, f64::hypot));
         if length > 0.0 {
             row /= length;
         }
+        // A row that may vanish has any direction.
+        off = off.hypot(if error == 0.0 {
+            0.0
+        } else if error < length {
+            error / length
+        } else {
+            f64::INFINITY
+        });
     }
-    m
+    (m, off)
 }
 
-/// Rank, or `None` when a singular value lies in between; with the smallest one that is not zero.
-fn rank(m: &DMatrix<f64>) -> (Option<usize>, f64) {
+/// Rank, or `None` when a singular value lies in between, or no farther from 0 than errors reach; with the smallest one that is not
+/// zero.
+fn rank((m, off): &(DMatrix<f64>, f64)) -> (Option<usize>, f64) {
     if m.nrows() == 0 {
         return (Some(0), f64::INFINITY);
     }
     let values = m.clone().singular_values();
     let largest = values.max();
     let gap = values.iter().copied().filter(|&s| s > ZERO * largest).fold(f64::INFINITY, f64::min);
-    let sure = values.iter().filter(|&&s| s > NONZERO * largest).count();
+    let sure = values.iter().filter(|&&s| s > (NONZERO * largest).max(GUARD * off)).count();
     let zero = values.iter().filter(|&&s| s <= ZERO * largest).count();
     ((sure + zero == values.len()).then_some(sure), gap)
 }

@@ -217,8 +217,61 @@ const NODES: [(f64, f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
 ];
 
+/// Stretches are halved until the two rules differ by less than this share of the integral of the size of the quantity.
+const AGREED: f64 = 1e-12;
+
+/// What is left after so many halvings is where the quantity has no integral, as at a pole.
+const HALVINGS: u32 = 50;
+
+/// More stretches are not looked at.
+const STRETCHES: usize = 100_000;
+
+/// A stretch with what two rules say of the integral over it.
+#[derive(Clone, Copy)]
+struct Stretch {
+    ends: (f64, f64),
+    halvings: u32,
+    integral: f64,
+    /// How far the rules differ.
+    apart: f64,
+    /// How far the values may be off.
+    off: f64,
+    /// The integral of the size.
+    size: f64,
+}
+
+/// Quadrature over some stretches of time, none with a value missing.
+fn quadrature(course: &Course, tape: &Tape, ends: &[((f64, f64), u32)]) -> Result<Vec<Stretch>, NoValue> {
+    let sides = [-1.0, 1.0];
+    let nodes = || NODES.iter().flat_map(|node| sides.iter().map(move |side| (side * node.0, node))).skip(1);
+    let leaves: Vec<usize> = (0..course.leaves.len()).collect();
+    let mut out = Vec::with_capacity(ends.len());
+    // A few stretches at a time: memory does not grow with the span.
+    for some in ends.chunks(64) {
+        let places = some.iter().flat_map(|((a, b), _)| nodes().map(move |(x, _)| 0.5 * (a + b) + 0.5 * (b - a) * x));
+        let points = course.stage.points(course.trajectory, &places.collect::<Vec<_>>(), &leaves);
+        let mut at = 0;
+        for &(ends, halvings) in some {
+            let half = 0.5 * (ends.1 - ends.0);
+            let mut of = Stretch { ends, halvings, integral: 0.0, apart: 0.0, off: 0.0, size: 0.0 };
+            let mut coarse = 0.0;
+            for (_, (_, weight, of_gauss)) in nodes() {
+                let x = value(tape, &points.row(at))?;
+                at += 1;
+                of.integral += half * weight * x.value;
+                coarse += half * of_gauss * x.value;
+                of.size += half * weight * x.value.abs();
+                of.off += half * weight * (x.error + 4.0 * f64::EPSILON * x.value.abs());
+            }
+            of.apart = (of.integral - coarse).abs();
+            out.push(of);
+        }
+    }
+    Ok(out)
+}
+
 /// The mean of the quantity between two events, at which it has these values: quadrature over the stretches between the samples of
-/// the motion. The two rules differ by far more than the better one is off.
+/// the motion, which are halved where the quantity bends or leaps. The two rules differ by far more than the better one is off.
 fn mean(
     course: &Course,
     tape: &Tape,
@@ -227,35 +280,39 @@ fn mean(
 ) -> Result<Bounded, NoValue> {
     let inner = course.times.iter().copied().filter(|t| first.t < *t && *t < second.t);
     let ends: Vec<f64> = std::iter::once(first.t).chain(inner).chain([second.t]).collect();
-    let sides = [-1.0, 1.0];
-    let nodes = || NODES.iter().flat_map(|node| sides.iter().map(move |side| (side * node.0, node))).skip(1);
-    let place = |w: &[f64], x: f64| 0.5 * (w[0] + w[1]) + 0.5 * (w[1] - w[0]) * x;
-    let leaves: Vec<usize> = (0..course.leaves.len()).collect();
-    let (mut sum, mut error) = (0.0, 0.0);
-    // A few stretches at a time: memory does not grow with the span.
-    for some in ends.windows(2).collect::<Vec<_>>().chunks(64) {
-        let times: Vec<f64> = some.iter().flat_map(|w| nodes().map(|(x, _)| place(w, x))).collect();
-        let points = course.stage.points(course.trajectory, &times, &leaves);
-        let mut at = 0;
-        for w in some {
-            let half = 0.5 * (w[1] - w[0]);
-            let (mut better, mut coarse, mut bound) = (0.0, 0.0, 0.0);
-            for (_, (_, weight, of_gauss)) in nodes() {
-                let x = value(tape, &points.row(at))?;
-                at += 1;
-                better += weight * x.value;
-                coarse += of_gauss * x.value;
-                bound += weight * (x.error + 4.0 * f64::EPSILON * x.value.abs());
+    let whole: Vec<_> = ends.windows(2).map(|w| ((w[0], w[1]), 0)).collect();
+    let mut found = quadrature(course, tape, &whole)?;
+    let size: f64 = found.iter().map(|s| s.size).sum();
+    let (mut sum, mut error, mut looked) = (0.0, 0.0, found.len());
+    loop {
+        let mut halves = Vec::new();
+        for s in found {
+            if s.apart <= s.off.max(AGREED * size) {
+                sum += s.integral;
+                error += s.apart + s.off;
+                continue;
             }
-            sum += half * better;
-            error += half * ((better - coarse).abs() + bound);
+            if s.halvings == HALVINGS {
+                return Err(NoValue::Indeterminate);
+            }
+            let (a, b) = s.ends;
+            let middle = a + 0.5 * (b - a);
+            halves.extend([((a, middle), s.halvings + 1), ((middle, b), s.halvings + 1)]);
         }
+        looked += halves.len();
+        if halves.is_empty() {
+            break;
+        }
+        if looked > STRETCHES {
+            return Err(NoValue::Indeterminate);
+        }
+        found = quadrature(course, tape, &halves)?;
     }
     let duration = second.t - first.t;
     let mean = sum / duration;
     // How the mean moves with its ends.
     let end = |of: Known, x: Bounded| of.slack * (x.value.abs() + x.error + mean.abs());
-    let rounding = 4.0 * f64::EPSILON * ends.len() as f64 * mean.abs();
+    let rounding = 4.0 * f64::EPSILON * looked as f64 * size / duration;
     let error = (error + end(first, at_first) + end(second, at_second)) / (duration - first.slack - second.slack);
     Ok(Bounded { value: mean, error: error + rounding })
 }

@@ -407,6 +407,18 @@ impl Graph {
         out
     }
 
+    /// What is 0 where an expression is, and changes its sign there sooner: |x|, xⁿ and √x are 0 where x is.
+    pub fn root_of_zeros(&self, e: Expr) -> Expr {
+        let mut root = e;
+        loop {
+            match *self.node(root) {
+                Node::Unary(Op::Abs | Op::Sqrt, a) => root = a,
+                Node::Unary(Op::Powi(n), a) if n > 0 => root = a,
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => return root,
+            }
+        }
+    }
+
     /// The nodes without whose values the roots have none: all, but what stands in a formula for a rate only.
     fn asked(&self, roots: &[Expr]) -> FastSet<Expr> {
         let (mut seen, mut open) = (FastSet::default(), roots.to_vec());

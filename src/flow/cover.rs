@@ -8,6 +8,9 @@ use number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 /// How many stretches, or times, are looked at together.
 pub(super) const BLOCK: usize = 8;
 
+/// Stretches are halved at most so often in one cover: a piece has some 300 bytes.
+const MOST_HALVINGS: usize = 400_000;
+
 /// A stretch of time.
 #[derive(Clone, Debug)]
 pub(super) enum Stretch {
@@ -161,7 +164,7 @@ impl<'a> Explorer<'a> {
     ) -> Vec<Stretch> {
         let mut out: Vec<Stretch> = Vec::new();
         let length = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
-        let mut budget = 4000 + 200 * times.len();
+        let mut budget = (4000 + 200 * times.len()).min(MOST_HALVINGS);
         let stretches: Vec<(f64, f64)> = times.windows(2).map(|pair| (pair[0], pair[1])).collect();
         let mut together: std::vec::IntoIter<Option<Piece>> = Vec::new().into_iter();
         for (i, &stretch) in stretches.iter().enumerate() {

@@ -22,7 +22,7 @@
 //!
 //! Whether a point that satisfies all of them belongs to a solution is the subject of [`passive`](super::passive).
 
-use super::outcome::{Point, Premises, Reason};
+use super::outcome::{Point, Premises, Reason, Vanishes};
 use super::passive::{depends_on_all, least_common, passive};
 use super::witness::{decimals, values_at};
 use expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Partials, Place, Symbol};
@@ -95,7 +95,7 @@ impl Jets {
     ///
     /// # Errors
     /// [`Reason::NoDerivative`] where a derivative cannot be written.
-    pub(super) fn of(graph: &mut Graph, given: &Premises, asked: &[Expr]) -> Result<Jets, Reason> {
+    pub(super) fn of(graph: &mut Graph, given: &Premises, asked: &[Expr], is_zero: Vanishes) -> Result<Jets, Reason> {
         let Premises { equations, time, moving, .. } = given;
         let time = *time;
         let mut out = Jets::default();
@@ -135,7 +135,7 @@ impl Jets {
             }
         }
         if pure && complete {
-            out.slopes = out.closed(graph, given, &led, &asked)?;
+            out.slopes = out.closed(graph, (given, is_zero), &led, &asked)?;
         }
         Ok(out)
     }
@@ -146,11 +146,13 @@ impl Jets {
     fn closed(
         &mut self,
         graph: &mut Graph,
-        given: &Premises,
+        (given, is_zero): (&Premises, Vanishes),
         led: &[Led],
         asked: &[Expr],
     ) -> Result<Option<Vec<Expr>>, Reason> {
-        let Some(found) = passive(graph, led, &constants(graph, given), given.time)? else { return Ok(None) };
+        let Some(found) = passive(graph, led, &constants(graph, given), (given.time, is_zero))? else {
+            return Ok(None);
+        };
         let Some(completed) = found.completed else { return Ok(Some(found.slopes)) };
         let mut more = Jets::default();
         let complete = more.derive(graph, &completed, asked, given.time)?;

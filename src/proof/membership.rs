@@ -19,7 +19,7 @@ use super::names::{free, leaf_name, names_of, python};
 use super::outcome::{Premises, Reason};
 use super::polynomial::{factors, fraction};
 use super::prepare::{explicit, with_rates};
-use super::prove::{Lowered, lower};
+use super::prove::{Lowered, lower, vanishes};
 use super::ring::{Given, Poly, Relation, Source, System, combined, denominators, integral, is_basis, map, ratio};
 use super::solve::insert_definitions;
 use super::written::{Writer, functions, meaning};
@@ -38,7 +38,7 @@ pub(super) fn certify(
     effort: Effort,
 ) -> Result<Vec<Certificate>, NoCertificate> {
     let wrong = NoCertificate::NotPolynomial;
-    let (premises, _) = with_rates(graph, given, equations).map_err(wrong)?;
+    let (premises, _) = with_rates(graph, given, equations, vanishes).map_err(wrong)?;
     let solved = explicit(graph, &premises, equations, given);
     let insert = |graph: &mut Graph, e: Expr| insert_definitions(graph, &solved.definitions, e);
     let claim: Vec<(Expr, Expr)> = equations.iter().map(|&(l, r)| (insert(graph, l), insert(graph, r))).collect();

@@ -1,6 +1,6 @@
 //! What an identity test is asked and what it answers.
 
-use expr::{Expr, Leaf, Rational, Symbol};
+use expr::{Expr, Graph, Leaf, Rational, Symbol};
 
 /// What may be used in a proof.
 #[derive(Clone, Debug, Default)]
@@ -274,3 +274,6 @@ impl std::fmt::Display for Reason {
         }
     }
 }
+
+/// Whether an expression is 0 wherever it has a value, given premises.
+pub(super) type Vanishes = fn(&mut Graph, Expr, &Premises) -> bool;

@@ -26,8 +26,7 @@
 //!    (ISSAC 1995) these pairs are enough.
 
 use super::jets::{Led, rank};
-use super::outcome::{Condition, Identity, Options, Premises, Reason};
-use super::prove::identity_test;
+use super::outcome::{Premises, Reason, Vanishes};
 use expr::{Expr, FastMap, Graph, Leaf, Node, Op, Partials};
 
 /// More equations are not added.
@@ -52,7 +51,7 @@ pub(super) struct Passive {
 }
 
 /// The equations made passive, if a theorem then says that solutions pass through their points. `constants` are equations that
-/// name neither fields nor coordinates.
+/// name neither fields nor coordinates; `is_zero` tests whether something is 0 by them.
 ///
 /// # Errors
 /// [`Reason::NoDerivative`] where a derivative cannot be written.
@@ -60,7 +59,7 @@ pub(super) fn passive(
     graph: &mut Graph,
     led: &[Led],
     constants: &Premises,
-    time: Option<Leaf>,
+    (time, is_zero): (Option<Leaf>, Vanishes),
 ) -> Result<Option<Passive>, Reason> {
     if !led.iter().all(|p| is_analytic(graph, p)) {
         return Ok(None);
@@ -69,8 +68,16 @@ pub(super) fn passive(
         let slopes = led.iter().map(|p| slope(graph, p)).collect::<Result<_, _>>()?;
         return Ok(Some(Passive { slopes, completed: None }));
     }
-    Completion { limit: graph.len() + MOST_NODES, graph, constants, time, all: Vec::new(), images: FastMap::default() }
-        .of(led)
+    Completion {
+        limit: graph.len() + MOST_NODES,
+        graph,
+        constants,
+        time,
+        is_zero,
+        all: Vec::new(),
+        images: FastMap::default(),
+    }
+    .of(led)
 }
 
 fn is_analytic(graph: &Graph, p: &Led) -> bool {
@@ -130,6 +137,7 @@ struct Completion<'a> {
     graph: &'a mut Graph,
     constants: &'a Premises,
     time: Option<Leaf>,
+    is_zero: Vanishes,
     all: Vec<Solved>,
     /// What derivatives of leaders are, by the equation and what they are beyond its leader.
     images: FastMap<(usize, Partials), Expr>,
@@ -174,12 +182,7 @@ impl Completion<'_> {
         if let Some(value) = self.graph.as_constant(e) {
             return value.is_zero();
         }
-        let zero = self.graph.integer(0);
-        let options = Options { attempts: 0, special_cases: 0, ..Options::default() };
-        match identity_test(self.graph, &[(e, zero)], self.constants, &options) {
-            Identity::Proved(proof) => !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))),
-            Identity::Refuted(_) | Identity::Undecided(_) => false,
-        }
+        (self.is_zero)(self.graph, e, self.constants)
     }
 
     /// The equation e = 0, solved for its highest derivative; `None` where it names none, or is not linear in it.

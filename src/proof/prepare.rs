@@ -4,7 +4,7 @@ use super::closing::Dynamics;
 use super::insertion::put_in;
 use super::jets::Jets;
 use super::linear::Combinations;
-use super::outcome::{Point, Premises, Reason};
+use super::outcome::{Point, Premises, Reason, Vanishes};
 use super::witness::{decimals, values_at};
 use expr::{Expr, Graph, Leaf, Node, Op};
 use expr::{FastMap, FastSet};
@@ -60,11 +60,12 @@ impl Solutions {
 }
 
 /// The premises' equations, followed by their derivatives by time as far as the claim and hidden constraints ask for, see
-/// [`Dynamics`], and by coordinates, see [`Jets`]; and those by time at the fixed times at which rates occur.
+/// [`Dynamics`], and by coordinates, see [`Jets`]; and those by time at the fixed times at which rates occur. `is_zero` tests whether something is 0 by the premises.
 pub(super) fn with_rates(
     graph: &mut Graph,
     premises: &Premises,
     equations: &[(Expr, Expr)],
+    is_zero: Vanishes,
 ) -> Result<(Vec<Premise>, Solutions), Reason> {
     let plain = |&(left, right): &(Expr, Expr)| Premise { left, right, derived: false };
     let mut all: Vec<Premise> = premises.equations.iter().map(plain).collect();
@@ -75,7 +76,7 @@ pub(super) fn with_rates(
     let named = asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
     let apart = graph.differences_of_places(named.collect::<Vec<_>>());
     all.extend(at_one_place(graph, asked.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]))));
-    let jets = Jets::of(graph, premises, &asked)?;
+    let jets = Jets::of(graph, premises, &asked, is_zero)?;
     all.extend(jets.derived.iter().map(|&(left, right)| Premise { left, right, derived: true }));
     let Some(time) = premises.time else {
         all.extend(premises.only_now.iter().map(plain));

@@ -92,6 +92,16 @@ pub(super) fn identity_at(
     }
 }
 
+/// Whether an expression is 0 wherever it has a value, by premises that need not be solved.
+pub(super) fn vanishes(graph: &mut Graph, e: Expr, given: &Premises) -> bool {
+    let zero = graph.integer(0);
+    let options = Options { attempts: 0, special_cases: 0, ..Options::default() };
+    match identity_test(graph, &[(e, zero)], given, &options) {
+        Identity::Proved(proof) => !proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_))),
+        Identity::Refuted(_) | Identity::Undecided(_) => false,
+    }
+}
+
 /// The answer for a family of branches: a formula with ±, one list of equations for each choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branches {
@@ -165,7 +175,7 @@ fn decide(
     options: &Options,
 ) -> Result<Proof, Stop> {
     let mut draws = Draws::new(options.seed);
-    let (mut premises, solutions) = with_rates(graph, given, equations)?;
+    let (mut premises, solutions) = with_rates(graph, given, equations, vanishes)?;
     // What is proved is proved where the formulas have values: what rates are restricted to asks for conditions only.
     let whole: Pairs = premises.iter().map(|p| (p.left, p.right)).collect();
     for p in &mut premises {
