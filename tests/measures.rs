@@ -84,7 +84,10 @@ fn changes_and_means_between_events() {
     // Over a kink, and over leaps, that lie inside: the mean of |x| is 6/π, and of the sign 0.
     has(&format!("formula = '|x|'\nsince = {up}\nat = {second}\ntake = 'mean'"), &[6.0 / pi]);
     let slanted = "{ when = 'v=2x', direction = 'up' }";
-    has(&format!("formula = '\\operatorname{{sgn}}(x)'\nsince = {slanted}\nat = {slanted}\ntake = 'mean'"), &[0.0, 0.0]);
+    has(
+        &format!("formula = '\\operatorname{{sgn}}(x)'\nsince = {slanted}\nat = {slanted}\ntake = 'mean'"),
+        &[0.0, 0.0],
+    );
     // Through a pole there is no integral.
     for pole in ["\\frac1x", "\\frac{1}{x^2}"] {
         let lines = format!("formula = '{pole}'\nsince = {slanted}\nat = {slanted}\ntake = 'mean'");

@@ -220,6 +220,9 @@ const NODES: [(f64, f64, f64); 8] = [
 /// Stretches are halved until the two rules differ by less than this share of the integral of the size of the quantity.
 const AGREED: f64 = 1e-12;
 
+/// A larger share of it that the errors of values leave open is too much.
+const TOLD: f64 = 1e-6;
+
 /// What is left after so many halvings is where the quantity has no integral, as at a pole.
 const HALVINGS: u32 = 50;
 
@@ -283,13 +286,15 @@ fn mean(
     let whole: Vec<_> = ends.windows(2).map(|w| ((w[0], w[1]), 0)).collect();
     let mut found = quadrature(course, tape, &whole)?;
     let size: f64 = found.iter().map(|s| s.size).sum();
-    let (mut sum, mut error, mut looked) = (0.0, 0.0, found.len());
+    let (mut sum, mut error, mut open, mut looked) = (0.0, 0.0, 0.0, found.len());
     loop {
         let mut halves = Vec::new();
         for s in found {
             if s.apart <= s.off.max(AGREED * size) {
                 sum += s.integral;
                 error += s.apart + s.off;
+                // What values do not tell may hide a pole.
+                open += if s.apart > AGREED * size { s.apart } else { 0.0 };
                 continue;
             }
             if s.halvings == HALVINGS {
@@ -307,6 +312,9 @@ fn mean(
             return Err(NoValue::Indeterminate);
         }
         found = quadrature(course, tape, &halves)?;
+    }
+    if open > TOLD * size {
+        return Err(NoValue::Indeterminate);
     }
     let duration = second.t - first.t;
     let mean = sum / duration;

@@ -18,6 +18,7 @@ use super::memory::Memory;
 use super::outcome::{Identity, Options, Premises, Wanted};
 use super::prove::identity_test_after;
 use super::witness::decimals;
+use expr::domain::{Need, Sign};
 use expr::{Expr, FastMap, Graph, Leaf, Rational};
 use number::Bounded;
 
@@ -138,9 +139,15 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     if let Some(exact) = exact {
         return Along::Differ(exact);
     }
+    let mut formulas = question.needs.clone();
+    formulas.extend([left, right]);
+    let domain = graph.needs_below(formulas);
     let expanded = expanded(graph, left, right);
     let apart = (0..TIMES).map(place).find_map(|t| {
         let (l, r) = sides_at(graph, question, time, t)?;
+        if !are_met(graph, &domain, time, t) {
+            return None;
+        }
         let refutes = |difference: f64, error: f64| {
             let certain = difference.is_finite() && error.is_finite() && difference.abs() > 2.0 * error;
             certain
@@ -178,6 +185,19 @@ fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bo
         && nonzero.iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error));
     let sides = decimals(graph, &[left, right], &values);
     counts.then_some(sides[0]?).zip(sides[1])
+}
+
+/// Whether operations have values at a time for certain: a ball that reaches out of a domain has values only where it does not.
+fn are_met(graph: &Graph, domain: &[Need], time: Leaf, at: f64) -> bool {
+    let values = FastMap::from_iter([(time, Bounded::exact(at))]);
+    let terms: Vec<Expr> = domain.iter().map(|need| need.value).collect();
+    decimals(graph, &terms, &values).into_iter().zip(domain).all(|(v, need)| {
+        v.is_some_and(|v| match need.sign {
+            Sign::Positive => v.value > v.error,
+            Sign::NotNegative => v.value >= v.error,
+            Sign::NotZero => v.value.abs() > v.error,
+        })
+    })
 }
 
 /// Both sides at a time that counts, at which everything is a rational number; `None` otherwise.
