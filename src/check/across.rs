@@ -36,7 +36,7 @@ use crate::verdict::{Evidence, Finding, Possible};
 fn across_of<'d>(derivation: &'d Derivation, trial: &Trial) -> Option<&'d Across> {
     let claim = derivation.claims.iter().find(|c| c.id == trial.claim.id && c.reading == trial.claim.reading)?;
     claim.forms.iter().find_map(|form| match form {
-        Form::Across(across) => Some(across),
+        Form::Across(across) => Some(&**across),
         _ => None,
     })
 }

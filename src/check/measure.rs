@@ -290,9 +290,15 @@ fn mean(
     loop {
         let mut halves = Vec::new();
         for s in found {
-            if s.apart <= s.off.max(AGREED * size) {
+            let (a, b) = s.ends;
+            // So narrow a stretch has one value, as far as numbers of binary64 tell: what it adds must be nothing.
+            let narrow = b - a <= 64.0 * f64::EPSILON * a.abs().max(b.abs());
+            if narrow && s.size > AGREED * size {
+                return Err(NoValue::Indeterminate);
+            }
+            if narrow || s.apart <= s.off.max(AGREED * size) {
                 sum += s.integral;
-                error += s.apart + s.off;
+                error += s.apart + s.off + if narrow { s.size } else { 0.0 };
                 // What values do not tell may hide a pole.
                 open += if s.apart > AGREED * size { s.apart } else { 0.0 };
                 continue;
@@ -300,7 +306,6 @@ fn mean(
             if s.halvings == HALVINGS {
                 return Err(NoValue::Indeterminate);
             }
-            let (a, b) = s.ends;
             let middle = a + 0.5 * (b - a);
             halves.extend([((a, middle), s.halvings + 1), ((middle, b), s.halvings + 1)]);
         }

@@ -18,7 +18,7 @@ use super::measure::Compiled;
 use super::memory::Recall;
 use super::program::Program;
 use super::trial::{Course, Values};
-use crate::derivation::{Across, Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
+use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
 use crate::flow::{
@@ -180,8 +180,8 @@ fn needed_families(derivation: &Derivation, requests: &Requests) -> Vec<Vec<usiz
         if let Form::SameMotion { other, .. } = form {
             needed[*other] = true;
         }
-        if let Form::Across(Across { others, .. }) = form {
-            others.iter().for_each(|other| needed[*other] = true);
+        if let Form::Across(across) = form {
+            across.others.iter().for_each(|other| needed[*other] = true);
         }
     }
     for t in 0..count {

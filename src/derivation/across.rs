@@ -79,16 +79,8 @@ impl Loader<'_> {
         claim.expect.clear();
         let (name, values) = (with.trim().to_owned(), Err(NoOther::NoMember));
         let others = Vec::new();
-        claim.forms.push(Form::Across(Across {
-            of,
-            with: leaf,
-            name,
-            dependence,
-            point,
-            value: limit,
-            others,
-            values,
-        }));
+        let across = Across { of, with: leaf, name, dependence, point, value: limit, others, values };
+        claim.forms.push(Form::Across(Box::new(across)));
     }
 
     /// Where an extremum lies, or what the symbol tends to, and the limit.

@@ -369,7 +369,7 @@ pub enum Form {
         unique: bool,
     },
     /// How a quantity depends on what a family varies.
-    Across(Across),
+    Across(Box<Across>),
 }
 
 /// What a claim says of members that differ in one symbol.

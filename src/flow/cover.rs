@@ -9,7 +9,7 @@ use number::{Bounded, BoundedLanes, Jet, Lanes, NoValue};
 pub(super) const BLOCK: usize = 8;
 
 /// Stretches are halved at most so often in one cover: a piece has some 300 bytes.
-const MOST_HALVINGS: usize = 400_000;
+const MOST_HALVINGS: usize = 100_000;
 
 /// A stretch of time.
 #[derive(Clone, Debug)]
