@@ -1,6 +1,7 @@
 """Proofs: of texts and of expressions of SymPy."""
 
 import pickle
+from typing import Any
 
 import pytest
 
@@ -112,7 +113,7 @@ def test_functions_of_sympy_are_fields() -> None:
     d = sp.Derivative
     transport = sp.Eq(d(u, t), c * d(u, x))
     held = sp.Eq(g(0, t), 0)
-    true: list[tuple[object, list[object]]] = [
+    true: list[tuple[object, list[Any]]] = [
         (sp.Eq(d(u, t, t), c**2 * d(u, x, x)), [transport]),
         (sp.Eq(d(f(x - c * t), t), -c * d(f(x - c * t), x)), []),
         (sp.Eq(d(f(x - c * t), t).doit(), -c * d(f(x - c * t), x).doit(), evaluate=False), []),
@@ -127,13 +128,14 @@ def test_functions_of_sympy_are_fields() -> None:
     for equation, given in true:
         proof = rederive.prove(equation, given=given)
         assert proof.verdict is Decision.PROVED, (equation, proof.formula, proof.text)
-    for equation, given in [
+    false: list[tuple[object, list[Any]]] = [
         (sp.Eq(d(u, t, t), -(c**2) * d(u, x, x)), [transport]),
         (sp.Eq(d(u, x), d(u, t)), []),
         (sp.Eq(d(x * u, x), x * d(u, x)), []),
         (sp.Eq(g(t, x), g(x, t)), []),
         (sp.Eq(d(u, x).subs(x, y**2), 0), []),
-    ]:
+    ]
+    for equation, given in false:
         assert rederive.prove(equation, given=given).verdict is Decision.REFUTED, equation
     n = sp.Symbol("n", integer=True, positive=True)
     for wrong, words in [
