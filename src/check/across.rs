@@ -335,7 +335,7 @@ fn weighed(trial: &Trial, at: &Taken, (label, kind, measured, size): Compared, n
     let mut series = Series::with_capacity(1);
     series.push(Ok(measured));
     let sizes = Sizes::Known(vec![vec![size]].into());
-    let group = MeasuredGroup::new(&group, vec![vec![series]], (vec![sizes], 0), false);
+    let group = MeasuredGroup::new(&group, vec![vec![series]], (vec![sizes], 0));
     let times = [at.t];
     let points: Points = std::iter::once(at.values.clone()).collect();
     let describer = Describer::new(trial, &times, &points);

@@ -235,11 +235,11 @@ impl<'a> Setting<'a> {
                 let (over, under) = (self.graph.sub(l, r), self.graph.sub(r, l));
                 match c.kind {
                     RelationKind::Equal => return None,
-                    RelationKind::NotEqual => out.nonzero.push(over),
-                    RelationKind::Greater => out.positive.push(over),
-                    RelationKind::Less => out.positive.push(under),
-                    RelationKind::GreaterEqual => out.not_negative.push(over),
-                    RelationKind::LessEqual => out.not_negative.push(under),
+                    RelationKind::NotEqual => out.guards.push((over, Sign::NotZero)),
+                    RelationKind::Greater => out.guards.push((over, Sign::Positive)),
+                    RelationKind::Less => out.guards.push((under, Sign::Positive)),
+                    RelationKind::GreaterEqual => out.guards.push((over, Sign::NotNegative)),
+                    RelationKind::LessEqual => out.guards.push((under, Sign::NotNegative)),
                 }
             }
         }
@@ -273,7 +273,7 @@ impl<'a> Setting<'a> {
                 Some(Err((witness, reason))) => verdict.prove(position, Possible::FALSE, |e| {
                     (e.witness, e.reason) = (Some(witness), Some(reason));
                 }),
-                None if part.group.asserted || part.is_definedness() => {
+                None if part.is_definedness() => {
                     if let Some(t) = self.may_lack_a_rate(claim, &guards, part) {
                         verdict.doubt(
                             position,
@@ -360,8 +360,7 @@ impl<'a> Setting<'a> {
         part: &Part,
     ) -> Option<Result<(), (Witness, String)>> {
         let group = &part.group;
-        let promised = !matches!(part.what, What::Denied);
-        if promised && (group.asserted || part.is_definedness()) {
+        if part.is_definedness() {
             let sides: Vec<Expr> = group.comparisons.iter().flat_map(|c| [c.left, c.right]).collect();
             // A formula for a rate may divide by 0 where there is a rate; that of the quantity itself may not.
             let leaves = self.graph.leaves(sides.iter().copied());
@@ -428,7 +427,7 @@ impl<'a> Setting<'a> {
                 }
             };
             match self.ask(guards, needs, sides, refuted) {
-                Along::Agree { everywhere, seen: Some(_) } if everywhere || !group.asserted => {}
+                Along::Agree { seen: Some(_), .. } => {}
                 Along::Differ(Apart { time, left, right, bound }) => {
                     let witness = Witness { t: time, formula: c.label.clone(), left, right, bound, values: Vec::new() };
                     let what = if refuted == Refuted::Apart { "an equation" } else { "an inequality" };
@@ -466,15 +465,6 @@ impl<'a> Setting<'a> {
         let needs = self.graph.needs_below(formulas);
         for need in needs.into_iter().filter(|n| n.certain && n.sign == Sign::NotZero) {
             for time in self.rational_zeros(need.value) {
-                let counts = guards.positive.iter().map(|&e| (e, Sign::Positive));
-                let counts = counts.chain(guards.not_negative.iter().map(|&e| (e, Sign::NotNegative)));
-                let counts: Vec<(Expr, Sign)> =
-                    counts.chain(guards.nonzero.iter().map(|&e| (e, Sign::NotZero))).collect();
-                let met = |value: &Rational, sign: Sign| match sign {
-                    Sign::Positive => *value > Rational::ZERO,
-                    Sign::NotNegative => *value >= Rational::ZERO,
-                    Sign::NotZero => *value != Rational::ZERO,
-                };
                 let mut exactly = |e: Expr| {
                     let at = self.graph.constant(time.clone());
                     let clock = self.time;
@@ -482,7 +472,7 @@ impl<'a> Setting<'a> {
                     self.graph.as_constant(then).cloned()
                 };
                 let vanishes = exactly(need.value).is_some_and(|v| v == Rational::ZERO);
-                let selected = counts.into_iter().all(|(e, sign)| exactly(e).is_some_and(|v| met(&v, sign)));
+                let selected = guards.guards.iter().all(|&(e, sign)| exactly(e).is_some_and(|v| sign.is_of(&v)));
                 // What has no value for another reason does not count.
                 let valued = presupposed.iter().all(|&e| exactly(e).is_some());
                 if vanishes && selected && valued {
@@ -541,12 +531,12 @@ impl<'a> Setting<'a> {
         let sides: Vec<Expr> = sides.into_iter().filter(|&e| self.graph.leaves([e]).iter().any(moves)).collect();
         let sides: Vec<Expr> = sides.into_iter().filter_map(|e| self.put(&claim.scope, e)).collect();
         let needs: Vec<Expr> = self.graph.needs_below(sides).into_iter().map(|n| n.value).collect();
-        let guards: Vec<Expr> = guards.positive.iter().chain(&guards.not_negative).copied().collect();
-        needs.into_iter().flat_map(|e| self.changes(self.graph.root_of_zeros(e))).map(|(a, b)| 0.5 * (a + b)).find(
-            |&t| {
-                guards.iter().all(|&e| self.value(e).and_then(|mut value| value(t)).is_none_or(|v| v >= -f64::EPSILON))
-            },
-        )
+        let may_count = |t: f64, (e, sign): (Expr, Sign)| {
+            let value = self.value(e).and_then(|mut value| value(t));
+            sign == Sign::NotZero || value.is_none_or(|v| v >= -f64::EPSILON)
+        };
+        let changes = needs.into_iter().flat_map(|e| self.changes(self.graph.root_of_zeros(e)));
+        changes.map(|(a, b)| 0.5 * (a + b)).find(|&t| guards.guards.iter().all(|&guard| may_count(t, guard)))
     }
 
     /// Whether something has, wherever it has a value, the value that it has at some time of the span that counts.

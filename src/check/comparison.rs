@@ -111,7 +111,7 @@ pub(super) struct Group {
     pub signs: Quantifier,
     /// Whether one sign of ± must serve the whole motion.
     pub throughout: bool,
-    /// Whether a value is promised: what has none is false, not void.
+    /// Whether it says that the left sides have values: what has none is false, not void. Its equations say nothing else.
     pub asserted: bool,
     /// Whether the comparisons are the opposites of what is written, which must not be.
     pub denied: bool,

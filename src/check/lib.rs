@@ -454,7 +454,7 @@ fn counterexample<'a>(
                 let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
                 let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
-                verdict.is_some_and(|v| matches!(v.outcome(), Outcome::Holds(_)) && v.evidence().excluded.is_empty())
+                verdict.and_then(Verdict::is_met) == Some(true)
             }
             Premise::Definition => true,
         };

@@ -259,8 +259,6 @@ pub(super) struct MeasuredGroup<'a> {
     pub group: &'a Group,
     /// The measurements.
     pub signs: Vec<Vec<Series>>,
-    /// Whether the group only says that its left sides have values.
-    pub definedness: bool,
     /// Whether equality within the error bound does not count: nothing is concluded from it for what should happen.
     pub strict: bool,
     /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
@@ -293,7 +291,6 @@ impl<'a> MeasuredGroup<'a> {
         group: &'a Group,
         signs: Vec<Vec<Series>>,
         (sizes, first): (Vec<Sizes<'a>>, usize),
-        definedness: bool,
     ) -> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
         let along = |(series, comparison): (&Series, &Comparison)| {
@@ -306,7 +303,7 @@ impl<'a> MeasuredGroup<'a> {
             };
             match (first.contains_zero(), last.contains_zero()) {
                 // What is clear before and after did not fade away, and what changes its sign vanishes between.
-                (false, false) => definedness && first.value.is_sign_negative() != last.value.is_sign_negative(),
+                (false, false) => group.asserted && first.value.is_sign_negative() != last.value.is_sign_negative(),
                 (true, _) => series.differences().all(|d| d.contains_zero()),
                 (false, true) => false,
             }
@@ -316,7 +313,6 @@ impl<'a> MeasuredGroup<'a> {
         MeasuredGroup {
             group,
             signs,
-            definedness,
             strict: false,
             mute,
             equal,
@@ -337,16 +333,15 @@ impl<'a> MeasuredGroup<'a> {
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
         let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        let (definedness, strict, doubted) = (along.definedness, along.strict, along.doubted);
+        let (strict, doubted) = (along.strict, along.doubted);
         let crossing = Vec::new();
-        MeasuredGroup { group, signs, definedness, strict, mute, equal, doubted, crossing, sizes, first, floors }
+        MeasuredGroup { group, signs, strict, mute, equal, doubted, crossing, sizes, first, floors }
     }
 
     /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
     /// What must not be 0 for a value to exist is said of single times along the motion, too: so only the event tells of it.
     fn at_events(&mut self, graph: &Graph, event: Expr, along: &MeasuredGroup) {
-        let definedness = self.definedness;
-        self.doubted |= self.group.denied && !definedness;
+        self.doubted |= self.group.denied && !self.group.asserted;
         let zero = |e: Expr| matches!(graph.node(e), Node::Constant(c) if c.is_zero());
         let sides = match graph.node(event) {
             Node::Binary(Op::Sub, a, b) => Some((*a, *b)),
@@ -359,7 +354,7 @@ impl<'a> MeasuredGroup<'a> {
         };
         for (here, there) in self.equal.iter_mut().zip(&along.equal) {
             for ((here, there), comparison) in here.iter_mut().zip(there).zip(&self.group.comparisons) {
-                *here &= *there && !definedness || says(comparison);
+                *here &= *there && !self.group.asserted || says(comparison);
             }
         }
     }
@@ -420,7 +415,7 @@ impl<'a> MeasuredGroup<'a> {
         for (c, series) in all.iter().enumerate() {
             let equation = self.group.comparisons[c].kind == RelationKind::Equal;
             let plain = equation
-                && !self.definedness
+                && !self.group.asserted
                 && !self.is_doubted(sign, c)
                 && !self.mute[sign][c]
                 && series.missing.is_empty();
@@ -440,8 +435,8 @@ impl<'a> MeasuredGroup<'a> {
     pub fn standing(&self, sign: usize, comparison: usize, time: usize, precision: f64) -> Possible {
         let kind = self.group.comparisons[comparison].kind;
         // Where something must have a value, an equation only says that there is one; its conditions are inequalities.
-        let exists = self.definedness && kind == RelationKind::Equal;
         let asserted = self.group.asserted;
+        let exists = asserted && kind == RelationKind::Equal;
         match self.signs[sign][comparison].difference(time) {
             Ok(_) if exists => Possible::TRUE,
             // No bound is small enough for what cannot be seen.
@@ -523,7 +518,7 @@ fn gathered<'a>(
     let mut by_sign: Vec<Vec<Series>> = signs.iter().map(|&sign| program.measure((points, times), sign)).collect();
     let sizes: Vec<Sizes> = signs.iter().map(|&sign| sizes(program, points, sign)).collect();
     let mut next = 0;
-    let mut gather = |group: &'a Group, definedness: bool, along: Option<&MeasuredGroup>| {
+    let mut gather = |group: &'a Group, along: Option<&MeasuredGroup>| {
         let first = next;
         next += group.comparisons.len();
         let used = if group.branching { by_sign.len() } else { 1 };
@@ -532,12 +527,12 @@ fn gathered<'a>(
         let sizes = (sizes[..used].to_vec(), first);
         match along {
             Some(along) => MeasuredGroup::beside(group, signs, sizes, along),
-            None => MeasuredGroup::new(group, signs, sizes, definedness),
+            None => MeasuredGroup::new(group, signs, sizes),
         }
     };
     let mut each = |of: Vec<&'a Part>, known: Option<&Vec<MeasuredGroup>>| -> Vec<MeasuredGroup<'a>> {
         let one = |(k, part): (usize, &'a Part)| {
-            let mut group = gather(&part.group, part.is_definedness(), known.and_then(|m| m.get(k)));
+            let mut group = gather(&part.group, known.and_then(|m| m.get(k)));
             group.strict = matches!(part.what, What::Denied);
             group
         };

@@ -81,7 +81,7 @@ impl Part {
         };
         match self.what {
             What::Independent | What::Denied | What::Defined => true,
-            What::Every => self.group.asserted || self.group.comparisons.iter().any(|c| strict(c.kind)),
+            What::Every => self.group.comparisons.iter().any(|c| strict(c.kind)),
             What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Across => false,
         }
     }

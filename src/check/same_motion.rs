@@ -93,7 +93,7 @@ pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, othe
         return Finding::open("no sample at which both motions are known counts; an end of their common span may");
     }
     let group = Group { comparisons, ..Group::default() };
-    let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0), false);
+    let measured = MeasuredGroup::new(&group, vec![series], (vec![Sizes::Known(sizes.into())], 0));
     let describer = Describer::new(trial, tried.times, tried.points);
     weigh(describer.setting(tried.left.clone()), &measured)
 }

@@ -21,7 +21,7 @@ pub(super) fn residuals(
     sought: bool,
 ) -> Option<Arc<Residuals>> {
     let (comparison, at) = chosen?;
-    if judged.measured.definedness || !setting.shown {
+    if judged.measured.group.asserted || !setting.shown {
         return None;
     }
     let described = judged.measured.group.comparisons.get(comparison)?;

@@ -166,7 +166,7 @@ fn is_mute(
     // Where every residual is clear there is nothing to ask.
     let within = group.signs[s][c].differences().any(|d| d.value.abs() <= GUARD * d.error);
     // An error far below the sides leaves nothing unseen but what is below the last digit of both.
-    if group.definedness || !within {
+    if group.group.asserted || !within {
         return false;
     }
     let Some(terms) = comparison.told.terms(graph, comparison) else { return false };

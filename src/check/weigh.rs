@@ -63,7 +63,7 @@ impl<'a, 'g> Judged<'a, 'g> {
     /// Judges every comparison at every time.
     pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
         let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
-        let equations = equations && !measured.definedness && measured.group.formula.is_none();
+        let equations = equations && !measured.group.asserted && measured.group.formula.is_none();
         let whole = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
         Judged { measured, precision, equations, whole }
     }
@@ -357,7 +357,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             Some(r) if apart => size < r.max,
             Some(_) => ratio(size, bound) > largest,
         };
-        if worse && !group.definedness {
+        if worse && !group.group.asserted {
             largest = ratio(size, bound);
             evidence.residual = Some(Residual { max: size, bound, at: setting.times[i] });
             worst = Some((c, i));
@@ -470,7 +470,7 @@ mod tests {
                 sizes.push((0..40).map(|_| number(40)).collect::<Vec<f64>>());
             }
             let known = (vec![Sizes::Known(sizes.into())], 0);
-            let measured = MeasuredGroup::new(&group, vec![columns], known, false);
+            let measured = MeasuredGroup::new(&group, vec![columns], known);
             let judged = Judged::new(&measured, 1e-9);
             let mut failures = Vec::new();
             for time in (0..40).filter(|&i| judged.whole[0][i] == Possible::FALSE) {

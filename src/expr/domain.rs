@@ -13,7 +13,7 @@
 //! A new operation does not compile without its row. (Values at complex arguments, cuts and the side that they belong to, get
 //! a column of their own here.)
 
-use number::Scalar;
+use number::{Bounded, Scalar};
 
 use super::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Rational, Symbol};
 
@@ -26,6 +26,26 @@ pub enum Sign {
     NotNegative,
     /// ≠ 0
     NotZero,
+}
+
+impl Sign {
+    /// Whether a number is what is asked.
+    pub fn is_of(self, number: &Rational) -> bool {
+        match self {
+            Sign::Positive => *number > Rational::ZERO,
+            Sign::NotNegative => *number >= Rational::ZERO,
+            Sign::NotZero => *number != Rational::ZERO,
+        }
+    }
+
+    /// Whether all numbers of a ball are what is asked.
+    pub fn is_certain_of(self, ball: Bounded) -> bool {
+        match self {
+            Sign::Positive => ball.value > ball.error,
+            Sign::NotNegative => ball.value >= ball.error,
+            Sign::NotZero => ball.value.abs() > ball.error,
+        }
+    }
 }
 
 /// An expression in the arguments a and b of an operation.
@@ -455,11 +475,7 @@ impl Graph {
     /// Whether a need is met whatever the leaves are: a positive number and squares.
     fn is_met(&self, need: &Need) -> bool {
         let Node::Binary(Op::Add, a, b) = *self.node(need.value) else {
-            return self.as_constant(need.value).is_some_and(|r| match need.sign {
-                Sign::Positive => *r > Rational::ZERO,
-                Sign::NotNegative => *r >= Rational::ZERO,
-                Sign::NotZero => *r != Rational::ZERO,
-            });
+            return self.as_constant(need.value).is_some_and(|r| need.sign.is_of(r));
         };
         let positive = |e: Expr| self.as_constant(e).is_some_and(|r| *r > Rational::ZERO);
         let square = |e: Expr| {

@@ -6,9 +6,9 @@
 //!
 //! **Guaranteed.** That sides agree is an identity, with the error bound of [`identity_test`](super::identity_test). That they
 //! differ is shown at a time that is a number of binary64, at which every formula has a value: by rational numbers, at the ends of
-//! the span, or by balls that lie apart. For these the difference is computed twice: as it is written, and with its sums and products expanded over the generators, so that terms that
-//! cancel along the motion, however large, are gone before a number is put in; and divided by its largest coefficient, so that
-//! what is too small for binary64 has a sign.
+//! the span, or by balls that lie apart. For these the difference is computed twice: as it is written, and with its sums and products
+//! expanded over the generators, so that terms that cancel along the motion, however large, are gone before a number is put in; and
+//! divided by its largest coefficient, so that what is too small for binary64 has a sign.
 
 use super::conditions::raised;
 use super::linear::{Combination, Combinations, expression};
@@ -18,7 +18,7 @@ use super::memory::Memory;
 use super::outcome::{Identity, Options, Premises, Wanted};
 use super::prove::identity_test_after;
 use super::witness::decimals;
-use expr::domain::{Need, Sign};
+use expr::domain::Sign;
 use expr::{Expr, FastMap, Graph, Leaf, Rational};
 use number::Bounded;
 
@@ -47,12 +47,8 @@ pub struct InTime {
     pub refuted: Refuted,
     /// What must have a value beside the sides: the states, and the observables whose rates occur.
     pub needs: Vec<Expr>,
-    /// Times count at which these are > 0.
-    pub positive: Vec<Expr>,
-    /// Times count at which these are ≥ 0.
-    pub not_negative: Vec<Expr>,
-    /// Times count at which these are ≠ 0.
-    pub nonzero: Vec<Expr>,
+    /// Times count at which these are what is asked of them.
+    pub guards: Vec<(Expr, Sign)>,
 }
 
 /// A time at which two sides differ for certain.
@@ -91,8 +87,8 @@ const TIMES: u32 = 64;
 pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along {
     let (Some(time), Some((left, right))) = (question.time, question.sides) else { return Along::Open };
     let all = [left, right].into_iter().chain(question.needs.iter().copied());
-    let guards = question.positive.iter().chain(&question.not_negative).chain(&question.nonzero);
-    if graph.leaves(all.chain(guards.copied())).iter().any(|&l| l != time) {
+    let guards = question.guards.iter().map(|&(e, _)| e);
+    if graph.leaves(all.chain(guards)).iter().any(|&l| l != time) {
         return Along::Open;
     }
     let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
@@ -141,10 +137,11 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     }
     let mut formulas = question.needs.clone();
     formulas.extend([left, right]);
-    let domain = graph.needs_below(formulas);
+    let domain: Vec<(Expr, Sign)> = graph.needs_below(formulas).into_iter().map(|n| (n.value, n.sign)).collect();
     let expanded = expanded(graph, left, right);
     let apart = (0..TIMES).map(place).find_map(|t| {
         let (l, r) = sides_at(graph, question, time, t)?;
+        // A ball that reaches out of a domain has values only where it does not.
         if !are_met(graph, &domain, time, t) {
             return None;
         }
@@ -175,29 +172,18 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
 fn sides_at(graph: &Graph, question: &InTime, time: Leaf, at: f64) -> Option<(Bounded, Bounded)> {
     let (left, right) = question.sides?;
     let values = FastMap::from_iter([(time, Bounded::exact(at))]);
-    let needs = decimals(graph, &question.needs, &values);
-    let positive = decimals(graph, &question.positive, &values);
-    let not_negative = decimals(graph, &question.not_negative, &values);
-    let nonzero = decimals(graph, &question.nonzero, &values);
-    let counts = needs.iter().all(Option::is_some)
-        && positive.iter().all(|v| v.is_some_and(|v| v.value > v.error))
-        && not_negative.iter().all(|v| v.is_some_and(|v| v.value >= v.error))
-        && nonzero.iter().all(|v| v.is_some_and(|v| v.value.abs() > v.error));
+    let counts = decimals(graph, &question.needs, &values).iter().all(Option::is_some)
+        && are_met(graph, &question.guards, time, at);
     let sides = decimals(graph, &[left, right], &values);
     counts.then_some(sides[0]?).zip(sides[1])
 }
 
-/// Whether operations have values at a time for certain: a ball that reaches out of a domain has values only where it does not.
-fn are_met(graph: &Graph, domain: &[Need], time: Leaf, at: f64) -> bool {
+/// Whether terms are, at a time, what is asked of them, for certain.
+fn are_met(graph: &Graph, asked: &[(Expr, Sign)], time: Leaf, at: f64) -> bool {
     let values = FastMap::from_iter([(time, Bounded::exact(at))]);
-    let terms: Vec<Expr> = domain.iter().map(|need| need.value).collect();
-    decimals(graph, &terms, &values).into_iter().zip(domain).all(|(v, need)| {
-        v.is_some_and(|v| match need.sign {
-            Sign::Positive => v.value > v.error,
-            Sign::NotNegative => v.value >= v.error,
-            Sign::NotZero => v.value.abs() > v.error,
-        })
-    })
+    let terms: Vec<Expr> = asked.iter().map(|&(e, _)| e).collect();
+    let found = decimals(graph, &terms, &values).into_iter().zip(asked);
+    found.into_iter().all(|(v, (_, sign))| v.is_some_and(|v| sign.is_certain_of(v)))
 }
 
 /// Both sides at a time that counts, at which everything is a rational number; `None` otherwise.
@@ -210,11 +196,8 @@ fn exactly_at(graph: &mut Graph, question: &InTime, time: Leaf, at: f64) -> Opti
         graph.as_constant(then).cloned()
     };
     let sides = (value(left)?, value(right)?);
-    let zero = Rational::ZERO;
     let counts = question.needs.iter().all(|&e| value(e).is_some())
-        && question.positive.iter().all(|&e| value(e).is_some_and(|v| v > zero))
-        && question.not_negative.iter().all(|&e| value(e).is_some_and(|v| v >= zero))
-        && question.nonzero.iter().all(|&e| value(e).is_some_and(|v| v != zero));
+        && question.guards.iter().all(|&(e, sign)| value(e).is_some_and(|v| sign.is_of(&v)));
     counts.then_some(sides)
 }
 

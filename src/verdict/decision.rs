@@ -55,6 +55,15 @@ impl Outcome {
         }
     }
 
+    /// Whether it holds; `None` where that is undecided, or it does not apply.
+    pub fn truth(self) -> Option<bool> {
+        match self {
+            Outcome::Holds(_) => Some(true),
+            Outcome::Fails(_) => Some(false),
+            Outcome::NotApplicable(_) | Outcome::Undecided => None,
+        }
+    }
+
     /// The strength in the words of the report contract.
     pub fn strength(self) -> Option<&'static str> {
         match self {
@@ -379,6 +388,11 @@ impl Verdict {
 
     fn has_witness(&self, part: usize) -> bool {
         self.findings.get(part).is_some_and(|f| f.evidence.witness.is_some())
+    }
+
+    /// Whether what is said is met throughout: times without a value are not times at which it is.
+    pub fn is_met(&self) -> Option<bool> {
+        self.outcome().truth().filter(|holds| !holds || self.evidence().excluded.is_empty())
     }
 
     /// What was found.

@@ -52,7 +52,6 @@ struct Placed<'a> {
     group: &'a Group,
     first: usize,
     signs: usize,
-    definedness: bool,
 }
 
 /// A part, compiled with the selectors of the claim.
@@ -116,7 +115,7 @@ impl Placed<'_> {
     fn comparison(&self, ranges: &Ranges, sign: usize, c: usize) -> Possible {
         let kind = self.group.comparisons[c].kind;
         match &ranges[self.place(sign, c)] {
-            Ok(_) if self.definedness && kind == RelationKind::Equal => Possible::TRUE,
+            Ok(_) if self.group.asserted && kind == RelationKind::Equal => Possible::TRUE,
             Ok(reach) => match certain(kind, reach.range()) {
                 Some(true) => Possible::TRUE,
                 Some(false) => Possible::FALSE,
@@ -133,7 +132,7 @@ impl Placed<'_> {
 
     /// What is left possible for one sign, where `one` tells it of each comparison.
     fn value(&self, one: impl Fn(usize) -> Possible) -> Possible {
-        if !self.definedness {
+        if !self.group.asserted {
             return self.group.value(one);
         }
         // The conditions under which there is a value are compared, too: they refute, the value itself shows that it is there.
@@ -154,14 +153,14 @@ impl<'a> Ready<'a> {
         let (mut roots, mut sides): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
         let sign = claim.scope.branch_sign();
         let values = [along.graph.integer(1), along.graph.integer(-1)];
-        let mut place = |group: &'a Group, definedness: bool, along: &mut Along| -> Result<Placed<'a>, String> {
+        let mut place = |group: &'a Group, along: &mut Along| -> Result<Placed<'a>, String> {
             let (first, signs) = (roots.len(), if group.branching { 2 } else { 1 });
             for &with in values.iter().take(signs) {
                 for c in &group.comparisons {
                     let graph = &mut along.graph;
                     let [left, right, size] =
                         [c.left, c.right, c.magnitude].map(|e| graph.substitute(e, |_, l| (l == sign).then_some(with)));
-                    let value = definedness && c.kind == RelationKind::Equal;
+                    let value = group.asserted && c.kind == RelationKind::Equal;
                     let root = if value { left } else { graph.sub(left, right) };
                     roots.push(along.difference(root)?);
                     for e in [left, right, size] {
@@ -169,13 +168,13 @@ impl<'a> Ready<'a> {
                     }
                 }
             }
-            Ok(Placed { group, first, signs, definedness })
+            Ok(Placed { group, first, signs })
         };
         let mut selectors = Vec::new();
         for selector in &program.selectors {
-            selectors.push(place(&selector.part.group, false, along)?);
+            selectors.push(place(&selector.part.group, along)?);
         }
-        let said = place(&part.group, part.is_definedness(), along)?;
+        let said = place(&part.group, along)?;
         let event = match program.at {
             Some(e) => {
                 let rate = along.enclosure.rate(&mut along.graph, e).map_err(|e| e.to_string())?;
@@ -315,7 +314,7 @@ impl<'a> Ready<'a> {
         if !whole.may_be(Truth::False) {
             for (c, comparison) in self.group.comparisons.iter().enumerate() {
                 if let (RelationKind::Equal, Ok(reach)) = (comparison.kind, &ranges[self.place(sign, c)])
-                    && !self.said.definedness
+                    && !self.said.group.asserted
                 {
                     largest = largest.max(reach.range().magnitude());
                 }
@@ -413,7 +412,7 @@ impl<'a> Ready<'a> {
     pub fn crosses(&self, ranges: &Ranges, time: Interval) -> bool {
         let each = (0..self.signs).flat_map(|s| (0..self.group.comparisons.len()).map(move |c| (s, c)));
         each.into_iter().any(|(s, c)| {
-            let differs = self.group.comparisons[c].kind == RelationKind::NotEqual && !self.said.definedness;
+            let differs = self.group.comparisons[c].kind == RelationKind::NotEqual && !self.said.group.asserted;
             differs
                 && ranges[self.place(s, c)].as_ref().is_ok_and(|reach| changes_sign(reach, time))
                 && self.value_without(ranges, s, c) == Possible::FALSE

@@ -147,14 +147,11 @@ impl Members {
         let one = |attempt: u64, (n, varied): (usize, &Varied)| {
             let mut random = Random::new(self.family.seed, number, attempt, n as u64);
             let (numbers, ends) = (&self.numbers[n], self.range(n));
-            let (from, to) = ends;
-            let even = |share: f64| short((1.0 - share) * from + share * to, ends);
-            let logarithmic = |share: f64| short(exp((1.0 - share) * ln(from) + share * ln(to)), ends);
             match &varied.spread {
                 Spread::Values(_) | Spread::Grid { logarithmic: false, .. } | Spread::Uniform(..) => {
-                    even(random.share())
+                    at_share(random.share(), ends, false)
                 }
-                Spread::Grid { logarithmic: true, .. } | Spread::LogUniform(..) => logarithmic(random.share()),
+                Spread::Grid { logarithmic: true, .. } | Spread::LogUniform(..) => at_share(random.share(), ends, true),
                 Spread::Polar(..) => short(polar_at(random.share(), ends), ends),
                 Spread::Normal(..) => short(numbers[0] + numbers[1] * random_normal(&mut random), (f64::MIN, f64::MAX)),
             }
@@ -197,15 +194,8 @@ impl Members {
                 Spread::Grid { count, logarithmic, .. } => {
                     on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
                 }
-                Spread::Uniform(..) => {
-                    let share = share();
-                    short((1.0 - share) * numbers[0] + share * numbers[1], (numbers[0], numbers[1]))
-                }
-                Spread::LogUniform(..) => {
-                    let share = share();
-                    let x = exp((1.0 - share) * ln(numbers[0]) + share * ln(numbers[1]));
-                    short(x, (numbers[0], numbers[1]))
-                }
+                Spread::Uniform(..) => at_share(share(), (numbers[0], numbers[1]), false),
+                Spread::LogUniform(..) => at_share(share(), (numbers[0], numbers[1]), true),
                 Spread::Polar(..) => {
                     let ends = (numbers[0], numbers[1]);
                     short(polar_at(share(), ends), ends)
@@ -272,7 +262,11 @@ pub(super) fn on_grid((from, to): (f64, f64), (position, count): (u64, u64), log
     if position == 0 || position + 1 == count {
         return if position == 0 { from } else { to };
     }
-    let share = position as f64 / (count - 1) as f64;
+    at_share(position as f64 / (count - 1) as f64, (from, to), logarithmic)
+}
+
+/// What lies at a share of the way from one number to another, or from its logarithm to the other's.
+fn at_share(share: f64, (from, to): (f64, f64), logarithmic: bool) -> f64 {
     let x = match logarithmic {
         true => exp((1.0 - share) * ln(from) + share * ln(to)),
         false => (1.0 - share) * from + share * to,

@@ -11,7 +11,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::account::{ClaimAccount, PairAccount};
+use super::super::account::ClaimAccount;
 use super::super::memory::Recall;
 use super::super::separation::{self, ConditionName, Explanation, Join};
 use super::super::{CheckError, Options, check_and};
@@ -19,7 +19,7 @@ use super::account::{Exception, FamilySeparation};
 use super::member::{Member, Members};
 use super::tally::Tally;
 use crate::derivation::{Claim, Derivation, Form};
-use crate::verdict::Outcome;
+use crate::verdict::Verdict;
 
 /// The most members on which a condition is looked for, and the most fresh ones.
 const MOST: u64 = 48;
@@ -91,38 +91,14 @@ fn try_on(
     }
 }
 
+/// The verdict on a trajectory.
+fn verdict_on<'a>(account: &'a ClaimAccount, id: &str) -> Option<&'a Verdict> {
+    account.results.iter().find(|p| p.trajectory == id).map(|p| &p.verdict)
+}
+
 /// Whether a claim holds on a trajectory; `None` where that is undecided, or it does not apply.
 fn stand(account: &ClaimAccount, id: &str) -> Option<bool> {
-    let pair = account.results.iter().find(|p| p.trajectory == id)?;
-    match pair.verdict.outcome() {
-        Outcome::Holds(_) => Some(true),
-        Outcome::Fails(_) => Some(false),
-        Outcome::NotApplicable(_) | Outcome::Undecided => None,
-    }
-}
-
-/// Whether a condition is met on a trajectory: times without a value are not times at which it is.
-fn is_met(pairs: &[PairAccount], id: &str) -> Option<bool> {
-    let verdict = &pairs.iter().find(|p| p.trajectory == id)?.verdict;
-    match verdict.outcome() {
-        Outcome::Holds(_) => verdict.evidence().excluded.is_empty().then_some(true),
-        Outcome::Fails(_) => Some(false),
-        Outcome::NotApplicable(_) | Outcome::Undecided => None,
-    }
-}
-
-/// All of several, or one of them; `None` where that is open.
-fn joined(parts: impl Iterator<Item = Option<bool>>, join: Join) -> Option<bool> {
-    let settles = join == Join::Or;
-    let mut open = false;
-    for part in parts {
-        match part {
-            Some(value) if value == settles => return Some(settles),
-            Some(_) => {}
-            None => open = true,
-        }
-    }
-    (!open).then_some(!settles)
+    verdict_on(account, id)?.outcome().truth()
 }
 
 /// That a value lies above or below a number.
@@ -291,11 +267,11 @@ pub(super) fn separations(
             let part = |name: &ConditionName| {
                 let id = &probe_ids.iter().find(|(known, _)| known == name)?.1;
                 let probe = accounts.iter().find(|a| a.id == *id)?;
-                is_met(&probe.results, &of.id).map(|met| met != name.negated)
+                verdict_on(probe, &of.id)?.is_met().map(|met| met != name.negated)
             };
             let met = match thresholds.is_empty() {
-                true => joined(explanation.conditions.iter().map(part), explanation.join),
-                false => joined(thresholds.iter().map(|t| t.is_met(&of.values)), explanation.join),
+                true => explanation.join.of(explanation.conditions.iter().map(part)),
+                false => explanation.join.of(thresholds.iter().map(|t| t.is_met(&of.values))),
             };
             match (met, stand(&accounts[at], &of.id)) {
                 (Some(met), Some(holds)) if met == holds => separation.right += 1,
@@ -345,7 +321,7 @@ mod tests {
             let found = thresholds(&rows, 1)?;
             // It says what is so of all of them.
             for (values, holds) in &rows {
-                assert_eq!(joined(found.0.iter().map(|t| t.is_met(values)), found.1), Some(*holds), "{stands:?}");
+                assert_eq!(found.1.of(found.0.iter().map(|t| t.is_met(values))), Some(*holds), "{stands:?}");
             }
             Some(found.0.len())
         };
@@ -360,9 +336,9 @@ mod tests {
     #[test]
     fn what_is_open_is_neither() {
         let (t, f) = (Some(true), Some(false));
-        assert_eq!(joined([t, None].into_iter(), Join::And), None);
-        assert_eq!(joined([f, None].into_iter(), Join::And), f);
-        assert_eq!(joined([t, None].into_iter(), Join::Or), t);
-        assert_eq!(joined([f, None].into_iter(), Join::Or), None);
+        assert_eq!(Join::And.of([t, None]), None);
+        assert_eq!(Join::And.of([f, None]), f);
+        assert_eq!(Join::Or.of([t, None]), t);
+        assert_eq!(Join::Or.of([f, None]), None);
     }
 }

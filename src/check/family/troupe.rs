@@ -32,7 +32,7 @@ use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Traje
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::flow::Motion;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::Verdict;
 
 /// Whether a claim is tried on a family in this run.
 fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
@@ -407,11 +407,7 @@ impl<'a> Troupe<'a> {
                         };
                         left.steps = left.steps.saturating_sub(steps);
                         let found = verdicts.get(n).filter(|v| v.defect().is_none());
-                        out.push(match found.map(Verdict::outcome) {
-                            Some(Outcome::Holds(_)) => Some(true),
-                            Some(Outcome::Fails(_)) => Some(false),
-                            Some(Outcome::NotApplicable(_) | Outcome::Undecided) | None => None,
-                        });
+                        out.push(found.and_then(|v| v.outcome().truth()));
                     }
                     left.members = left.members.saturating_sub(wave.len() as u64);
                 }

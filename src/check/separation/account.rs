@@ -30,6 +30,20 @@ impl Join {
             Join::Or => "or",
         }
     }
+
+    /// All of several, or one of them; `None` where that is open.
+    pub(crate) fn of(self, parts: impl IntoIterator<Item = Option<bool>>) -> Option<bool> {
+        let settles = self == Join::Or;
+        let mut open = false;
+        for part in parts {
+            match part {
+                Some(value) if value == settles => return Some(settles),
+                Some(_) => {}
+                None => open = true,
+            }
+        }
+        (!open).then_some(!settles)
+    }
 }
 
 /// One condition, or several together, met exactly where a claim holds.

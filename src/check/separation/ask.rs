@@ -20,7 +20,6 @@ use crate::check::program::{Program, What};
 use crate::check::trial::{Course, Trial};
 use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
-use crate::verdict::Outcome;
 use crate::verdict::Possible;
 
 /// Points of a motion at which a condition is tried first.
@@ -98,13 +97,7 @@ impl Ask<'_> {
     fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
         let program = self.program(k, course)?;
         let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
-        let verdict = one_pair(self.derivation, &trial, None);
-        match verdict.outcome() {
-            // Times without a value are not times at which it is met.
-            Outcome::Holds(_) => verdict.evidence().excluded.is_empty().then_some(true),
-            Outcome::Fails(_) => Some(false),
-            Outcome::NotApplicable(_) | Outcome::Undecided => None,
-        }
+        one_pair(self.derivation, &trial, None).is_met()
     }
 }
 

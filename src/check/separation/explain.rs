@@ -45,19 +45,7 @@ struct Reason {
 /// All of several conditions, or one of them; undecided where that leaves it open.
 fn joined(parts: &[&Truth], join: Join) -> Truth {
     let count = parts.first().map_or(0, |t| t.len());
-    let settles = join == Join::Or;
-    let at = |i: usize| {
-        let mut open = false;
-        for part in parts {
-            match part[i] {
-                Some(value) if value == settles => return Some(settles),
-                Some(_) => {}
-                None => open = true,
-            }
-        }
-        if open { None } else { Some(!settles) }
-    };
-    (0..count).map(at).collect()
+    (0..count).map(|i| join.of(parts.iter().map(|part| part[i]))).collect()
 }
 
 /// Whether `a` is met nowhere but where `b` is.
@@ -74,14 +62,7 @@ pub(super) fn separation(
     tried: usize,
 ) -> Separation {
     let outcome = |id: &String| claim.results.iter().find(|p| p.trajectory == *id).map(|p| p.verdict.outcome());
-    let stands: Vec<Option<bool>> = ids
-        .iter()
-        .map(|id| match outcome(id) {
-            Some(Outcome::Holds(_)) => Some(true),
-            Some(Outcome::Fails(_)) => Some(false),
-            _ => None,
-        })
-        .collect();
+    let stands: Vec<Option<bool>> = ids.iter().map(|id| outcome(id)?.truth()).collect();
     let named = |want: bool| -> Vec<String> {
         ids.iter().zip(&stands).filter(|(_, s)| **s == Some(want)).map(|(id, _)| id.clone()).collect()
     };
