@@ -89,9 +89,10 @@
 //! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
 //! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
-//! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number, verdict |
+//! | [`findings`] | what was found, as plain data | derivation, expr, proof, units, verdict |
+//! | [`check`] | claims → evidence: along motions, and for all values | all above |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, files, latex |
-//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
+//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, findings, paper |
 //!
 //! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.
 
@@ -107,7 +108,7 @@ mod session;
 #[cfg(feature = "cli")]
 extern crate self as rederive;
 
-pub use ::{check, derivation, diag, expr, files, flow, latex, number, paper, proof, report, units, verdict};
+pub use ::{check, derivation, diag, expr, files, findings, flow, latex, number, paper, proof, report, units, verdict};
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
 pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};

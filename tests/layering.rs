@@ -16,8 +16,9 @@ pub const CRATES: &[(&str, &[&str])] = &[
     ("derivation", &["diag", "expr", "files", "latex"]),
     ("paper", &["diag", "derivation", "files", "latex"]),
     ("units", &["derivation", "expr", "latex"]),
-    ("check", &["derivation", "flow", "proof", "units", "expr", "number", "latex", "diag", "verdict"]),
-    ("report", &["diag", "expr", "latex", "derivation", "check", "paper", "verdict"]),
+    ("findings", &["derivation", "expr", "number", "proof", "units", "verdict"]),
+    ("check", &["derivation", "findings", "flow", "proof", "units", "expr", "number", "latex", "diag", "verdict"]),
+    ("report", &["diag", "expr", "latex", "derivation", "findings", "paper", "units", "verdict"]),
 ];
 
 /// Files of `src/` that belong to no room.

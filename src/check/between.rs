@@ -9,11 +9,12 @@
 
 use std::sync::Arc;
 
-use super::describe::{Describer, incomplete, short};
+use super::course::Trial;
+use super::describe::{Describer, Left, incomplete, short};
+use super::judged::{Judged, selected};
 use super::measured::{Measurements, measure};
 use super::program::What;
-use super::trial::{Trial, selected};
-use super::weigh::{Judged, Left, weigh};
+use super::weigh::weigh;
 use crate::flow::{Incomplete, Points};
 use crate::latex::RelationKind;
 use crate::number::NoValue;

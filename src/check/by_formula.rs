@@ -8,7 +8,6 @@
 //! sides have values; *false* if sides differ for certain at a time of the span that counts, in the direction that an inequality
 //! forbids, or that *never* forbids. That an inequality is true, ± and limits are left to other methods, and so is everything at events.
 
-use super::account::ClaimAccount;
 use super::comparison::{Comparison, Group, may_leap};
 use super::denote::denote;
 use super::identity::{Along, Apart, InTime, Memory, Refuted, along};
@@ -18,6 +17,7 @@ use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
+use crate::findings::ClaimAccount;
 use crate::latex::{RelationKind, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};

@@ -16,7 +16,7 @@
 use std::collections::BTreeSet;
 
 use super::follow::{Followed, follow, strengthen_all};
-use super::memory::{Contents, Memory, Recall};
+use super::memory::{Contents, Known as Recalled, Memory};
 use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
 use crate::derivation::{Derivation, Family, Motion};
 
@@ -50,7 +50,7 @@ impl Cache {
         }
         self.memory.grow_older();
         let fresh = self.memory.is_new();
-        let recall = Recall::new(&self.memory, &contents);
+        let recall = Recalled::new(&self.memory, &contents);
         let mut checked = ids(derivation);
         let mut account = match known {
             Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
@@ -73,7 +73,7 @@ impl Cache {
             account = check_recalling(
                 derivation,
                 &Options::default(),
-                Recall::new(&self.memory, &contents),
+                Recalled::new(&self.memory, &contents),
                 None,
                 &|_, _| {},
             )?;
@@ -94,7 +94,7 @@ fn checked_again(
     account: &mut Account,
     (checked, changed): (&[String], &BTreeSet<String>),
     before: &[ClaimAccount],
-    recall: Recall,
+    recall: Recalled,
 ) -> Result<(), CheckError> {
     let check_some = |derivation: &mut Derivation, account: &mut Account, some: Vec<String>| {
         if !some.is_empty() {

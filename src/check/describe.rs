@@ -4,15 +4,40 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use super::comparison::Comparison;
+use super::course::Trial;
 use super::program::{Program, SIDES};
-use super::trial::Trial;
-use super::weigh::{Left, Setting};
-use super::witness::named;
 use crate::derivation::Claim;
 use crate::expr::tape::{Fault, Slots};
-use crate::expr::{Graph, Leaf};
+use crate::expr::{Expr, Graph, Leaf};
 use crate::flow::{Incomplete, Points};
 use crate::number::{Bounded, NoValue};
+
+/// Why a point does not count.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Left {
+    /// It counts.
+    In,
+    /// It is left out, for this reason.
+    Out(Arc<str>),
+    /// Whether it counts is not known, for this reason.
+    Open(Arc<str>),
+}
+
+/// What is known of each time before the claim itself is looked at, and how to describe a point.
+pub(super) struct Setting<'a> {
+    /// The times, increasing.
+    pub times: &'a [f64],
+    /// Which of them count.
+    pub left: Vec<Left>,
+    /// The precision that the claim asks for.
+    pub precision: f64,
+    /// Whether the first failure is told, and not the clearest.
+    pub first: bool,
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
+    /// What describes the points.
+    pub describer: &'a Describer<'a>,
+}
 
 /// Describes points in words and numbers, for witnesses and reasons.
 pub(super) struct Describer<'a> {
@@ -120,4 +145,25 @@ pub(super) fn incomplete(problem: &Incomplete) -> String {
         }
         Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
     }
+}
+
+/// What is added to the name of a symbol of the file where a claim has one of the same name.
+const OF_THE_FILE: &str = " (of the file)";
+
+/// Named values, in an order that does not depend on what was written before. Of two symbols with one name the first declared is
+/// that of the file.
+pub(super) fn named(
+    graph: &Graph,
+    of: impl IntoIterator<Item = Expr>,
+    value: impl Fn(Leaf) -> Option<f64>,
+) -> Vec<(String, f64)> {
+    let mut leaves = graph.leaves(of);
+    leaves.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, graph.leaf_latex(*l)));
+    let names: Vec<String> = leaves.iter().map(|&l| graph.leaf_latex(l)).collect();
+    let own = |leaf: &Leaf, name: &str| leaves.iter().zip(&names).all(|(l, n)| n != name || l.symbol <= leaf.symbol);
+    let shown = leaves.iter().zip(&names).filter_map(|(leaf, name)| {
+        let name = if own(leaf, name) { name.clone() } else { format!("{name}{OF_THE_FILE}") };
+        Some((name, value(*leaf)?))
+    });
+    shown.collect()
 }

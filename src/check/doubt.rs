@@ -7,13 +7,13 @@
 
 use super::between::may_lie_beyond;
 use super::comparison::Group;
-use super::describe::{incomplete, short};
+use super::course::Trial;
+use super::describe::{Left, incomplete, short};
+use super::judged::{Judged, Tried};
 use super::measured::{MeasuredGroup, Measurements, measure};
 use super::met::{self, BESIDE};
 use super::occasion::Events;
 use super::program::{Part, What};
-use super::trial::{Trial, Tried};
-use super::weigh::{Judged, Left};
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
 use crate::latex::Role;

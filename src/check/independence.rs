@@ -7,9 +7,10 @@
 use nalgebra::DMatrix;
 
 use super::comparison::{GUARD, traced_now};
+use super::course::Trial;
+use super::describe::Left;
+use super::judged::Tried;
 use super::stage::Fields;
-use super::trial::{Trial, Tried};
-use super::weigh::Left;
 use crate::derivation::{Derivation, Form, Motion, Written};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};

@@ -13,14 +13,15 @@
 #![forbid(unsafe_code)]
 
 use crate as check;
-use ::{derivation, diag, expr, flow, latex, number, verdict};
+use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
-mod account;
 mod across;
 mod between;
 mod by_formula;
 mod cache;
 mod comparison;
+mod conditional;
+mod course;
 mod denote;
 mod describe;
 mod doubt;
@@ -30,6 +31,7 @@ mod extrapolate;
 pub mod family;
 mod follow;
 mod independence;
+mod judged;
 mod kept;
 mod limit;
 mod limits;
@@ -38,21 +40,20 @@ mod measured;
 mod memory;
 mod met;
 mod occasion;
+mod options;
 mod part;
 mod picture;
+mod prepared;
 mod program;
 mod proposition;
+mod recall;
 pub mod region;
 mod same_motion;
-#[cfg(debug_assertions)]
-#[doc(hidden)]
-pub mod sample;
 pub mod search;
 mod second_route;
 pub mod separation;
 mod series;
 mod stage;
-pub mod standing;
 mod steep;
 mod step;
 mod telling;
@@ -64,35 +65,38 @@ mod witness;
 
 pub use ::proof as identity;
 pub use ::units;
-pub use account::{
-    Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
-};
 pub use cache::Cache;
-pub use enclose::Rigor;
 pub use error::CheckError;
-use family::Joined;
-pub use family::{FailingShare, FamilyAccount, MemberAccount};
-pub use identity::{Certificate, Cofactor, Origin};
-pub use limits::{Cancel, Limits};
-pub use picture::{Line, LineKind, PictureAccount};
-pub use proposition::{Proposition, prove, with_symbols_of};
-pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
-pub use variant::{
-    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
-    VariantAccount, WEAK, altered_formulas, says_the_same,
+use family::{Checker, Families, Joined};
+use findings::conditions::ConditionName;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub use findings::sample;
+pub use findings::{
+    Account, Alone, Certificate, ClaimAccount, ClassCount, Cofactor, Correction, Counterexample, Discrimination,
+    EditClass, Erratum, IdentityAccount, IdentityEvidence, Judged, Line, LineKind, Measurement, Origin, PairAccount,
+    PictureAccount, Place, Proposition, SEED, Summary, Survivor, TrajectoryAccount, Trials, VariantAccount, WEAK,
+    family::{FailingShare, FamilyAccount, MemberAccount},
+    standing,
 };
+pub use limits::{Cancel, Limits};
+pub use options::{Options, Rigor};
+use prepared::Prepared;
+pub use proposition::{prove, with_symbols_of};
+pub use second_route::agree;
+pub use variant::{AlteredFormula, Sameness, altered_formulas, says_the_same};
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
     Verdict, Witness,
 };
 
+use course::{Course, Trial};
 use derivation::{Claim, Derivation, Premise};
 use error::CANCELLED;
 use expr::Rational;
-use family::Families;
 use flow::Motion;
 use independence::Gradients;
-use memory::Recall;
+use memory::Known;
 use program::Program;
 use rayon::prelude::*;
 use separation::Probes;
@@ -100,30 +104,8 @@ use stage::{Fields, Requests, Stage};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use step::Step;
-use trial::{Course, Trial};
+use trial::try_claim;
 use variant::{Altered, Found, Places, Weighed};
-
-/// What to check.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Options {
-    /// Only claims with these ids; all when empty.
-    pub claims: Vec<String>,
-    /// Only trajectories with these ids; all when empty.
-    pub trajectories: Vec<String>,
-    /// The verdicts alone: no variants, no corrections, nothing that separates the motions, no pictures.
-    pub plain: bool,
-    /// How much is asked of a verdict.
-    pub rigor: Rigor,
-    /// When the run must end.
-    pub limits: Limits,
-}
-
-/// A claim with everything that is compiled for it.
-struct Prepared<'a> {
-    claim: &'a Claim,
-    program: Program,
-    gradients: Option<Result<Gradients, String>>,
-}
 
 /// Tries every claim on every trajectory.
 ///
@@ -137,7 +119,7 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_recalling(derivation, options, Recall::default(), None, progress)
+    check_recalling(derivation, options, Known::default(), None, progress)
 }
 
 /// The verdicts on a family whose members were counted in parts: what [`check()`] finds with the options `trajectories = [FAMILY]` and
@@ -153,21 +135,21 @@ pub fn check_joined(
 ) -> Result<Account, CheckError> {
     let trajectories = vec![joined.id(derivation).to_owned()];
     let options = Options { trajectories, plain: true, limits: limits.clone(), ..Options::default() };
-    check_recalling(derivation, &options, Recall::default(), Some(joined), progress)
+    check_recalling(derivation, &options, Known::default(), Some(joined), progress)
 }
 
 /// [`check()`], with what is known from before.
 fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,
-    recall: Recall,
+    recall: Known,
     joined: Option<&Joined>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let families = Families::of(derivation, options)?;
     let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     if let Some(families) = families {
-        account.distributions = families.try_all(options, &mut account.claims, joined, progress)?;
+        account.distributions = families.try_all(&Trajectories, options, &mut account.claims, joined, progress)?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
@@ -180,14 +162,32 @@ fn check_beside(
     derivation: &mut Derivation,
     options: &Options,
     known: &[ClaimAccount],
-    recall: Recall,
+    recall: Known,
 ) -> Result<Vec<ClaimAccount>, CheckError> {
     let families = Families::of(derivation, options)?;
     let mut claims = check_and(derivation, options, known, true, recall, &|_, _| {})?.claims;
     if let Some(families) = families {
-        families.try_all(options, &mut claims, None, &|_, _| {})?;
+        families.try_all(&Trajectories, options, &mut claims, None, &|_, _| {})?;
     }
     Ok(claims)
+}
+
+/// Members of families, tried as trajectories.
+struct Trajectories;
+
+impl Checker for Trajectories {
+    fn check(
+        &self,
+        derivation: &mut Derivation,
+        options: &Options,
+        separating: bool,
+    ) -> Result<Vec<ClaimAccount>, CheckError> {
+        check_and(derivation, options, &[], separating, Known::default(), &|_, _| {}).map(|account| account.claims)
+    }
+
+    fn conditions(&self, derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>> {
+        separation::as_claims(derivation, names)
+    }
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -196,7 +196,7 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, &[], false, Recall::default(), progress)
+    check_and(derivation, options, &[], false, Known::default(), progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
@@ -205,7 +205,7 @@ fn check_and(
     options: &Options,
     known: &[ClaimAccount],
     separating: bool,
-    recall: Recall,
+    recall: Known,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let unless_cancelled =
@@ -302,11 +302,11 @@ fn check_and(
         claims: &claims,
         programs: &compiled,
         start_of: &start_of,
-        measures: &measures,
+        measured: &|derivation, t| measure::searched(&measures, derivation, t),
         limits: &options.limits,
     };
     unless_cancelled()?;
-    let stage = Stage::build(derivation, &fields, &requests, recall)?;
+    let stage = Stage::build(derivation, &fields, &requests, &recall)?;
     unless_cancelled()?;
     // What is said of all motions together is not said where some are missing.
     let complete = tried.iter().all(|&t| stage.motion(t).is_some());
@@ -341,7 +341,7 @@ fn check_and(
                 }
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                 let mut verdict =
-                    recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()));
+                    recall.verdict(derivation, claim, t, || try_claim(derivation, &trial, gradients.as_ref()));
                 if let Some(contradiction) = &contradiction {
                     verdict.contradict(contradiction.clone());
                 }
@@ -353,7 +353,7 @@ fn check_and(
         verdicts.iter().zip(&failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
         // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
         let of = (start_of[t], &course);
-        let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, recall));
+        let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, &recall));
         let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
             let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
             verdict.clone().map(|verdict| Found { claim, program, verdict })
@@ -402,7 +402,7 @@ fn check_and(
     }
     unless_cancelled()?;
     if complete {
-        probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
+        probes.separate(derivation, &without, &start_of, &recall, &courses, &mut account);
     }
     strengthen(derivation, &mut account.claims, &claimed, known, &tried, &options.limits);
     if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
@@ -506,11 +506,6 @@ type Shown = (Vec<Measurement>, Vec<PictureAccount>);
 /// A column; the verdicts without each assumption; what it says of the variants, and the motion where it is needed again.
 type Tried<'a> = ((Column, Shown), (Vec<Option<Verdict>>, (Option<Weighed>, Option<Course<'a>>)));
 
-/// The verdict of one claim on one motion.
-fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
-    trial::try_claim(derivation, trial, gradients)
-}
-
 /// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`].
 ///
 /// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
@@ -523,11 +518,11 @@ fn strengthen(
     tried: &[usize],
     limits: &Limits,
 ) {
-    standing::conditional(derivation, claims, known);
+    conditional::conditional(derivation, claims, known);
     for (claim, &at) in claims.iter_mut().zip(claimed) {
         let declared = &derivation.claims[at];
         if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
-            claim.region = Some(region::RegionAccount::of_step(declared, region, claim.identity.as_ref()));
+            claim.region = Some(region::of_step(declared, region, claim.identity.as_ref()));
         }
     }
     by_formula::settle(derivation, claims, claimed, tried, limits);

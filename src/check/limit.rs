@@ -6,10 +6,10 @@
 
 use std::sync::Arc;
 
-use super::describe::{Describer, short};
+use super::course::Trial;
+use super::describe::{Describer, Left, short};
 use super::measured::{MeasuredGroup, Measurements, measure};
-use super::trial::Trial;
-use super::weigh::{Left, weigh};
+use super::weigh::weigh;
 use crate::latex::LimitPoint;
 use crate::number::Bounded;
 use crate::verdict::{Finding, Possible, Strength};

@@ -5,14 +5,15 @@
 //! **Guaranteed:** a value between two events is one only where the search for the first event is complete from there to the second:
 //! else another time might be meant. How far an event may be off is part of the error.
 
-use super::account::Measurement;
+use super::course::Course;
 use super::denote::at_event;
 use super::describe::incomplete;
 use super::occasion::{self, Events};
-use super::trial::{Course, Values};
+use super::program::Values;
 use crate::derivation::{Derivation, Event, Since};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::Measurement;
 use crate::number::{Bounded, NoValue};
 
 /// Most values that are kept of one measure on one motion.
@@ -56,7 +57,7 @@ impl Compiled {
     }
 
     /// Whether it is asked for on a motion.
-    pub fn is_taken_on(&self, derivation: &Derivation, trajectory: usize) -> bool {
+    fn is_taken_on(&self, derivation: &Derivation, trajectory: usize) -> bool {
         derivation.measures.get(self.index).is_some_and(|m| m.trajectories.contains(&trajectory))
     }
 
@@ -143,6 +144,12 @@ impl Compiled {
         });
         note(second.t, found, out);
     }
+}
+
+/// What is searched for on a motion on which some of these are taken.
+pub(super) fn searched(measures: &[Compiled], derivation: &Derivation, trajectory: usize) -> Vec<Expr> {
+    let taken = measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
+    taken.flat_map(Compiled::events).collect()
 }
 
 /// An event of a motion, and how far its time may be off.

@@ -10,11 +10,11 @@
 use std::sync::Arc;
 
 use super::between::is_weak;
+use super::course::Trial;
 use super::describe::{incomplete, short};
+use super::judged::Judged;
 use super::measured::measure;
-use super::program::What;
-use super::trial::{Trial, Values};
-use super::weigh::Judged;
+use super::program::{Values, What};
 use crate::flow::{Incomplete, Points};
 use crate::number::NoValue;
 use crate::verdict::Possible;

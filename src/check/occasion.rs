@@ -10,9 +10,9 @@
 
 use std::borrow::Cow;
 
+use super::course::Course;
 use super::describe::{incomplete, short};
 use super::program::Program;
-use super::trial::Course;
 use crate::derivation::{Direction, Event, Occasion};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph};

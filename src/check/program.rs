@@ -13,6 +13,9 @@ use crate::latex::{LimitPoint, RelationKind};
 use crate::number::{Bounded, NoValue};
 use crate::verdict::Proposition;
 
+/// The values of all leaves at one time.
+pub(super) type Values = Vec<Result<Bounded, NoValue>>;
+
 /// After so many blocks in a row with points without a value, points are evaluated one by one.
 const PATIENCE: usize = 3;
 

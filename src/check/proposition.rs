@@ -7,25 +7,14 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::CheckError;
-use super::account::IdentityAccount;
 use super::identity::Premises;
 use super::second_route::answer;
 use super::step::Step;
+use super::{CheckError, Proposition};
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, Written};
 use crate::diag::{Diagnostic, Source, nearest};
+use crate::findings::IdentityAccount;
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
-
-/// What is asked.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Proposition {
-    /// Equations, in LaTeX.
-    pub formula: String,
-    /// Premises: relations in LaTeX, or names of claims and systems of the derivation.
-    pub given: Vec<String>,
-    /// For formulas with ±: one sign must serve all points; otherwise at each point one or the other.
-    pub throughout: bool,
-}
 
 /// The name of a typed claim: no file can have it.
 const NAME: &str = "\u{2063}typed";

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use super::comparison::{Comparison, Group};
-use super::describe::Describer;
+use super::course::Trial;
+use super::describe::{Describer, Left};
+use super::judged::Tried;
 use super::measured::{Measured, MeasuredGroup, Series, Sizes};
 use super::program::What;
 use super::stage;
-use super::trial::{Trial, Tried};
-use super::weigh::{Left, weigh};
+use super::weigh::weigh;
 use crate::derivation::{Derivation, Form};
 use crate::expr::{Leaf, Node, Symbol};
 use crate::flow::{Points, Sample};

@@ -5,7 +5,8 @@
 
 use std::sync::Arc;
 
-use super::weigh::{Judged, Left, Setting};
+use super::describe::{Left, Setting};
+use super::judged::Judged;
 use crate::verdict::{ResidualPoint, Residuals};
 
 /// Most samples that are kept of a pair, the worst one apart.

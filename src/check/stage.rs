@@ -10,17 +10,14 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 
 use super::CheckError;
-use super::account::TrajectoryAccount;
 use super::comparison::traced_now;
-use super::kept::Family;
 use super::limits::Limits;
-use super::measure::Compiled;
-use super::memory::Recall;
-use super::program::Program;
-use super::trial::{Course, Values};
+use super::program::{Program, Values};
+use super::recall::{Nothing, Recall};
 use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
+use crate::findings::TrajectoryAccount;
 use crate::flow::{
     Draft, FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros,
 };
@@ -28,12 +25,9 @@ use crate::latex::Role;
 use crate::number::{Bounded, NoValue};
 
 /// Chebyshev points in each step of an integration.
-const DENSITY: usize = 6;
+pub(super) const DENSITY: usize = 6;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
 const MOST_SAMPLES: usize = 1_500;
-/// Every how many samples dual numbers are compared with the bounds.
-const CROSS_CHECK: usize = 8;
-
 /// So many motions are integrated together: as many as there are lanes.
 const TOGETHER: usize = 8;
 
@@ -41,7 +35,7 @@ const TOGETHER: usize = 8;
 pub(super) struct Stage {
     motions: Vec<Option<Built>>,
     /// Whether samples are kept for a later state of the file.
-    keeping: bool,
+    pub(super) keeping: bool,
 }
 
 /// The leaves of all components of a symbol.
@@ -140,8 +134,8 @@ pub(super) struct Requests<'a> {
     pub programs: &'a [&'a [Program]],
     /// Which program belongs to a trajectory.
     pub start_of: &'a [usize],
-    /// What is measured.
-    pub measures: &'a [Compiled],
+    /// What is searched for on a motion beside what claims need.
+    pub measured: &'a (dyn Fn(&Derivation, usize) -> Vec<Expr> + Sync),
     /// When the run must end: looked at between steps of integration.
     pub limits: &'a Limits,
 }
@@ -214,7 +208,7 @@ pub(super) fn sample_times(motion: &Motion) -> Vec<f64> {
 }
 
 /// Times, at most about [`MOST_SAMPLES`] of them, the last one among them.
-fn thinned(times: Vec<f64>) -> Vec<f64> {
+pub(super) fn thinned(times: Vec<f64>) -> Vec<f64> {
     if times.len() <= MOST_SAMPLES {
         return times;
     }
@@ -236,7 +230,7 @@ impl Stage {
         derivation: &Derivation,
         fields: &Fields,
         requests: &Requests,
-        recall: Recall,
+        recall: &dyn Recall,
     ) -> Result<Stage, CheckError> {
         let mut families = needed_families(derivation, requests);
         // Long motions first: what is left at the end is short.
@@ -281,7 +275,7 @@ impl Stage {
         let families: Vec<_> = derivations.iter().map(|d| needed_families(d, requests)).collect();
         let tasks = derivations.iter().zip(&families);
         let tasks = tasks.flat_map(|(d, families)| families.iter().map(move |members| (d, members.as_slice())));
-        let mut built = together(tasks, fields, requests, Recall::default()).into_iter();
+        let mut built = together(tasks, fields, requests, &Nothing).into_iter();
         let mut stage = |(derivation, families): (&Derivation, &Vec<Vec<usize>>)| {
             let own: Vec<_> = built.by_ref().take(families.len()).collect();
             let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
@@ -294,7 +288,7 @@ impl Stage {
         derivations.iter().zip(&families).map(&mut stage).collect()
     }
 
-    fn built(&self, trajectory: usize) -> Option<&Built> {
+    pub(super) fn built(&self, trajectory: usize) -> Option<&Built> {
         self.motions.get(trajectory).and_then(Option::as_ref)
     }
 
@@ -338,65 +332,6 @@ impl Stage {
     /// The zeros along a motion of an expression that was asked for; `None` where it has no meaning.
     pub fn zeros(&self, trajectory: usize, e: Expr) -> Option<&Zeros> {
         self.built(trajectory)?.searches.get(&e).map(|search| search.zeros())
-    }
-
-    /// Samples a motion, and compares the two routes to its values: with a description of a value for which dual numbers and
-    /// propagated bounds disagree.
-    ///
-    /// # Errors
-    /// That the trajectory was not built.
-    pub fn course<'a>(
-        &'a self,
-        graph: &Graph,
-        trajectory: usize,
-        leaves: &'a [Leaf],
-    ) -> Result<(Course<'a>, Option<String>), String> {
-        let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
-        let motion = built.motion.as_ref();
-        if let Some((times, points)) = built.samples.get().cloned() {
-            let points = points.arranged(&built.places);
-            return Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, None));
-        }
-        let mut times = motion.sample_times(DENSITY);
-        // A derived motion may be tried on a part of the span of its source.
-        let (from, to) = built.span;
-        times.retain(|t| (from..=to).contains(t));
-        for end in [from, to] {
-            if let Err(at) = times.binary_search_by(|t| t.total_cmp(&end)) {
-                times.insert(at, end);
-            }
-        }
-        let times = thinned(times);
-        let points = motion.along(&times);
-        let kept = self.keeping.then(|| (times.clone(), points.clone()));
-        let points = points.arranged(&built.places);
-        let mut contradiction = None;
-        for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
-            let duals = motion.dual_at(t);
-            for (k, place) in built.places.iter().enumerate() {
-                let (Some(place), Ok(bounded)) = (place, points.get(i, k)) else { continue };
-                let Some(Ok(dual)) = duals.get(*place) else { continue };
-                let gap = (dual.re - bounded.value).abs();
-                // Both routes round on their own way: the bound of one covers its distance from the truth.
-                let room = 2.0 * bounded.error + 1e-12 * bounded.value.abs() + f64::MIN_POSITIVE;
-                if gap > room.max(1e-14) && gap > 1e3 * bounded.error {
-                    contradiction.get_or_insert_with(|| {
-                        format!(
-                            "{} at t = {t}: {} by dual numbers, {} ± {:e} by series",
-                            graph.leaf_latex(leaves[k]),
-                            dual.re,
-                            bounded.value,
-                            bounded.error
-                        )
-                    });
-                }
-            }
-        }
-        if let Some(kept) = kept {
-            // Another thread can only have found the same.
-            let _ = built.samples.set(kept);
-        }
-        Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, contradiction))
     }
 
     /// The value of an expression in parameters on a motion.
@@ -486,7 +421,7 @@ fn together<'a>(
     families: impl Iterator<Item = (&'a Derivation, &'a [usize])>,
     fields: &Fields,
     requests: &Requests,
-    recall: Recall,
+    recall: &dyn Recall,
 ) -> Vec<Result<Option<Together>, CheckError>> {
     let late = || requests.limits.is_over();
     let begin = |(derivation, members)| begin(derivation, fields, requests, members, recall);
@@ -510,9 +445,9 @@ fn begin<'a>(
     fields: &Fields,
     requests: &Requests,
     members: &'a [usize],
-    recall: Recall,
+    recall: &dyn Recall,
 ) -> Progress<'a> {
-    if let Some(known) = recall.family(derivation, members, |kept| kept.again(derivation, requests, members)) {
+    if let Some(known) = recall.motions(derivation, requests, members) {
         return Progress::Done(Ok(known));
     }
     let is_first = |t: &&usize| !matches!(derivation.trajectories[**t].motion, Given::Derived { .. });
@@ -528,7 +463,12 @@ fn begin<'a>(
 
 impl Begun<'_> {
     /// The motions, in the order of the file as far as sources come first.
-    fn finish(self, fields: &Fields, requests: &Requests, recall: Recall) -> Result<Vec<(usize, Built)>, CheckError> {
+    fn finish(
+        self,
+        fields: &Fields,
+        requests: &Requests,
+        recall: &dyn Recall,
+    ) -> Result<Vec<(usize, Built)>, CheckError> {
         let Begun { derivation, members, mut graph, first, known, draft } = self;
         let told = |t: usize, error: &FlowError| {
             CheckError::Problems(vec![unbuilt(derivation, &derivation.trajectories[t], error)])
@@ -566,7 +506,7 @@ impl Begun<'_> {
         if requests.part {
             recall.builds_for_a_part();
         }
-        recall.keep(derivation, members, || Family::new(derivation, graph, members, &done));
+        recall.keep(derivation, members, graph, &done);
         Ok(done)
     }
 }
@@ -701,8 +641,7 @@ pub(super) fn searched(derivation: &Derivation, requests: &Requests, trajectory:
                 searched.extend(programs[requests.start_of[trajectory]].searched());
             }
         }
-        let taken = requests.measures.iter().filter(|m| m.is_taken_on(derivation, trajectory));
-        searched.extend(taken.flat_map(Compiled::events));
+        searched.extend((requests.measured)(derivation, trajectory));
     }
     searched.into_iter().collect()
 }

@@ -7,7 +7,7 @@
 //!
 //! **In:** a claim that holds at all samples. **Out:** the times on the way to the extrema of the exponents.
 
-use super::trial::{Course, Trial};
+use super::course::{Course, Trial};
 use crate::expr::tape::{Slots, Tape};
 use crate::flow::Sample;
 use crate::number::Bounded;

@@ -28,16 +28,16 @@ mod points;
 mod times;
 mod wording;
 
-use super::account::{AssumptionsUsed, IdentityAccount};
 use super::comparison::at_instant;
 use super::identity::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
     identity_test_after, order,
 };
-use super::second_route::{IdentityEvidence, Signs, answer, evidence, evidence_of, reach};
-use super::standing::{self, Decision, Finding};
+use super::second_route::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
+use crate::findings::standing::{self, Decision, Finding};
+use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
 use gather::{Definitions, Gathered};

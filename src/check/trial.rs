@@ -5,152 +5,28 @@
 
 use std::sync::Arc;
 
-use super::across;
 use super::between::between_samples;
-use super::describe::{Describer, short};
+use super::course::Trial;
+use super::describe::{Describer, Left, short};
 use super::doubt::{
     beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
     unless_unresolved, unless_valued_between,
 };
 use super::independence::{self, Gradients};
+use super::judged::{Judged, Tried, selected};
 use super::limit::limit;
 use super::measured::{MeasuredGroup, Measurements, measure, measure_first};
-use super::met;
 use super::occasion::{self, Events};
-use super::program::{Assumption, Program, What};
-use super::same_motion;
-use super::stage::Stage;
-use super::steep;
+use super::program::{Assumption, What};
 use super::telling::silence;
-use super::weigh::{Judged, Left, weigh};
-use crate::derivation::{Claim, Derivation, Event};
-use crate::expr::{Expr, Graph, Leaf};
-use crate::flow::{Motion, Points, Zeros};
-use crate::number::{Bounded, NoValue};
+use super::weigh::weigh;
+use super::{across, met, same_motion, steep};
+use crate::derivation::{Derivation, Event};
+use crate::flow::Points;
 use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict};
-
-/// The values of all leaves at one time.
-pub(super) type Values = Vec<Result<Bounded, NoValue>>;
-
-/// A motion, sampled.
-pub(super) struct Course<'a> {
-    /// Where the motion is from.
-    pub stage: &'a Stage,
-    /// The position of its trajectory.
-    pub trajectory: usize,
-    /// The motion.
-    pub motion: &'a Motion,
-    /// The leaves that each point has values of.
-    pub leaves: &'a [Leaf],
-    /// The sample times, increasing.
-    pub times: Vec<f64>,
-    /// The values at the sample times.
-    pub points: Arc<Points>,
-}
-
-impl Course<'_> {
-    /// The values of all leaves at another time.
-    pub fn values(&self, t: f64) -> Values {
-        self.stage.values(self.trajectory, t)
-    }
-
-    /// The same motion at the same times, with the values of other leaves, by their positions.
-    pub fn again(&self, leaves: Vec<usize>) -> Course<'_> {
-        let points = Arc::new(self.stage.points(self.trajectory, &self.times, &leaves));
-        Course { points, times: self.times.clone(), ..*self }
-    }
-
-    /// Forgets the values of all leaves but these, by their positions, and what helped to find them.
-    pub fn keep(&mut self, leaves: &[usize]) {
-        Arc::make_mut(&mut self.points).keep(leaves);
-        self.motion.rest();
-    }
-
-    /// Times around a sample: a few between it and its neighbours, increasing.
-    fn near(&self, at: usize) -> Vec<f64> {
-        let (centre, neighbours) = (self.times[at], [at.checked_sub(1), Some(at + 1)]);
-        let between =
-            |other: f64| (1..=CLOSER).map(move |k| centre + (other - centre) * k as f64 / (CLOSER + 1) as f64);
-        let neighbours = neighbours.into_iter().flatten().filter_map(|i| self.times.get(i).copied());
-        let mut times: Vec<f64> = neighbours.flat_map(between).collect();
-        times.sort_by(f64::total_cmp);
-        times
-    }
-
-    /// The zeros of an expression that the claims ask for; `None` where it has no meaning on the motion.
-    pub fn zeros(&self, e: Expr) -> Option<&Zeros> {
-        self.stage.zeros(self.trajectory, e)
-    }
-
-    /// What a claim needs at other times.
-    pub fn points_at(&self, program: &Program, times: &[f64]) -> Arc<Points> {
-        Arc::new(self.stage.points(self.trajectory, times, program.inputs()))
-    }
-
-    /// What a claim needs at events, and at other times: an event has a `slack`, up to which its time is known, and how far
-    /// the values move meanwhile is part of their error.
-    pub fn points_at_events(&self, program: &Program, events: &[(f64, Option<f64>)]) -> Arc<Points> {
-        let around = |&(t, slack): &(f64, Option<f64>)| {
-            let beside = slack.map(|slack| [t - slack, t + slack]);
-            [t].into_iter().chain(beside.into_iter().flatten())
-        };
-        let times: Vec<f64> = events.iter().flat_map(around).collect();
-        let found = self.points_at(program, &times);
-        let mut next = 0;
-        let point = |(_, slack): &(f64, Option<f64>)| -> Values {
-            let at = next;
-            next += if slack.is_some() { 3 } else { 1 };
-            let here = found.row(at);
-            if slack.is_none() { here } else { widened(here, found.row(at + 1), found.row(at + 2)) }
-        };
-        Arc::new(events.iter().map(point).collect())
-    }
-
-    /// The values of all leaves at an event, whose time is known up to `slack`: how far they move meanwhile is part of
-    /// their error.
-    pub fn values_at_event(&self, t: f64, slack: f64) -> Values {
-        widened(self.values(t), self.values(t - slack), self.values(t + slack))
-    }
-}
-
-/// Values at an event, with how far they move until just before and just after it.
-fn widened(here: Values, before: Values, after: Values) -> Values {
-    let widened = |((here, a), b): ((Result<Bounded, NoValue>, _), _)| {
-        let here = here?;
-        let moved = |x: Result<Bounded, NoValue>| x.map_or(0.0, |x| (x.value - here.value).abs());
-        // Over so short a time everything moves linearly; twice the change covers what is not.
-        Ok(Bounded { value: here.value, error: here.error + 2.0 * moved(a).max(moved(b)) })
-    };
-    here.into_iter().zip(before).zip(after).map(widened).collect()
-}
-
-/// A claim to be tried on a motion.
-#[derive(Clone, Copy)]
-pub(super) struct Trial<'a> {
-    /// The expressions.
-    pub graph: &'a Graph,
-    /// The claim.
-    pub claim: &'a Claim,
-    /// The claim, compiled.
-    pub program: &'a Program,
-    /// The motion.
-    pub course: &'a Course<'a>,
-    /// Whether a reader is shown both sides along the motion.
-    pub shown: bool,
-}
 
 /// The most parts of a claim that are looked at closer, each by itself.
 const MANY: usize = 64;
-
-/// The times at which a claim is tried, with the values there, and which of them count.
-pub(super) struct Tried<'a> {
-    /// The times, increasing.
-    pub times: &'a [f64],
-    /// The values.
-    pub points: &'a Arc<Points>,
-    /// Which count.
-    pub left: Vec<Left>,
-}
 
 /// Tries a claim on a motion. `gradients` are those of a claim of independence.
 pub(super) fn try_claim(
@@ -427,9 +303,6 @@ fn constant(
     weigh(describer.setting(tried.left.clone()), &values)
 }
 
-/// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
-const CLOSER: usize = 4;
-
 /// Tries a part that is true at further times around its worst sample: the worst of all times lies between samples.
 fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let Trial { course, .. } = *trial;
@@ -509,30 +382,4 @@ fn no_event(trial: &Trial, events: Option<&Events>) -> Finding {
         Possible::VOID,
         Evidence::because(format!("{event} does not happen between t = {from} and t = {to}")),
     )
-}
-
-/// Which of the times the selectors leave.
-pub(super) fn selected(trial: &Trial, measured: &Measurements, describer: &Describer) -> Vec<Left> {
-    let mut left = vec![Left::In; describer.times.len()];
-    for (Assumption { text, part }, group) in trial.program.selectors.iter().zip(&measured.selectors) {
-        let judged = Judged::new(group, trial.claim.precision);
-        let not_met: Arc<str> = format!("the assumption `{text}` is not met").into();
-        let open: Arc<str> = format!("the assumption `{text}` cannot be decided").into();
-        for (i, left) in left.iter_mut().enumerate() {
-            let now = match judged.at(i).decided() {
-                Some(Truth::True) => continue,
-                Some(Truth::False) => Left::Out(Arc::clone(&not_met)),
-                Some(Truth::Void) => {
-                    let (c, reason) = judged.missing(0, i);
-                    Left::Out(describer.fault(&part.group.comparisons[c], i, reason))
-                }
-                None => Left::Open(Arc::clone(&open)),
-            };
-            // What is out for certain is out.
-            if *left == Left::In || (matches!(left, Left::Open(_)) && matches!(now, Left::Out(_))) {
-                *left = now;
-            }
-        }
-    }
-    left
 }

@@ -6,173 +6,18 @@
 //! left the part is void. One false point refutes. Points whose bound is too large to tell, and points at which it is false
 //! and not known whether they are selected, are named too; more than two in a hundred of them, and nothing is known.
 
-use std::sync::Arc;
-
-use super::comparison::Comparison;
-use super::describe::Describer;
+use super::describe::{Left, Setting};
+use super::judged::{Judged, ratio, witness};
 use super::measured::{Measured, MeasuredGroup};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
-use crate::verdict::{Evidence, Exclusion, Finding, Possible, Quantifier, Residual, Truth, Witness};
+use crate::verdict::{Evidence, Exclusion, Finding, Possible, Residual, Truth};
 
 /// Share of points whose bound may be too large, for a claim that holds at all others.
 pub(super) const TOLERATED_INCONCLUSIVE: f64 = 0.02;
 
 /// Most stretches of excluded times that are listed one by one.
 const MOST_EXCLUSIONS: usize = 12;
-
-/// Why a point does not count.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Left {
-    /// It counts.
-    In,
-    /// It is left out, for this reason.
-    Out(Arc<str>),
-    /// Whether it counts is not known, for this reason.
-    Open(Arc<str>),
-}
-
-/// What is known of each time before the claim itself is looked at, and how to describe a point.
-pub(super) struct Setting<'a> {
-    /// The times, increasing.
-    pub times: &'a [f64],
-    /// Which of them count.
-    pub left: Vec<Left>,
-    /// The precision that the claim asks for.
-    pub precision: f64,
-    /// Whether the first failure is told, and not the clearest.
-    pub first: bool,
-    /// Whether a reader is shown both sides along the motion.
-    pub shown: bool,
-    /// What describes the points.
-    pub describer: &'a Describer<'a>,
-}
-
-/// A measured group, judged.
-pub(super) struct Judged<'a, 'g> {
-    /// The measurements.
-    pub measured: &'a MeasuredGroup<'g>,
-    precision: f64,
-    /// Whether it consists of equations only, that say more than that they have values.
-    equations: bool,
-    /// `[s][i]`: what is known of the whole group at time i for the sign s.
-    pub whole: Vec<Vec<Possible>>,
-}
-
-impl<'a, 'g> Judged<'a, 'g> {
-    /// Judges every comparison at every time.
-    pub fn new(measured: &'a MeasuredGroup<'g>, precision: f64) -> Judged<'a, 'g> {
-        let equations = measured.group.comparisons.iter().all(|c| c.kind == RelationKind::Equal);
-        let equations = equations && !measured.group.asserted && measured.group.formula.is_none();
-        let whole = (0..measured.signs.len()).map(|s| measured.stand(s, precision)).collect();
-        Judged { measured, precision, equations, whole }
-    }
-
-    /// The comparison that decides the standing at a time, for one sign: the one that is furthest off, against the size of its
-    /// terms, among the worst; where all is well, the one with the largest residual.
-    pub fn deciding(&self, sign: usize, time: usize) -> usize {
-        if self.whole[sign][time] == Possible::TRUE {
-            return self.largest(sign, time);
-        }
-        let series = &self.measured.signs[sign];
-        if series.len() == 1 {
-            return 0;
-        }
-        let scale = |c: usize| self.measured.scale(sign, c, time);
-        let off = |c: usize| series[c].difference(time).map_or(f64::INFINITY, |d| d.value.abs() / scale(c));
-        let worst = self.worst(sign, time).map(|c| (c, off(c)));
-        worst.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(c, _)| c)
-    }
-
-    /// The comparison with the largest residual at a time, in units of its error bound, among those that stand as the whole
-    /// group does, for one sign. Among equals the one with the largest bound.
-    fn largest(&self, sign: usize, time: usize) -> usize {
-        let series = &self.measured.signs[sign];
-        if series.len() == 1 {
-            return 0;
-        }
-        let size = |c: usize| match series[c].difference(time) {
-            Ok(d) => (ratio(d.value.abs(), d.error), d.error),
-            // What has no value says nothing; it is not what is false, unless a value is promised.
-            Err(_) if self.whole[sign][time] == Possible::FALSE && !self.measured.group.asserted => (-1.0, 0.0),
-            Err(_) => (f64::INFINITY, f64::INFINITY),
-        };
-        let larger = |a: (usize, (f64, f64)), b: (usize, (f64, f64))| if b.1 > a.1 { b } else { a };
-        let sized = |c| (c, size(c));
-        // What is violated of an equation is further off than what is not.
-        let found = match (self.whole[sign][time], self.equations) {
-            (Possible::TRUE, _) | (Possible::FALSE, true) => (0..series.len()).map(sized).reduce(larger),
-            _ => self.worst(sign, time).map(sized).reduce(larger),
-        };
-        found.map_or(0, |(c, _)| c)
-    }
-
-    /// The comparisons on which it hangs what the whole group is at a time, for one sign; those that are as the group is
-    /// where none decides alone.
-    fn worst(&self, sign: usize, time: usize) -> impl Iterator<Item = usize> + '_ {
-        let whole = self.whole[sign][time];
-        let standing = move |c: usize| self.measured.standing(sign, c, time, self.precision);
-        let count = self.measured.signs[sign].len();
-        let group = self.measured.group;
-        let alone = move |c: usize| {
-            group.formula.is_some() && group.value(|n| if n == c { Possible::ANY } else { standing(n) }) != whole
-        };
-        let decides = group.formula.is_some() && (0..count).any(alone);
-        (0..count).filter(move |&c| count == 1 || if decides { alone(c) } else { standing(c) == whole })
-    }
-
-    /// Why a comparison has no value at a time.
-    pub fn missing(&self, sign: usize, time: usize) -> (usize, NoValue) {
-        let found = |c: usize| self.measured.signs[sign][c].difference(time).err().map(|reason| (c, reason));
-        self.worst(sign, time).find_map(found).unwrap_or((0, NoValue::OutOfDomain))
-    }
-
-    /// The sign that decides at a time: the one that does best where one is asked for, the one that does worst where both are.
-    pub fn sign(&self, time: usize) -> usize {
-        let signs = self.whole.iter().map(|s| s[time]).enumerate();
-        let rank = |known: Possible| match (known.decided(), self.measured.group.signs) {
-            (Some(Truth::True), Quantifier::Some) | (Some(Truth::False), Quantifier::Every) => 0,
-            (None, _) => 1,
-            (Some(Truth::False), Quantifier::Some) | (Some(Truth::True), Quantifier::Every) => 2,
-            (Some(Truth::Void), _) => 3,
-        };
-        signs.min_by_key(|(_, known)| rank(*known)).map_or(0, |(s, _)| s)
-    }
-
-    /// A comparison at some times, with the sign that does best there, and the size of its terms: what a reader is shown. Times
-    /// without a value are left out.
-    pub fn shown(&self, comparison: usize, times: &[usize]) -> Vec<(usize, Measured, f64)> {
-        let known = |time: usize| self.whole.iter().all(|s| time < s.len());
-        let best = |time: usize| known(time).then(|| self.sign(time));
-        let mut out = Vec::with_capacity(times.len());
-        for sign in 0..self.whole.len() {
-            let here: Vec<usize> = times.iter().copied().filter(|&time| best(time) == Some(sign)).collect();
-            let scales = self.measured.scales(sign, comparison, &here);
-            let measured = |time: usize| self.measured.signs[sign].get(comparison)?.get(time).ok();
-            let each = here.into_iter().zip(scales).filter_map(|(time, scale)| Some((time, measured(time)?, scale)));
-            out.extend(each);
-        }
-        out.sort_by_key(|(time, ..)| *time);
-        out
-    }
-
-    /// What is known at a time, of all signs together.
-    pub fn at(&self, time: usize) -> Possible {
-        self.measured.group.over_signs(self.whole.iter().map(|s| s[time]))
-    }
-}
-
-/// A point of a comparison that a reader can check.
-pub(super) fn witness(setting: &Setting, comparison: &Comparison, time: usize, m: Measured) -> Witness {
-    Witness {
-        t: setting.times[time],
-        formula: comparison.label.clone(),
-        left: m.left,
-        right: m.right,
-        bound: m.difference.error,
-        values: setting.describer.values(comparison, time),
-    }
-}
 
 /// Joins neighbouring excluded points with the same reason.
 fn exclusions(times: &[f64], left: &[Left]) -> Vec<Exclusion> {
@@ -240,11 +85,6 @@ fn signs(times: &[f64], left: &[Left], standing: &[Vec<Possible>]) -> Signs {
         }
     };
     Signs { words: Some(words), change: first[0].zip(first[1]) }
-}
-
-/// A residual in units of its bound.
-fn ratio(size: f64, bound: f64) -> f64 {
-    if size == 0.0 { 0.0 } else { size / bound }
 }
 
 /// A violated comparison: where it is, and how far off; in units of the size of its terms once that is known.
@@ -442,7 +282,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::comparison::Group;
+    use crate::check::comparison::{Comparison, Group};
     use crate::check::measured::{Series, Sizes};
     use crate::expr::Graph;
     use crate::number::Draws;

@@ -9,12 +9,13 @@
 
 use std::sync::Arc;
 
-use super::account::ClaimAccount;
+use super::describe::named;
 use super::program::{Part, Program};
 use super::stage::Stage;
 use super::{Prepared, same_motion};
 use crate::derivation::{Derivation, Form};
-use crate::expr::{Expr, Graph, Leaf};
+use crate::expr::{Expr, Leaf};
+use crate::findings::ClaimAccount;
 use crate::latex::RelationKind;
 use crate::verdict::{ResidualPoint, Residuals, Witness};
 
@@ -30,27 +31,6 @@ pub(super) struct Points<'a> {
     pub tried: &'a [usize],
     /// The leaves that motions have values of, increasing.
     pub wanted: &'a [Leaf],
-}
-
-/// What is added to the name of a symbol of the file where a claim has one of the same name.
-const OF_THE_FILE: &str = " (of the file)";
-
-/// Named values, in an order that does not depend on what was written before. Of two symbols with one name the first declared is
-/// that of the file.
-pub(super) fn named(
-    graph: &Graph,
-    of: impl IntoIterator<Item = Expr>,
-    value: impl Fn(Leaf) -> Option<f64>,
-) -> Vec<(String, f64)> {
-    let mut leaves = graph.leaves(of);
-    leaves.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, graph.leaf_latex(*l)));
-    let names: Vec<String> = leaves.iter().map(|&l| graph.leaf_latex(l)).collect();
-    let own = |leaf: &Leaf, name: &str| leaves.iter().zip(&names).all(|(l, n)| n != name || l.symbol <= leaf.symbol);
-    let shown = leaves.iter().zip(&names).filter_map(|(leaf, name)| {
-        let name = if own(leaf, name) { name.clone() } else { format!("{name}{OF_THE_FILE}") };
-        Some((name, value(*leaf)?))
-    });
-    shown.collect()
 }
 
 /// Gives every witness the values of its own comparison. The claims are in the order of what was prepared.

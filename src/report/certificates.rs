@@ -4,8 +4,8 @@
 //! those that were verified; nothing is computed here.
 
 use super::tally::name;
-use crate::check::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use crate::derivation::Derivation;
+use crate::findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use diag::shown::in_one_line;
 
 /// The folder of the certificates in that of a report, and the endings of their names.

@@ -6,8 +6,8 @@ use super::markdown::{math, prose};
 use super::numbers::count;
 use super::tally::name;
 use super::text::{Paint, paragraph};
-use crate::check::Account;
-use crate::check::separation::{
+use crate::findings::Account;
+use crate::findings::conditions::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Need, Rival, Separation,
 };
 

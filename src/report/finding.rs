@@ -11,9 +11,9 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
-use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
+use crate::findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
 use diag::shown::{in_one_line, shown};
 
 /// How serious a finding is.
@@ -369,7 +369,7 @@ pub fn rule_says(rule: &str) -> &'static str {
 #[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
-    use crate::check::sample::account;
+    use crate::findings::sample::account;
     use crate::tests::derivation;
 
     #[test]

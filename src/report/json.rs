@@ -7,11 +7,11 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::family::{
+use crate::derivation::{ClaimRole, Derivation};
+use crate::findings::family::{
     Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES,
 };
-use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
-use crate::derivation::{ClaimRole, Derivation};
+use crate::findings::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use ::paper::Comparison;
 use diag::shown::in_json;
 
@@ -228,7 +228,7 @@ pub(super) fn write(value: &Value, depth: usize, out: &mut String) {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use crate::findings::sample;
 
     #[test]
     fn the_contract_is_kept() {

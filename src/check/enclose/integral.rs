@@ -5,7 +5,7 @@
 //! them. **Guaranteed:** L_f F = 0 for all values of states and parameters is *proved*, by the identity test with its stated
 //! probability of error (at most 2⁻¹⁰⁰). What holds on some motions only, or because of other equations, is none.
 
-use super::Request;
+use super::request::Request;
 use crate::check::comparison::traced;
 use crate::check::identity::{Condition, Identity, Options, Premises, identity_test};
 use crate::derivation::Form;

@@ -21,50 +21,30 @@
 //! An enclosure may find what lies between samples, and refute what held on all of them. Where the two contradict each other
 //! at one and the same time, the enclosure stands: the sampled motion is withdrawn for all claims, and that is said.
 
-mod claim;
 mod cover;
 mod event;
 mod integral;
 mod limit;
+mod pair;
 mod rank;
 mod ready;
+mod request;
 mod same;
 mod span;
 #[cfg(test)]
 mod tests;
 
-use super::Prepared;
-use super::account::ClaimAccount;
 use super::comparison::Comparison;
-use super::limits::Limits;
-use super::stage::{Fields, Stage, setup};
-use crate::derivation::{Derivation, Motion as Given};
+use super::prepared::Prepared;
+use super::stage::setup;
+use crate::derivation::Motion as Given;
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::ClaimAccount;
 use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use cover::Along;
 use rayon::prelude::*;
-
-/// How much is asked of a verdict.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Rigor {
-    /// At finitely many times.
-    #[default]
-    Sampled,
-    /// At every time, where it is possible.
-    Enclosed,
-}
-
-/// What is needed to enclose.
-pub(super) struct Request<'a> {
-    pub derivation: &'a Derivation,
-    pub fields: &'a Fields,
-    pub stage: &'a Stage,
-    pub prepared: &'a [Vec<Prepared<'a>>],
-    pub start_of: &'a [usize],
-    pub tried: &'a [usize],
-    pub limits: &'a Limits,
-}
+pub(super) use request::Request;
 
 /// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
 type Change = (usize, usize, Verdict);
@@ -119,21 +99,21 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
     for (k, claim) in claims.iter().enumerate() {
         let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
         changes.extend(
-            here.filter(|(_, r)| !claim::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
+            here.filter(|(_, r)| !pair::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
         );
     }
     if changes.is_empty() {
         return changes;
     }
     if let Some(reached) = request.limits.reached() {
-        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, reached));
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, reached));
         return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
-            changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
+            changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
             return changes;
         }
     };
@@ -142,17 +122,17 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
     let mut parts = Vec::new();
     for (k, ..) in &changes {
         let Prepared { claim, program, gradients } = program(*k);
-        let asked = claim::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
-        parts.push(claim::prepare(&asked, &mut along));
+        let asked = pair::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
+        parts.push(pair::prepare(&asked, &mut along));
     }
     if let Err(reason) = along.compile() {
-        changes.iter_mut().for_each(|(_, _, v)| claim::remark(v, &reason));
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
         return changes;
     }
     let mut withdrawn = None;
     for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
         if let Some(reached) = request.limits.reached() {
-            claim::remark(verdict, reached);
+            pair::remark(verdict, reached);
             continue;
         }
         let prepared = program(*k);
@@ -162,7 +142,7 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
             let values = request.stage.values(t, time);
             program.measure((&[values].into_iter().collect(), 1), 1.0).get(at)?.difference(0).ok()
         };
-        if let Err(contradiction) = claim::strengthen(program, parts, &mut along, &sampled, verdict) {
+        if let Err(contradiction) = pair::strengthen(program, parts, &mut along, &sampled, verdict) {
             withdrawn.get_or_insert(contradiction);
         }
     }

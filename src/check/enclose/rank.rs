@@ -10,8 +10,8 @@
 //! That functions are **dependent** is an equality, and no interval shows one. It is shown by exact arithmetic, at the start
 //! of a motion whose parameters and initial states are rational numbers.
 
-use super::claim::Asked;
 use super::cover::{Along, Judgement, Ranges};
+use super::pair::Asked;
 use super::ready::{Ready, Shown};
 use crate::check::independence::Gradients;
 use crate::check::program::Part;

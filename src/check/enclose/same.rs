@@ -3,8 +3,8 @@
 //! On common stretches the difference of the two enclosures is a model again, so that only what is not known of the states
 //! counts, and not how far they move.
 
-use super::claim::Asked;
 use super::cover::Along;
+use super::pair::Asked;
 use super::ready::{POINTS, Ready, Shown, median};
 use crate::check::program::Part;
 use crate::expr::{Leaf, Symbol};

@@ -8,7 +8,7 @@
 //! are no members of the family: they are counted nowhere. Crossings depend on the map alone, so they are the same wherever it
 //! was counted.
 
-use super::map::{Axis, Boundary, Crossing};
+use crate::findings::family::{Axis, Boundary, Crossing};
 
 /// How finely is looked along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,11 +39,9 @@ fn between((low, high): (f64, f64), logarithmic: bool) -> Option<f64> {
     (low < rounded && rounded < high).then_some(rounded)
 }
 
-impl Crossing {
-    /// The two ends along one of the axes, 0 to the right and 1 upwards.
-    fn ends(&mut self) -> &mut (f64, f64) {
-        if self.along == 0 { &mut self.across } else { &mut self.up }
-    }
+/// The two ends of a crossing along its axis.
+fn ends(of: &mut Crossing) -> &mut (f64, f64) {
+    if of.along == 0 { &mut of.across } else { &mut of.up }
 }
 
 /// The pairs of neighbours between which the verdict changes, row by row, then column by column.
@@ -89,7 +87,7 @@ pub(super) fn find<E>(
         for at in open {
             let crossing = &mut crossings[at];
             let Some(Width { width, logarithmic }) = widths[crossing.along] else { continue };
-            let ends = *crossing.ends();
+            let ends = *ends(crossing);
             crossing.is_narrow = ends.1 - ends.0 <= width;
             if let (false, Some(middle)) = (crossing.is_narrow, between(ends, logarithmic)) {
                 let fixed = if crossing.along == 0 { crossing.up.0 } else { crossing.across.0 };
@@ -109,7 +107,7 @@ pub(super) fn find<E>(
                     let Some(holds) = holds else { continue };
                     let crossing = &mut crossings[at];
                     let is_first = holds == crossing.first_holds;
-                    let ends = crossing.ends();
+                    let ends = ends(crossing);
                     *ends = if is_first { (middle, ends.1) } else { (ends.0, middle) };
                     open.push(at);
                 }

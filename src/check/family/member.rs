@@ -10,6 +10,7 @@ use super::super::diag::Diagnostic;
 use super::super::expr::tape::Tape;
 use super::draw::{Random, Sequence, exp, ln, normal_at, polar_at, random_normal};
 use super::map::Scale;
+
 use crate::derivation::{Derivation, Drawing, Family, Spread, Varied};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;

@@ -15,25 +15,19 @@ mod beside;
 mod boundary;
 mod budget;
 mod confidence;
-mod distribution;
 mod draw;
 mod map;
 mod member;
-mod parts;
 mod separate;
-mod sums;
 mod sweep;
-mod tally;
 mod troupe;
 
-pub use account::{
-    Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilySeparation, MeasureAccount, MemberAccount,
+pub use crate::findings::family::{
+    Axis, Boundary, Counts, Crossing, Distribution, Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilyMap,
+    FamilySeparation, Join, Joined, MOST_PARTS, MeasureAccount, MemberAccount, Part, PartFault, Ranked, Row, SHARES,
+    Swept, SweptClaim, SweptMeasure, Tally,
 };
 pub use confidence::{CONFIDENCE, failing_share};
-pub use distribution::{Distribution, SHARES};
-pub use map::{Axis, Boundary, Crossing, FamilyMap};
-pub use parts::{Join, Joined, MOST_PARTS, Part, PartFault, Swept, SweptClaim, SweptMeasure};
+pub use separate::Checker;
 pub use sweep::sweep;
-pub use tally::{Counts, Ranked, Tally};
 pub(super) use troupe::Families;
-pub use troupe::Row;

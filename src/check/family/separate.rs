@@ -11,14 +11,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::account::ClaimAccount;
-use super::super::memory::Recall;
-use super::super::separation::{self, ConditionName, Explanation, Join};
-use super::super::{CheckError, Options, check_and};
-use super::account::{Exception, FamilySeparation};
+use super::super::{CheckError, Options};
 use super::member::{Member, Members};
-use super::tally::Tally;
 use crate::derivation::{Claim, Derivation, Form};
+use crate::findings::ClaimAccount;
+use crate::findings::conditions::{ConditionName, Explanation, Join};
+use crate::findings::family::{Exception, FamilySeparation, Tally};
 use crate::verdict::Verdict;
 
 /// The most members on which a condition is looked for, and the most fresh ones.
@@ -65,8 +63,26 @@ fn with_members(
     Some((out, tried))
 }
 
+/// Whoever checks claims on trajectories: members are tried as such.
+pub trait Checker {
+    /// The accounts of the claims; with what separates the trajectories where `separating`.
+    ///
+    /// # Errors
+    /// Trajectories that cannot be built, and defects of the program.
+    fn check(
+        &self,
+        derivation: &mut Derivation,
+        options: &Options,
+        separating: bool,
+    ) -> Result<Vec<ClaimAccount>, CheckError>;
+
+    /// Conditions by their names, each as the claim that it is met at every time; `None` for one that the file does not give rise to.
+    fn conditions(&self, derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>>;
+}
+
 /// Tries claims on the last trajectories.
 fn try_on(
+    checker: &dyn Checker,
     derivation: &mut Derivation,
     ids: BTreeSet<String>,
     tried: &[Tried],
@@ -83,8 +99,8 @@ fn try_on(
     let trajectories = tried.iter().map(|t| t.id.clone()).collect();
     let claims = ids.into_iter().collect();
     let options = Options { claims, trajectories, plain: true, limits: options.limits.clone(), ..Options::default() };
-    match check_and(derivation, &options, &[], separating, Recall::default(), &|_, _| {}) {
-        Ok(account) => Ok(Some(account.claims)),
+    match checker.check(derivation, &options, separating) {
+        Ok(claims) => Ok(Some(claims)),
         // A motion that cannot be made is none to tell anything by.
         Err(CheckError::Problems(_)) => Ok(None),
         Err(defect) => Err(defect),
@@ -190,6 +206,7 @@ fn is_asked(claim: &Claim, tally: &Tally) -> bool {
 /// # Errors
 /// The run was cancelled; the program contradicts itself.
 pub(super) fn separations(
+    checker: &dyn Checker,
     derivation: &Derivation,
     members: &Members,
     asked: &[&Claim],
@@ -215,7 +232,7 @@ pub(super) fn separations(
     let found = found.into_iter();
     let Some((mut of_members, tried)) = with_members(derivation, members, found) else { return Ok(out) };
     let ids = || split.iter().map(|&n| asked[n].id.clone()).collect::<BTreeSet<String>>();
-    let Some(accounts) = try_on(&mut of_members, ids(), &tried, true, options)? else { return Ok(out) };
+    let Some(accounts) = try_on(checker, &mut of_members, ids(), &tried, true, options)? else { return Ok(out) };
     let account = |accounts: &[ClaimAccount], claim: &Claim| {
         accounts.iter().position(|a| a.id == claim.id && a.reading == claim.reading)
     };
@@ -252,14 +269,14 @@ pub(super) fn separations(
     let names =
         conditions.iter().flat_map(|(_, c)| c.explanation.conditions.iter().filter(|_| c.thresholds.is_empty()));
     let names: Vec<ConditionName> = names.cloned().collect();
-    let probes = separation::as_claims(&mut of_fresh, &names);
+    let probes = checker.conditions(&mut of_fresh, &names);
     let mut all = ids();
     all.extend(probes.iter().flatten().map(|c| c.id.clone()));
     let probe_ids: Vec<(ConditionName, String)> =
         names.into_iter().zip(&probes).filter_map(|(name, c)| Some((name, c.as_ref()?.id.clone()))).collect();
     let mut added = BTreeSet::new();
     of_fresh.claims.extend(probes.into_iter().flatten().filter(|c| added.insert(c.id.clone())));
-    let Some(accounts) = try_on(&mut of_fresh, all, &tried, false, options)? else { return Ok(out) };
+    let Some(accounts) = try_on(checker, &mut of_fresh, all, &tried, false, options)? else { return Ok(out) };
     for (n, condition) in &conditions {
         let (Some(at), Some(separation)) = (account(&accounts, asked[*n]), &mut out[*n]) else { continue };
         for of in &tried {

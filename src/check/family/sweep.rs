@@ -4,11 +4,11 @@
 //! has every number of it, or there is none: a sweep that a limit ends finds nothing. The limits of a file hold for a part.
 
 use super::budget::{Budget, MOST_MEMBERS};
-use super::parts::{Part, Swept, SweptClaim, SweptMeasure};
-use super::troupe::{Families, Row, Troupe, measured};
+use super::troupe::{Families, Troupe, measured};
 use crate::check::{CheckError, Limits, Options};
 use crate::derivation::{Claim, Derivation, Measure};
 use crate::diag::Diagnostic;
+use crate::findings::family::{Part, Row, Swept, SweptClaim, SweptMeasure};
 
 /// Tries the members of a part: those claims of the file that name the family. `progress` is told how many of how many numbers are
 /// done; `each` is handed every member, in the order of their numbers, also of a part that is not finished.

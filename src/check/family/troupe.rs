@@ -9,28 +9,25 @@ use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 
-use super::super::account::{ClaimAccount, Measurement, PairAccount};
+use super::super::course::Trial;
 use super::super::independence::Gradients;
 use super::super::limits::Limits;
 use super::super::measure::{self, Compiled};
 use super::super::program::Program;
 use super::super::stage::{Fields, Requests, Stage};
-use super::super::trial::{self, Trial};
-use super::super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, witness};
-use super::account::{Counted, MeasureAccount, Otherwise, Spreading};
+use super::super::{CANCELLED, CheckError, Options, Prepared, by_formula, same_motion, trial, witness};
+use super::account::{Counted, Otherwise, Spreading};
 use super::beside::{Beside, compared_with};
 use super::boundary::{self, Found, Width};
 use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
-use super::distribution::Distribution;
-use super::map::{Boundary, Scale};
+use super::map::Scale;
 use super::member::{MOST_DRAWS, Member, Members};
-use super::parts::Joined;
-use super::separate::separations;
-use super::sums::Sums;
-use super::tally::Tally;
+use super::separate::{Checker, separations};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
+use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Sums, Tally};
+use crate::findings::{ClaimAccount, Measurement, PairAccount};
 use crate::flow::Motion;
 use crate::verdict::Verdict;
 
@@ -95,6 +92,7 @@ impl Families {
     /// Members that cannot be built, families without members, and defects of the program.
     pub fn try_all(
         &self,
+        checker: &dyn Checker,
         options: &Options,
         claims: &mut [ClaimAccount],
         joined: Option<&Joined>,
@@ -145,7 +143,7 @@ impl Families {
             // What was not tried might separate them otherwise.
             let separations = match stopped {
                 Some(_) => vec![None; asked.len()],
-                None => separations(derivation, members, &asked, tallies, options)?,
+                None => separations(checker, derivation, members, &asked, tallies, options)?,
             };
             let again = troupe.again(sums.kept())?;
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
@@ -196,18 +194,6 @@ pub(super) struct Troupe<'a> {
     slot: usize,
     /// The motions that it is compared with, which follow it: the position of what varies, and which.
     beside: Vec<(usize, Beside)>,
-}
-
-/// A member that was tried.
-pub struct Row<'a> {
-    /// Its number.
-    pub number: u64,
-    /// The values of what varies.
-    pub values: &'a [f64],
-    /// The verdicts, in the order of the claims.
-    pub verdicts: &'a [Verdict],
-    /// What was measured, in the order of the measures.
-    pub measured: &'a [Measurement],
 }
 
 /// What one number gave.
@@ -491,7 +477,7 @@ impl<'a> Troupe<'a> {
             claims: &claims,
             programs: &programs,
             start_of: &self.start_of,
-            measures: &self.measures,
+            measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
             limits,
         };
         let stages = Stage::build_each(&derivations, &self.fields, &requests);

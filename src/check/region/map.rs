@@ -4,34 +4,9 @@
 //! refuted before undecided before proved before not applicable. With more than two ranges a square stands for all values
 //! of the others, so that *refuted* means "for some of them".
 
-use super::question::Part;
+use crate::findings::region::{Part, Patch, RegionMap};
+
 use super::subdivide::{Division, PICTURE_BISECTIONS};
-
-/// Squares of the board that are known in the same way, as a rectangle: column and row from the lower left, width, height.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Patch {
-    /// What is known.
-    pub part: Part,
-    /// The first column.
-    pub column: u32,
-    /// The first row, from below.
-    pub row: u32,
-    /// Number of columns.
-    pub width: u32,
-    /// Number of rows.
-    pub height: u32,
-}
-
-/// The picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RegionMap {
-    /// Positions among the ranges that vary: across, up.
-    pub axes: (usize, usize),
-    /// Squares along each side.
-    pub squares: u32,
-    /// The rectangles; they cover the board.
-    pub patches: Vec<Patch>,
-}
 
 fn rank(part: Part) -> u8 {
     match part {

@@ -16,6 +16,7 @@
 //! to the next binary64 number outwards, and witnesses are looked for inwards.
 
 mod account;
+mod ends;
 mod faults;
 mod map;
 mod portrait;
@@ -26,18 +27,20 @@ mod subdivide;
 #[cfg(test)]
 mod tests;
 
-pub use account::{RangeAccount, RegionAccount, RegionWitness, Shares, SolutionAccount};
-pub use map::{Patch, RegionMap};
-pub use portrait::{ARROWS, Drawn, Portrait, SQUARES};
-pub use question::Part;
+pub use crate::findings::region::{
+    ARROWS, Drawn, Part, Patch, Portrait, RangeAccount, RegionAccount, RegionMap, RegionWitness, SQUARES, Shares,
+    SolutionAccount,
+};
+pub use account::of_step;
 
-use super::account::ClaimAccount;
 use crate::derivation::{Claim, Derivation, Form, Ranged, Region, Values};
 use crate::diag::Diagnostic;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::ClaimAccount;
 use crate::number::{Bounded, Draws, Interval};
 use crate::verdict::Strength;
+use ends::{enclosed, nearest};
 use portrait::portraits;
 use question::{Insertion, Question};
 use rayon::prelude::*;
@@ -88,9 +91,7 @@ pub(super) fn decide_all(
     let decided: Vec<Result<(usize, ClaimAccount), Box<Diagnostic>>> = asked
         .par_iter()
         .with_max_len(1)
-        .map(|&(at, claim, region)| {
-            Ok((at, ClaimAccount::of_region(claim, decide(derivation, claim, region, most_work)?)))
-        })
+        .map(|&(at, claim, region)| Ok((at, account::of_region(claim, decide(derivation, claim, region, most_work)?))))
         .collect();
     let (mut out, mut problems) = (Vec::new(), Vec::new());
     for one in decided {
@@ -105,18 +106,6 @@ pub(super) fn decide_all(
 /// One claim by itself; `None` where a range is none.
 pub(super) fn decide_one(derivation: &Derivation, claim: &Claim, region: &Region) -> Option<RegionAccount> {
     decide(derivation, claim, region, MOST_WORK_OF_ONE).ok()
-}
-
-/// The value of an expression without leaves.
-fn enclosed(graph: &Graph, e: Expr) -> Option<Interval> {
-    let tape = Tape::compile(graph, &[], &[e]).ok()?;
-    let mut slots = tape.slots::<Interval>(&());
-    tape.evaluate(&(), &[], &mut slots).pop()?.ok()
-}
-
-/// The binary64 number by which a reader knows a number of the file.
-fn nearest(graph: &Graph, e: Expr, enclosure: Interval) -> f64 {
-    graph.as_constant(e).map_or(enclosure.mid(), |r| r.to_f64().value())
 }
 
 /// The ranges that are no single values, enclosed from outside and inside.
@@ -149,7 +138,7 @@ fn decide(
     let mut graph = derivation.graph.clone();
     let variables = variables(derivation, &graph, &region.ranges)?;
     let put = Insertion::new(&mut graph, &claim.scope, &region.ranges);
-    let mut account = RegionAccount::blank(region, &graph, &put, &variables);
+    let mut account = account::blank(region, &graph, &put, &variables);
     let problem = |graph: &Graph, leaf: Leaf| {
         let message = format!("`{}` has no value in the claim `{}`", graph.leaf_latex(leaf), claim.name());
         Box::new(Diagnostic::at(&derivation.file, "check::no-range", claim.span.clone(), message))
@@ -175,17 +164,17 @@ fn decide(
         let solver = Solver::new(&mut graph, &put, question, wanted, such_that, unique);
         let solver = solver.map_err(|l| problem(&graph, l))?;
         let division = subdivide(&solver, &variables, solver.most_cells(), most_work);
-        account.measure(&division);
+        account::measure(&mut account, &division);
         solver.describe(&division, &mut account);
-        account.conclude(&division, Strength::Enclosed);
+        account::conclude(&mut account, &division, Strength::Enclosed);
         return Ok(account);
     }
     let division = subdivide(&question, &variables, MOST_CELLS, most_work);
-    account.measure(&division);
+    account::measure(&mut account, &division);
     witness(&graph, &question, &variables, &division, &mut account);
-    account.identities(&question);
+    account::identities(&mut account, &question);
     account.portraits = portraits(&mut graph, (claim, &region.ranges, question.identical), &put, &variables);
-    account.conclude(&division, if question.identical { Strength::Proved } else { Strength::Enclosed });
+    account::conclude(&mut account, &division, if question.identical { Strength::Proved } else { Strength::Enclosed });
     Ok(account)
 }
 
@@ -197,7 +186,7 @@ pub(super) fn points(
     region: &Region,
     graph: &mut Graph,
     expressions: &mut [&mut Expr],
-) -> Option<(Vec<Leaf>, Vec<super::trial::Values>)> {
+) -> Option<(Vec<Leaf>, Vec<super::program::Values>)> {
     let variables = variables(derivation, graph, &region.ranges).ok()?;
     let leaves: Vec<Leaf> = variables.iter().map(|v| v.leaf).collect();
     let put = Insertion::new(graph, &claim.scope, &region.ranges);
@@ -210,7 +199,7 @@ pub(super) fn points(
     for e in expressions.iter_mut() {
         **e = put.put(graph, **e, &leaves);
     }
-    let mut draws = Draws::new(super::SEED);
+    let mut draws = Draws::new(crate::findings::SEED);
     let (mut out, mut scratch) = (Vec::new(), Scratch::default());
     for _ in 0..MOST_DRAWN {
         let at = variables.iter().map(|v| {
@@ -245,5 +234,5 @@ fn witness(graph: &Graph, question: &Question, of: &[Variable], division: &Divis
         let end = |v: &Interval| (v.lo(), v.hi());
         Some((end(values.first()?), end(values.get(1)?)))
     });
-    account.witness = Some(RegionWitness::of_formula(account.point(cell), failing.formula, sides));
+    account.witness = Some(account::of_formula(account::point(account, cell), failing.formula, sides));
 }

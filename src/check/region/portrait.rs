@@ -9,35 +9,12 @@ use super::signs::Variable;
 use crate::derivation::{Claim, Form, Ranged};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::region::{ARROWS, Drawn, Portrait, SQUARES};
 use crate::latex::{RelationKind, Role};
 use crate::number::Bounded;
 
-/// Squares along each side of a board.
-pub const SQUARES: usize = 24;
-/// Arrows along each side of a board.
-pub const ARROWS: usize = 12;
 /// More is not drawn of one claim.
 const MOST: usize = 4;
-
-/// What is drawn, row by row from below; `None` where there is no value.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Drawn {
-    /// A number for each of [`SQUARES`]² squares.
-    Shades(Vec<Option<f64>>),
-    /// A vector for each of [`ARROWS`]² squares: across, up.
-    Arrows(Vec<Option<(f64, f64)>>),
-}
-
-/// One picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Portrait {
-    /// What is drawn, in LaTeX.
-    pub shows: String,
-    /// Whether this is the difference of the sides of an equation.
-    pub residual: bool,
-    /// What is drawn.
-    pub drawn: Drawn,
-}
 
 /// The pictures of the fields of a claim, and of the equations that it says, unless they are identities.
 pub(super) fn portraits(

@@ -8,6 +8,7 @@
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
 use crate::derivation::{Claim, Ranged, Values};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Node, Op, Rational, Symbol};
+use crate::findings::region::Part;
 use crate::latex::{RelationKind, Scope};
 use crate::verdict::{self, Possible, Proposition};
 
@@ -17,21 +18,6 @@ use super::super::program::Part as Compared;
 
 use super::super::identity::{Condition, Identity, Premises};
 use super::super::second_route::answer;
-
-/// What is known of a claim on a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Part {
-    /// It holds at every point.
-    Proved,
-    /// It holds at every point at which it applies; not known where that is.
-    Border,
-    /// It fails at every point.
-    Refuted,
-    /// It applies at no point.
-    NotApplicable,
-    /// Not known.
-    Undecided,
-}
 
 /// Comparisons with the relations by which they are known on cells, for each sign of ±.
 #[derive(Debug)]

@@ -27,14 +27,14 @@ use std::collections::VecDeque;
 
 use nalgebra::DMatrix;
 
-use super::account::{RegionAccount, RegionWitness, SolutionAccount};
 use super::faults;
-use super::question::{Insertion, Part, Question};
+use super::question::{Insertion, Question};
 use super::signs::{Cell, Domain, Scratch as SignScratch, Signs, Truth, Variable, found};
 use super::subdivide::{Division, Judge};
 use crate::derivation::Written;
 use crate::expr::tape::{Instruction, Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::region::{Part, RegionAccount, RegionWitness, SolutionAccount};
 use crate::latex::{RelationKind, Statement};
 use crate::number::{Decorated, Interval, Scalar};
 
@@ -534,7 +534,8 @@ impl Solver {
                 format!("there are at least {n} solutions, at {}", first.join(" and at "))
             }
         };
-        account.witness = Some(RegionWitness { values: account.point(cell), formula: None, sides: None, says });
+        account.witness =
+            Some(RegionWitness { values: super::account::point(account, cell), formula: None, sides: None, says });
     }
 }
 

@@ -10,8 +10,8 @@
 
 use rayon::prelude::*;
 
-use super::question::Part;
 use super::signs::{Cell, Variable};
+use crate::findings::region::Part;
 use crate::number::Interval;
 
 /// Most cells that are judged.

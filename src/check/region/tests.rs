@@ -1,13 +1,14 @@
 //! Verdicts over ranges, and what becomes of them when a part of the method is broken on purpose.
 
 use super::faults::{NO_DOMAIN, NO_INCLUSION, WEAK};
-use super::question::{Insertion, Part, Question};
+use super::question::{Insertion, Question};
 use super::signs::{Cell, Scratch};
 use super::subdivide::{MOST_CELLS, subdivide};
 use super::*;
 use crate::check::{Outcome, Strength};
 use crate::derivation::parse;
 use crate::diag::{Source, render};
+use crate::findings::region::Part;
 use crate::number::Draws;
 #[cfg(debug_assertions)]
 use crate::number::interval_faults::NEAREST;

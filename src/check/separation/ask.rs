@@ -14,10 +14,10 @@ use rayon::prelude::*;
 
 use super::candidates::Candidate;
 use crate::check::comparison::judge;
-use crate::check::memory::Recall;
-use crate::check::one_pair;
+use crate::check::course::{Course, Trial};
 use crate::check::program::{Program, What};
-use crate::check::trial::{Course, Trial};
+use crate::check::recall::Recall;
+use crate::check::trial::try_claim;
 use crate::derivation::{Claim, Derivation};
 use crate::flow::Points;
 use crate::verdict::Possible;
@@ -41,7 +41,7 @@ pub(super) struct Ask<'a> {
     /// One for each of the candidates and initial time.
     pub programs: &'a [Vec<Program>],
     pub start_of: &'a [usize],
-    pub recall: Recall<'a>,
+    pub recall: &'a dyn Recall,
 }
 
 /// How every condition stands on every motion.
@@ -91,13 +91,13 @@ impl Ask<'_> {
         let candidate = self.candidates.get(k)?;
         let name = &candidate.name;
         let says = [name.id.as_deref(), Some(&name.formula), name.says.as_deref()].map(Option::unwrap_or_default);
-        self.recall.standing(self.derivation, &says, course.trajectory, || self.tried(k, &candidate.claim, course))
+        self.recall.standing(self.derivation, &says, course.trajectory, &|| self.tried(k, &candidate.claim, course))
     }
 
     fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
         let program = self.program(k, course)?;
         let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
-        one_pair(self.derivation, &trial, None).is_met()
+        try_claim(self.derivation, &trial, None).is_met()
     }
 }
 

@@ -1,9 +1,9 @@
 //! A claim with one of its assumptions left out.
 
-use super::account::{AssumptionAccount, Need};
 use super::candidates::PROBE;
-use crate::check::account::{ClaimAccount, PairAccount};
 use crate::derivation::{Claim, Derivation};
+use crate::findings::conditions::{AssumptionAccount, Need};
+use crate::findings::{ClaimAccount, PairAccount};
 use crate::latex::RelationKind;
 use crate::verdict::{Outcome, Verdict};
 

@@ -3,9 +3,9 @@
 //! Built: orderings and equalities of parameters of one unit, their signs, which of three lies between the others; states and
 //! observables that vanish, never vanish, keep one sign, do not change, or have a special value at the start.
 
-use super::account::ConditionName;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, SymbolEntry, Written};
 use crate::expr::{Expr, Graph, Leaf, Node, Tensor};
+use crate::findings::conditions::ConditionName;
 use crate::latex::{self, RelationKind, Role, Statement};
 
 /// What the ids of claims begin with that are made here: no id of a file can.

@@ -1,10 +1,10 @@
 //! From how conditions and a claim stand on the trajectories to an explanation.
 
 use super::Truth;
-use super::account::{ConditionName, Explanation, Join, Rival, Separation};
 use super::ask::Sides;
 use super::candidates::Candidate;
-use crate::check::account::ClaimAccount;
+use crate::findings::ClaimAccount;
+use crate::findings::conditions::{ConditionName, Explanation, Join, Rival, Separation};
 use crate::verdict::Outcome;
 
 /// Most rivals that are named.

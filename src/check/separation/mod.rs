@@ -9,24 +9,25 @@
 //! there neither as met nor as unmet, and so can never separate anything. **Weakest** means: met on most of the trajectories at
 //! hand, by inclusion. Trajectories are all the evidence that there is: what they cannot tell apart is said to be so.
 
-mod account;
 mod ask;
 mod assumptions;
 mod candidates;
 mod explain;
 
-pub use account::{AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation};
+pub use crate::findings::conditions::{
+    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
+};
 
 use std::collections::BTreeSet;
 
-use super::account::{Account, PairAccount};
+use super::course::{Course, Trial};
 use super::independence::Gradients;
-use super::memory::Recall;
-use super::one_pair;
 use super::program::Program;
-use super::trial::{Course, Trial};
+use super::recall::Recall;
+use super::trial::try_claim;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Rational;
+use crate::findings::{Account, PairAccount};
 use crate::verdict::Verdict;
 use ask::{Ask, Sides};
 use assumptions::Dropped;
@@ -111,7 +112,7 @@ impl Probes {
         gradients: &[Option<Result<Gradients, String>>],
         (start, course): (usize, &Course),
         verdicts: &[Option<Verdict>],
-        (failed, recall): (&[AtomicBool], Recall),
+        (failed, recall): (&[AtomicBool], &dyn Recall),
     ) -> Vec<Option<Verdict>> {
         let t = course.trajectory;
         let count = self.candidates.len();
@@ -123,7 +124,7 @@ impl Probes {
             let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
             let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
             let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
-            Some(recall.without(derivation, asked, t, || one_pair(derivation, &trial, gradients)))
+            Some(recall.without(derivation, asked, t, &|| try_claim(derivation, &trial, gradients)))
         };
         self.dropped.iter().enumerate().map(verdict).collect()
     }
@@ -143,7 +144,7 @@ impl Probes {
         derivation: &Derivation,
         without: &[Vec<Option<Verdict>>],
         start_of: &[usize],
-        recall: Recall,
+        recall: &dyn Recall,
         courses: &[Course],
         account: &mut Account,
     ) {
@@ -167,7 +168,7 @@ impl Probes {
         &self,
         derivation: &Derivation,
         start_of: &[usize],
-        recall: Recall,
+        recall: &dyn Recall,
         courses: &[Course],
         account: &mut Account,
     ) {

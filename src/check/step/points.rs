@@ -5,7 +5,7 @@
 //! by, see [`identity`](crate::identity). **Left out:** where that is not known of any point, there is none.
 
 use super::super::identity::{Identity, Options, Point, identity_test};
-use super::super::trial::Values;
+use super::super::program::Values;
 use super::gather::Definitions;
 use super::{Pairs, Step};
 use crate::expr::{Graph, Leaf, Rational};

@@ -1,13 +1,13 @@
 //! What was found about a step, as the account has it.
 
-use super::super::account::IdentityAccount;
 use super::super::identity::{Condition, Identity, Point, PointValue, Reason, Side, domains, order};
-use super::super::second_route::{EITHER_SIGN, IdentityEvidence};
-use super::super::standing::{Exception, Finding, Void};
+use super::super::second_route::EITHER_SIGN;
 use super::{Pairs, Step, pairs};
 use crate::derivation::{Form, Premise};
 use crate::expr::domain::{Change, EdgeOf};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
+use crate::findings::standing::{Exception, Finding, Void};
+use crate::findings::{IdentityAccount, IdentityEvidence};
 use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
 

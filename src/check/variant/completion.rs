@@ -9,12 +9,12 @@
 //! three different ones, powers up to 3, c a simple fraction. No tree is made before the numbers agree.
 
 use super::battery::{Battery, Value};
-use super::edit::EditClass;
 use super::gap::{Gap, holes, monomial};
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Source, Variant, drawn};
 use super::vocabulary::Vocabulary;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::findings::EditClass;
 use crate::latex;
 use crate::latex::syntax::{Chain, Node, NodeKind};
 use crate::number::{Bounded, Number};

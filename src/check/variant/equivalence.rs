@@ -16,9 +16,6 @@ use crate::expr::{FastSet, Graph};
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
 
-/// The start of the generator of points.
-pub const SEED: u64 = 0x0DD5;
-
 /// What proportional residuals have in common: for each altered part its position and ratios of its values.
 type Fingerprint = Vec<(usize, Vec<u32>)>;
 

@@ -13,11 +13,9 @@
 
 use rayon::prelude::*;
 
-use super::account::{Correction, Erratum};
 use super::atom::atoms;
 use super::completion::{Points, completions};
 use super::difference::difference;
-use super::edit::EditClass;
 use super::equivalence::Sight;
 use super::gap::Insertions;
 use super::generate::{ClaimVariants, Formula, Manner, Part, Setting, Source, Variant, drawn};
@@ -27,13 +25,14 @@ use super::sites::Sites;
 use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, Memory, Weighed};
-use crate::check::account::{ClaimAccount, PairAccount};
-use crate::check::program::Program;
+use crate::check::course::{Course, Trial};
+use crate::check::error::CheckError;
+use crate::check::program::{Program, Values};
 use crate::check::step::Step;
-use crate::check::trial::{Course, Trial, Values};
-use crate::check::{CheckError, one_pair, units};
+use crate::check::trial::try_claim;
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
 use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::findings::{ClaimAccount, Correction, EditClass, Erratum, PairAccount};
 use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
 use crate::latex::{self, RelationKind, Role};
@@ -342,7 +341,7 @@ impl Search<'_> {
                 motions[candidate.claim].contains(&t).then(|| {
                     let trial =
                         Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course, shown: false };
-                    matches!(one_pair(scratch, &trial, None).outcome(), Outcome::Holds(_))
+                    matches!(try_claim(scratch, &trial, None).outcome(), Outcome::Holds(_))
                 })
             };
             read.iter().map(holds).collect()

@@ -10,14 +10,13 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::super::comparison::{at_instant, magnitude_of};
-use super::account::ClassCount;
-use super::edit::{Edit, EditClass};
-use super::equivalence::SEED;
+use super::edit::Edit;
 use super::sites::Sites;
 use super::tree::walk;
 use super::vocabulary::Vocabulary;
 use crate::derivation::{Claim, Derivation, Form};
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Tensor};
+use crate::findings::{ClassCount, EditClass, SEED};
 use crate::latex::syntax::{Chain, to_latex};
 use crate::latex::{self, RelationKind, Scope, Statement};
 

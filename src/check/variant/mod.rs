@@ -12,8 +12,6 @@
 //! **Guaranteed:** a variant counts as rejected only if it is violated by the rule that the print is judged by. What was
 //! not tried, and why, is counted and reported.
 
-mod account;
-mod alone;
 mod atom;
 mod battery;
 mod completion;
@@ -33,23 +31,18 @@ mod still;
 mod tree;
 mod vocabulary;
 
-pub use account::{ClassCount, Correction, Discrimination, Erratum, Survivor, VariantAccount, WEAK};
-pub use alone::Alone;
-pub use edit::EditClass;
-pub use equivalence::SEED;
 pub(super) use still::weigh_still;
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::CheckError;
-use super::account::ClaimAccount;
-use super::occasion;
-use super::program::Program;
-use super::trial::{Course, Values};
+use super::course::Course;
+use super::program::{Program, Values};
+use super::{CheckError, occasion};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::{Graph, Leaf, Rational};
+use crate::findings::{ClaimAccount, Discrimination, EditClass, Survivor, VariantAccount};
 use crate::flow::Sample;
 use crate::latex::Role;
 use crate::verdict::{Outcome, Verdict};

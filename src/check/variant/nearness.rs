@@ -14,14 +14,13 @@
 
 use std::cmp::{Ordering, Reverse};
 
-use super::edit::EditClass;
 use super::generate::{Formula, Manner, Variant};
 use super::tree::walk;
 use super::vocabulary::Vocabulary;
 use crate::check::comparison::traced;
-use crate::check::units;
 use crate::derivation::{Claim, Derivation};
 use crate::expr::Graph;
+use crate::findings::EditClass;
 use crate::latex::syntax::{NodeKind, to_latex};
 
 /// How near a correction is to the print; smaller is nearer. Fields in the order of their weight.

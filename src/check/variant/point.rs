@@ -9,11 +9,11 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::battery::{Battery, Outputs, Value};
-use super::equivalence::SEED;
 use crate::check::comparison::{at_instant, traced};
 use crate::derivation::{Claim, Derivation};
 use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::SEED;
 use crate::latex::{RelationKind, Role};
 use crate::number::{Bounded, BoundedLanes, Draws};
 

@@ -5,10 +5,11 @@
 //! large formula has millions.
 
 use super::convention::{Convention, SymbolKey, renamed};
-use super::edit::{Change, Edit, EditClass, confused};
+use super::edit::{Change, Edit, confused};
 use super::tree::{as_number, exponent, is_transpose, neighbours, raised, transpose, walk};
 use super::vocabulary::{Vocabulary, Word};
 use crate::expr::{FastMap, FastSet, Rational};
+use crate::findings::EditClass;
 use crate::latex::syntax::{Bracket, Chain, Name, Node, NodeKind, Sign, SubItem, SymbolNode, Target};
 
 /// What a node stands for in the formula around it.

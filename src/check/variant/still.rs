@@ -9,19 +9,18 @@
 //! **Guaranteed:** a variant counts as rejected only if it is false at such a point, or has no value at any: then it does not
 //! hold over the box, or does not follow. Where no points are known, none was tried, and nothing is said.
 
-use super::account::{Correction, Erratum, Survivor, VariantAccount};
 use super::battery::{Battery, Memory};
 use super::erratum::{Candidate, MOST_OFFERED, Made, as_claim, is_inequality, ranked};
 use super::generate::{ClaimVariants, Formula, MOST_NODES, Setting, Variant};
 use super::rejection::{self, Evidence, Placed, Rejections};
 use super::vocabulary::Vocabulary;
-use crate::check::account::ClaimAccount;
 use crate::check::limits::Limits;
+use crate::check::program::Values;
 use crate::check::region;
 use crate::check::step::Step;
-use crate::check::trial::Values;
 use crate::derivation::{Claim, Derivation, Region};
 use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::findings::{ClaimAccount, Correction, Erratum, Survivor, VariantAccount};
 use crate::flow::Sample;
 use crate::verdict::{Outcome, Strength};
 use rayon::prelude::*;
@@ -147,7 +146,7 @@ fn decided(
     let altered = as_claim(&mut scratch.graph, claim, "correction", candidate, formula.manner, Vec::new())?;
     let of = if altered.is_of_fields() {
         let step = Step::of(&scratch, &altered)?.decide()?.ok()?;
-        region::RegionAccount::of_step(&altered, region, Some(&step))
+        region::of_step(&altered, region, Some(&step))
     } else {
         region::decide_one(&scratch, &altered, region)?
     };

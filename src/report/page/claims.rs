@@ -12,8 +12,8 @@ use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
 use super::{family, region, support};
-use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
+use crate::findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::latex::Scope;
 
 /// All claims.

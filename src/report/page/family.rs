@@ -6,7 +6,7 @@ use super::super::family;
 use super::super::tally::name;
 use super::map;
 use super::text::prose;
-use crate::check::ClaimAccount;
+use crate::findings::ClaimAccount;
 use crate::latex::Scope;
 
 /// The blocks of a claim, one for each family.

@@ -8,8 +8,8 @@ use super::super::graph::ProofStanding;
 use super::super::numbers::count;
 use super::super::tally::{Standing, name};
 use super::text::prose;
-use crate::check::{Account, ClaimAccount, Summary};
 use crate::derivation::Derivation;
+use crate::findings::{Account, ClaimAccount, Summary};
 use crate::latex::Scope;
 
 /// The summary in words, the counts, and every claim with its fate.

@@ -10,7 +10,7 @@ use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::text::{plain, prose};
-use crate::check::family::{Axis, Boundary, FamilyMap};
+use crate::findings::family::{Axis, Boundary, FamilyMap};
 use crate::latex::Scope;
 
 /// The board in units of the picture: left, top, and the length of its longer side.

@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use super::super::numbers::value;
 use super::board::{BOARD, axes, label};
 use super::text::{plain, prose};
-use crate::check::region::{ARROWS, Drawn, Portrait, RegionAccount, SQUARES};
+use crate::findings::region::{ARROWS, Drawn, Portrait, RegionAccount, SQUARES};
 use crate::latex::Scope;
 
 fn number(x: f64) -> String {

@@ -11,8 +11,8 @@ use super::super::tally::name;
 use super::board::{BOARD, axes, label, tick};
 use super::portrait;
 use super::text::prose;
-use crate::check::ClaimAccount;
-use crate::check::region::{Part, RegionAccount, RegionMap};
+use crate::findings::ClaimAccount;
+use crate::findings::region::{Part, RegionAccount, RegionMap};
 use crate::latex::Scope;
 
 /// The block of a claim.

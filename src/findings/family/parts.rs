@@ -12,7 +12,7 @@ use std::ops::RangeInclusive;
 use super::distribution::Distribution;
 use super::sums::Sums;
 use super::tally::Tally;
-use crate::derivation::{Claim, Derivation};
+use derivation::{Claim, Derivation};
 
 /// The most parts of a family: more would be smaller than what a machine does in a moment.
 pub const MOST_PARTS: u64 = 1_000_000;
@@ -161,9 +161,9 @@ pub struct Join<'a> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joined {
     /// The position of the family in the file.
-    pub(super) family: usize,
+    pub family: usize,
     /// What was counted of each claim that is tried on it and of each measure, in the order of the file.
-    pub(super) sums: Sums,
+    pub sums: Sums,
 }
 
 impl Joined {

@@ -78,7 +78,7 @@ fn leading(a: Option<Ranked>, b: Option<Ranked>, sign: f64) -> Option<Ranked> {
 
 impl Distribution {
     /// Counts a member, by its values with their error bounds; `is_partial` says whether others may be missing.
-    pub(super) fn count(&mut self, number: u64, values: impl Iterator<Item = (f64, f64)>, is_partial: bool) {
+    pub fn count(&mut self, number: u64, values: impl Iterator<Item = (f64, f64)>, is_partial: bool) {
         self.members += 1;
         let (mut any, mut partial) = (false, is_partial);
         for (value, bound) in values {
@@ -138,7 +138,7 @@ impl Distribution {
     }
 
     /// What cannot be so of a distribution over these numbers; `again` says whether draws are repeated until there is a member.
-    pub(super) fn fault(&self, numbers: &RangeInclusive<u64>, again: bool) -> Option<&'static str> {
+    pub fn fault(&self, numbers: &RangeInclusive<u64>, again: bool) -> Option<&'static str> {
         let size = numbers.end().saturating_sub(*numbers.start()).saturating_add(1);
         let looked_at = if again { Some(self.members) } else { self.members.checked_add(self.rejected) };
         let with = self.members.checked_sub(self.without);
@@ -163,7 +163,7 @@ impl Distribution {
     }
 
     /// The numbers of the members that are kept.
-    pub(super) fn kept(&self) -> impl Iterator<Item = u64> {
+    pub fn kept(&self) -> impl Iterator<Item = u64> {
         [self.least, self.greatest].into_iter().flatten().map(|r| r.number)
     }
 }
@@ -171,7 +171,7 @@ impl Distribution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Draws;
+    use number::Draws;
 
     #[test]
     fn every_number_lies_in_its_bin_and_bins_are_narrow() {

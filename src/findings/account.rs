@@ -1,15 +1,15 @@
 //! What a check hands to the reports: every number that a report shows, computed.
 
-use super::family::{FamilyAccount, MeasureAccount};
-use super::picture::PictureAccount;
-use super::region::RegionAccount;
-use super::second_route::IdentityEvidence;
-use super::separation::ConditionsAccount;
-use super::standing::{Decision, Exception, Finding, Given};
-use super::units::UnitsAccount;
-use super::variant::{Discrimination, VariantAccount};
-use crate::derivation::Claim;
-use crate::verdict::{Outcome, Strength, Verdict};
+use crate::conditions::ConditionsAccount;
+use crate::family::{FamilyAccount, MeasureAccount};
+use crate::identity::IdentityEvidence;
+use crate::picture::PictureAccount;
+use crate::region::RegionAccount;
+use crate::standing::{Decision, Exception, Finding, Given};
+use crate::variant::{Discrimination, VariantAccount};
+use derivation::Claim;
+use units::UnitsAccount;
+use verdict::{Outcome, Strength, Verdict};
 
 /// A trajectory as it was computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,7 +165,7 @@ pub struct IdentityAccount {
     /// Whether the proof leaves out special cases of what is given.
     pub generic: bool,
     /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
-    pub(super) narrower: bool,
+    pub narrower: bool,
     /// Why undecided; a remark on a proof.
     pub reason: Option<String>,
     /// A point at which everything given holds and the claim does not.
@@ -188,7 +188,7 @@ impl IdentityAccount {
 
     /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
     /// denominators is no exception on integrated motions, which are analytic.
-    pub(super) fn lends_strength(&self) -> bool {
+    pub fn lends_strength(&self) -> bool {
         let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
         let finding = &self.finding;
         finding.is_proved_in_part()
@@ -363,7 +363,7 @@ impl Account {
 
 impl ClaimAccount {
     /// What a file says of a claim, with its verdicts on trajectories.
-    pub(super) fn of(claim: &Claim, results: Vec<PairAccount>) -> ClaimAccount {
+    pub fn of(claim: &Claim, results: Vec<PairAccount>) -> ClaimAccount {
         ClaimAccount {
             id: claim.id.clone(),
             reading: claim.reading.clone(),

@@ -9,7 +9,7 @@ use super::tally::Tally;
 
 /// What is counted of all claims and measures.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Sums {
+pub struct Sums {
     /// Of each claim.
     pub tallies: Vec<Tally>,
     /// Of each measure.

@@ -32,7 +32,7 @@ impl Join {
     }
 
     /// All of several, or one of them; `None` where that is open.
-    pub(crate) fn of(self, parts: impl IntoIterator<Item = Option<bool>>) -> Option<bool> {
+    pub fn of(self, parts: impl IntoIterator<Item = Option<bool>>) -> Option<bool> {
         let settles = self == Join::Or;
         let mut open = false;
         for part in parts {

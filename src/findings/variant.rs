@@ -2,8 +2,88 @@
 
 use std::ops::Range;
 
-use super::super::account::{Account, ClaimAccount};
-use super::edit::EditClass;
+use crate::account::{Account, ClaimAccount};
+
+/// The start of the generator of points.
+pub const SEED: u64 = 0x0DD5;
+
+/// Kinds of slips.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum EditClass {
+    /// The sign of a term, of an argument or of a side; ± for one of its signs.
+    Sign,
+    /// An index for another; two indices of a symbol exchanged.
+    Index,
+    /// A factor 2 or ½.
+    Factor,
+    /// A power one higher or lower; a root left out.
+    Power,
+    /// Sine for cosine, and their kin.
+    Function,
+    /// A symbol for another of the same shape and role.
+    Symbol,
+    /// A term or a factor left out.
+    Dropped,
+    /// A transpose set or left out.
+    Transpose,
+    /// The factors of a vector product, or two indices of ε, exchanged.
+    Orientation,
+    /// Another convention, throughout the formula: two like symbols exchanged, an angle counted from a quarter turn further
+    /// or in the other direction.
+    Convention,
+    /// A factor or a term that is missing. Only corrections are of this class.
+    Missing,
+}
+
+impl EditClass {
+    /// All classes that variants are made of.
+    pub const ALL: [EditClass; 10] = [
+        EditClass::Sign,
+        EditClass::Index,
+        EditClass::Factor,
+        EditClass::Power,
+        EditClass::Function,
+        EditClass::Symbol,
+        EditClass::Dropped,
+        EditClass::Transpose,
+        EditClass::Orientation,
+        EditClass::Convention,
+    ];
+
+    /// The word of the reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            EditClass::Sign => "sign",
+            EditClass::Index => "index",
+            EditClass::Factor => "factor",
+            EditClass::Power => "power",
+            EditClass::Function => "function",
+            EditClass::Symbol => "symbol",
+            EditClass::Dropped => "dropped",
+            EditClass::Transpose => "transpose",
+            EditClass::Orientation => "orientation",
+            EditClass::Convention => "convention",
+            EditClass::Missing => "missing",
+        }
+    }
+
+    /// What is wrong with a formula that has such an edit, in words.
+    pub fn says(self) -> &'static str {
+        match self {
+            EditClass::Sign => "a wrong sign",
+            EditClass::Index => "a wrong index",
+            EditClass::Factor => "a wrong factor 2 or ½",
+            EditClass::Power => "a wrong power",
+            EditClass::Function => "sine for cosine",
+            EditClass::Symbol => "a wrong symbol",
+            EditClass::Dropped => "a term or factor left out",
+            EditClass::Transpose => "a wrong transpose",
+            EditClass::Orientation => "the other orientation of a vector product",
+            EditClass::Convention => "another convention for an angle or an order",
+            EditClass::Missing => "a missing term or factor",
+        }
+    }
+}
 
 /// How many of the variants of a claim one motion rejects.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,7 +9,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::verdict::{Outcome, Verdict};
+use verdict::{Outcome, Verdict};
 
 /// A member, and by how much it tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +73,7 @@ pub struct Tally {
 }
 
 /// How far the sides of a refuting point are apart, in units of the error bound of their difference. Rounding alone is an error.
-pub(super) fn deviation(verdict: &Verdict) -> f64 {
+pub fn deviation(verdict: &Verdict) -> f64 {
     let Some(w) = &verdict.evidence().witness else { return -1.0 };
     let rounding = f64::EPSILON * (w.left.abs() + w.right.abs());
     let found = w.difference() / w.bound.max(rounding).max(f64::MIN_POSITIVE);
@@ -81,7 +81,7 @@ pub(super) fn deviation(verdict: &Verdict) -> f64 {
 }
 
 /// How close the sides of an inequality come, in units of the size of their terms, at the samples that are kept.
-pub(super) fn gap(verdict: &Verdict, precision: f64) -> Option<f64> {
+pub fn gap(verdict: &Verdict, precision: f64) -> Option<f64> {
     let series = verdict.evidence().series.as_ref().filter(|s| !s.equation && !s.sought)?;
     let gaps = series.points.iter().filter(|p| p.limit > 0.0).map(|p| p.residual / (p.limit / precision));
     gaps.reduce(f64::min).filter(|gap| gap.is_finite())
@@ -100,7 +100,7 @@ fn leading(a: Option<Ranked>, b: Option<Ranked>, rank: impl Fn(f64) -> f64) -> O
 
 impl Tally {
     /// Counts a member; `precision` is what the claim asks for.
-    pub(super) fn count(&mut self, number: u64, verdict: &Verdict, precision: f64) {
+    pub fn count(&mut self, number: u64, verdict: &Verdict, precision: f64) {
         self.counts.members += 1;
         if verdict.defect().is_some() {
             self.first_defect = first(self.first_defect, Some(number));
@@ -126,7 +126,7 @@ impl Tally {
     }
 
     /// Counts a member in its cell of the map.
-    pub(super) fn locate(&mut self, cell: usize, verdict: &Verdict) {
+    pub fn locate(&mut self, cell: usize, verdict: &Verdict) {
         let kind = match verdict.outcome() {
             Outcome::Holds(_) => 0,
             Outcome::Fails(_) => 1,
@@ -154,14 +154,14 @@ impl Tally {
     }
 
     /// The numbers of the members that are kept.
-    pub(super) fn kept(&self) -> impl Iterator<Item = u64> {
+    pub fn kept(&self) -> impl Iterator<Item = u64> {
         let ranked = [self.clearest_failing, self.closest_call].into_iter().flatten().map(|r| r.number);
         let plain = [self.first_failing, self.first_undecided, self.first_defect];
         plain.into_iter().flatten().chain(ranked)
     }
 
     /// What cannot be so of a tally of these numbers; `drawn` says whether draws are repeated until there is a member.
-    pub(super) fn fault(&self, numbers: &RangeInclusive<u64>, drawn: bool) -> Option<&'static str> {
+    pub fn fault(&self, numbers: &RangeInclusive<u64>, drawn: bool) -> Option<&'static str> {
         let size = numbers.end().saturating_sub(*numbers.start()).saturating_add(1);
         let Counts { members, rejected, holds, fails, not_applicable, undecided } = self.counts;
         let all = [holds, fails, not_applicable, undecided];
@@ -193,9 +193,9 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Draws;
-    use crate::verdict::{Evidence, Finding, Possible, ResidualPoint, Residuals, Witness};
+    use number::Draws;
     use std::sync::Arc;
+    use verdict::{Evidence, Finding, Possible, ResidualPoint, Residuals, Witness};
 
     /// A verdict of any kind, with few different measures, so that there are ties.
     fn verdict(draws: &mut Draws) -> Verdict {

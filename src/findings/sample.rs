@@ -1,14 +1,12 @@
 //! A handmade account with verdicts of every kind, for the tests of the reports. It is there in builds with debug assertions
 //! only: the program has no verdicts but those that it found.
 
-use super::separation::{
+use super::conditions::{
     AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
 };
-use super::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 use super::{Account, ClaimAccount, Measurement, PairAccount, TrajectoryAccount};
-use crate::verdict::{
-    Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness,
-};
+use units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
+use verdict::{Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, Strength, Verdict, Witness};
 
 /// The derivation file that the account belongs to.
 pub const FILE: &str = r"

@@ -14,12 +14,9 @@
 //! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
 //! derivation, see `conditional`.
 
-use super::account::ClaimAccount;
-use super::identity::{Condition, Identity, Reason, order};
-use crate::derivation::{Derivation, Premise};
-use crate::expr::{Expr, Graph, Rational};
-use crate::verdict::Witness;
-use std::collections::{BTreeSet, HashMap};
+use expr::{Expr, Graph, Rational};
+use proof::{Condition, Identity, Reason, order};
+use verdict::Witness;
 
 /// What was decided of a step, taken by itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -92,7 +89,7 @@ pub struct Finding {
 
 impl Finding {
     /// Weighs an answer. `complete`: everything given could be used; `along`: what a proof along motions does not reach.
-    pub(super) fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Finding {
+    pub fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Finding {
         let undecided = |void| Finding { void, ..Finding::default() };
         match identity {
             Identity::Proved(proof) => {
@@ -119,12 +116,12 @@ impl Finding {
     }
 
     /// A motion on which everything given holds, and the claim does not.
-    pub(super) fn of_motion(_: &Witness) -> Finding {
+    pub fn of_motion(_: &Witness) -> Finding {
         Finding { decision: Decision::Refuted, ..Finding::default() }
     }
 
     /// The signs of everything, for every order of size of positive parameters.
-    pub(super) fn of_signs(found: &order::Orders) -> Finding {
+    pub fn of_signs(found: &order::Orders) -> Finding {
         let decision = match (found.is_proved(), found.refuting()) {
             (true, _) => Decision::Proved,
             (false, Some(_)) => Decision::Refuted,
@@ -134,7 +131,7 @@ impl Finding {
     }
 
     /// Both findings: of a claim that must follow in two cases.
-    pub(super) fn and(self, other: Finding) -> Finding {
+    pub fn and(self, other: Finding) -> Finding {
         let rank = |d: Decision| match d {
             Decision::Refuted => 3,
             Decision::Undecided => 2,
@@ -187,7 +184,7 @@ fn is_impossible(graph: &Graph, condition: &Condition) -> bool {
 }
 
 /// Whether an answer says that what is given contradicts itself, or that it leaves the claim without a value.
-pub(super) fn is_empty(identity: &Identity) -> bool {
+pub fn is_empty(identity: &Identity) -> bool {
     matches!(identity, Identity::Undecided(Reason::Contradiction | Reason::NoValue))
 }
 
@@ -198,73 +195,6 @@ pub struct Given {
     pub name: String,
     /// What its own step came to; `None` where it is no question for all values, or was not asked.
     pub standing: Option<&'static str>,
-}
-
-/// For each claim what its proof is conditional on: the claims that it follows from, through all steps, whose own steps are not
-/// proved. Of a claim with several readings a name without one means the first.
-pub(super) fn conditional(derivation: &Derivation, claims: &mut [ClaimAccount], known: &[ClaimAccount]) {
-    let names: HashMap<(&str, Option<&str>), usize> =
-        derivation.claims.iter().enumerate().map(|(at, c)| ((c.id.as_str(), c.reading.as_deref()), at)).collect();
-    let at = |a: &ClaimAccount| names.get(&(a.id.as_str(), a.reading.as_deref())).copied();
-    let mut decisions: Vec<Option<Decision>> = vec![None; derivation.claims.len()];
-    for account in known.iter().chain(claims.iter()) {
-        if let (Some(at), Some(identity)) = (at(account), &account.identity) {
-            decisions[at] = Some(identity.finding.decision());
-        }
-    }
-    let premises = |names: &[String]| -> Vec<usize> {
-        let of = |name: &String| match derivation.premise(name) {
-            Premise::Claim(at) => Some(at),
-            Premise::System(_) | Premise::Definition => None,
-        };
-        names.iter().filter_map(of).collect()
-    };
-    // For each claim what is open among all that it follows from: each claim after its premises.
-    let mut open: Vec<Option<BTreeSet<usize>>> = vec![None; derivation.claims.len()];
-    let mut entered = vec![false; derivation.claims.len()];
-    let gathered = |open: &[Option<BTreeSet<usize>>], of: &[usize], own: usize| -> BTreeSet<usize> {
-        let mut out = BTreeSet::new();
-        for &at in of {
-            // In a circle nothing is proved.
-            if at == own || decisions[at] != Some(Decision::Proved) {
-                out.insert(at);
-            }
-            out.extend(open[at].iter().flatten());
-        }
-        out
-    };
-    for first in 0..derivation.claims.len() {
-        let mut stack = vec![first];
-        while let Some(&own) = stack.last() {
-            if open[own].is_some() {
-                stack.pop();
-                continue;
-            }
-            let of = premises(&derivation.claims[own].follows_from);
-            if !std::mem::replace(&mut entered[own], true) {
-                stack.extend(of.iter().copied().filter(|&at| open[at].is_none() && !entered[at]));
-                continue;
-            }
-            open[own] = Some(gathered(&open, &of, own));
-            stack.pop();
-        }
-    }
-    for account in claims {
-        let own = at(account);
-        let (Some(own), Some(identity)) = (own, account.identity.as_mut()) else { continue };
-        let mut out: Vec<Given> = Vec::new();
-        if identity.finding.is_proved_in_part() {
-            for at in gathered(&open, &premises(&identity.from), own) {
-                let standing = match at == own {
-                    true => Some("itself what is to be proved"),
-                    false => decisions[at].map(Decision::word),
-                };
-                out.push(Given { name: derivation.claims[at].name(), standing });
-            }
-            out.sort_by(|a, b| a.name.cmp(&b.name));
-        }
-        identity.conditional_on = out;
-    }
 }
 
 #[cfg(test)]

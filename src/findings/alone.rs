@@ -4,9 +4,8 @@
 //! how many claims do not apply to it, which hold on it and fail elsewhere, and how many of the altered formulas of those that
 //! hold would hold as well.
 
-use super::super::account::{Account, ClaimAccount, PairAccount};
-use super::account::WEAK;
-use crate::verdict::Outcome;
+use crate::{Account, ClaimAccount, PairAccount, WEAK};
+use verdict::Outcome;
 
 /// What one motion alone could have decided.
 #[derive(Clone, Debug, PartialEq, Eq)]
