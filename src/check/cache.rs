@@ -17,8 +17,12 @@ use std::collections::BTreeSet;
 
 use super::follow::{Followed, follow, strengthen_all};
 use super::memory::{Contents, Known as Recalled, Memory};
-use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
+use super::{check, check_beside, check_recalling};
 use crate::derivation::{Derivation, Family, Motion};
+use claim::error::CheckError;
+use claim::options::Options;
+use findings::{Account, ClaimAccount};
+use units;
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]

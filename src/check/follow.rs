@@ -11,8 +11,11 @@
 use rayon::prelude::*;
 
 use super::memory::Known;
-use super::{ClaimAccount, Column, IdentityAccount, Limits, Step, counterexample, strengthen};
+use super::premises::{Column, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
+use claim::limits::Limits;
+use findings::{ClaimAccount, IdentityAccount};
+use proved::step::Step;
 
 /// What becomes of claims whose premises have changed.
 pub(super) struct Followed {

@@ -18,13 +18,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use sha2::{Digest, Sha256};
 
 use super::kept::Family;
-use super::recall::Recall;
-use super::stage::{Built, Requests};
-use super::step::Step;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
 use crate::findings::IdentityAccount;
 use crate::verdict::Verdict;
+use proved::step::Step;
+use sampled::recall::Recall;
+use sampled::stage::{Built, Requests};
 
 /// For how many states of a file an answer is kept that is not asked for.
 const AGES: u64 = 8;

@@ -8,12 +8,12 @@
 
 use std::collections::BTreeMap;
 
-use super::course::Course;
-use super::findings::{Line, LineKind, PictureAccount};
 use crate::derivation::{Derivation, Picture, PictureKind, Written};
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Leaf};
 use crate::number::{Bounded, NoValue};
+use findings::{Line, LineKind, PictureAccount};
+use sampled::course::Course;
 
 /// Most points of a line.
 const MOST: usize = 120;

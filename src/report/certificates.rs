@@ -5,8 +5,8 @@
 
 use super::tally::name;
 use crate::derivation::Derivation;
-use crate::findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use diag::shown::in_one_line;
+use findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 
 /// The folder of the certificates in that of a report, and the endings of their names.
 pub const CERTIFICATES: (&str, &[&str]) = ("certificates", &["py", "lean"]);

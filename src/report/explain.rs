@@ -7,7 +7,7 @@ use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::one_line;
 use crate::derivation::{Claim, Derivation, SymbolEntry};
-use crate::findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
+use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
 /// Everything that is known about every pair of some claims of the account, with escape codes if `colour`. The others are there
 /// because proofs rest on them.
@@ -181,7 +181,7 @@ fn would_change(outcome: Outcome) -> &'static str {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::findings::sample;
+    use findings::sample;
 
     #[test]
     fn everything_is_said() {

@@ -14,7 +14,7 @@ use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{Paint, WIDTH, paragraph};
 use crate::derivation::{ClaimRole, Derivation};
-use crate::findings::{Account, ClaimAccount};
+use findings::{Account, ClaimAccount};
 
 /// Most claims that are told; the rest is counted.
 const MOST: usize = 14;
@@ -461,7 +461,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> Value {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::findings::sample;
+    use findings::sample;
 
     #[test]
     fn the_first_page_of_a_small_account() {

@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 
 use super::tally::name;
 use crate::derivation::Derivation;
-use crate::findings::standing::Decision;
-use crate::findings::{Account, ClaimAccount, IdentityAccount};
+use findings::standing::Decision;
+use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// What a node is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,7 +9,7 @@ use super::markdown::{link_to, prose, table};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use crate::derivation::{ClaimRole, Derivation};
-use crate::findings::{Account, ClaimAccount};
+use findings::{Account, ClaimAccount};
 
 /// The section.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {

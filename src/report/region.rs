@@ -9,8 +9,8 @@ use super::tally::{glyph, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::unit;
 use crate::derivation::{Derivation, FormKind};
-use crate::findings::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
-use crate::findings::{Account, ClaimAccount};
+use findings::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
+use findings::{Account, ClaimAccount};
 
 /// What is said of the formulas of a claim over ranges, for the heading of a list of them.
 pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
@@ -202,9 +202,8 @@ fn letter(part: Part) -> &'static str {
 }
 
 fn map_json(map: &RegionMap) -> Value {
-    let patch = |p: &crate::findings::region::Patch| {
-        format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height)
-    };
+    let patch =
+        |p: &findings::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
     json!({
         "across": map.axes.0,
         "up": map.axes.1,

@@ -1,7 +1,7 @@
 //! What a row of verdicts amounts to, in words.
 
 use crate::derivation::{Claim, Derivation};
-use crate::findings::{ClaimAccount, Outcome, PairAccount};
+use findings::{ClaimAccount, Outcome, PairAccount};
 
 /// How a claim fares as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -13,8 +13,8 @@ use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
 use super::{family, region, support};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
-use crate::findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::latex::Scope;
+use findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 
 /// All claims.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {

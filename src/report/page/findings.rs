@@ -9,8 +9,8 @@ use super::super::numbers::count;
 use super::super::tally::{Standing, name};
 use super::text::prose;
 use crate::derivation::Derivation;
-use crate::findings::{Account, ClaimAccount, Summary};
 use crate::latex::Scope;
+use findings::{Account, ClaimAccount, Summary};
 
 /// The summary in words, the counts, and every claim with its fate.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {

@@ -34,7 +34,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::numbers::{size, time};
 use crate::derivation::Derivation;
-use crate::findings::Account;
+use ::findings::Account;
 use text::{formula, prose, unit};
 
 const STYLE: &str = include_str!("style.css");
