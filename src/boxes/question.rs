@@ -2,7 +2,7 @@
 //!
 //! **In:** what a claim assumes and says. **Out:** [`Question`], which judges cells: see [`Part`].
 //!
-//! What a claim denotes is the same as along a motion, see [`denote`](super::super::denote): points take the place of times,
+//! What a claim denotes is the same as along a motion, see [`denote`](claim::denote::denote): points take the place of times,
 //! and equations among the assumptions select points, too. Nothing is combined here.
 
 use super::signs::{Cell, Domain, Scratch, Signs, Truth, Variable};
@@ -17,7 +17,7 @@ use claim::denote::denote;
 use claim::program::Part as Compared;
 
 use proof::{Condition, Identity, Premises};
-use proved::second_route::answer;
+use proved::agreement::answer;
 
 /// Comparisons with the relations by which they are known on cells, for each sign of ±.
 #[derive(Debug)]

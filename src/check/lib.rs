@@ -1,14 +1,14 @@
-//! Claims against trajectories: the only room that can make a [`Verdict`].
+//! A derivation, checked: the methods in their order, and what is known from before.
 //!
 //! **In:** a [`Derivation`]. **Out:** an [`Account`]: one verdict for every claim on every trajectory, with its evidence.
 //!
-//! The order of work: `program` turns every form of claim into comparisons; `stage` turns trajectories into motions;
-//! `trial` measures the comparisons at the points of a motion; `weigh` makes the verdict; `step` asks what holds for all
-//! values, see [`identity`]. Motions are independent of one another
-//! and are tried in parallel; the result does not depend on how many threads there are.
+//! The order of work: claims are compiled (`claim`), all that they will ask of motions is collected, and the motions are built and
+//! sampled (`sampled`); each claim is tried on each; what claims say for all values is proved (`proved`), and lends its strength
+//! (`premises`); verdicts are enclosed (`enclosed`) and weighed (`weight`). Claims over ranges (`boxes`) and on families (`families`) go
+//! beside. Motions are independent of one another and are tried in parallel; the result does not depend on how many threads there are.
 //!
-//! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
-//! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
+//! **Guaranteed:** no evidence is found here, and no method calls another. What is known from before, by content, is asked at one seam,
+//! [`Recall`](sampled::recall::Recall).
 
 #![forbid(unsafe_code)]
 
@@ -16,8 +16,8 @@ use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
 mod cache;
 mod follow;
-mod kept;
 mod memory;
+mod motions;
 mod picture;
 mod premises;
 pub mod search;
@@ -41,8 +41,8 @@ pub use findings::{
     family::{FailingShare, FamilyAccount, MemberAccount},
     standing,
 };
+pub use proved::agreement::agree;
 pub use proved::proposition::{prove, with_symbols_of};
-pub use proved::second_route::agree;
 use sampled::prepared::Prepared;
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
@@ -62,7 +62,8 @@ use proved::step::Step;
 use rayon::prelude::*;
 use sampled::course::{Course, Trial};
 use sampled::independence::Gradients;
-use sampled::stage::{Fields, Requests, Stage};
+use sampled::stage::{Requests, Stage};
+use sampled::systems::Fields;
 use sampled::trial::try_claim;
 use sampled::{measure, same_motion, witness};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

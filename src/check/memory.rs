@@ -17,7 +17,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 
-use super::kept::Family;
+use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
 use crate::findings::IdentityAccount;

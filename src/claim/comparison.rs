@@ -11,8 +11,8 @@
 use crate::expr::domain::row;
 use crate::expr::{Expr, Graph, Leaf, Node, Op};
 use crate::latex::{RelationKind, Role, Scope};
+use crate::mute::Told;
 use crate::number::Bounded;
-use crate::telling::Told;
 use crate::verdict::{Possible, Proposition, Quantifier};
 
 /// A residual refutes an equation only beyond this many error bounds.

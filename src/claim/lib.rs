@@ -10,12 +10,12 @@
 
 use ::{derivation, expr, flow, latex, number, verdict};
 
+mod block;
 pub mod comparison;
 pub mod denote;
 pub mod error;
 pub mod limits;
 pub mod measured;
+pub mod mute;
 pub mod options;
-mod part;
 pub mod program;
-pub mod telling;

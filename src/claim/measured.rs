@@ -12,13 +12,13 @@ use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
+use crate::block::{BLOCK, Block, Evaluation, Part as Tapes};
 use crate::comparison::{Comparison, Group, judge};
 use crate::expr::tape::Slots;
 use crate::expr::{Expr, Graph, Node, Op};
 use crate::flow::Points;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue};
-use crate::part::{BLOCK, Block, Evaluation, Part as Tapes};
 use crate::program::{Part, Program, What};
 use crate::verdict::Possible;
 
@@ -261,7 +261,7 @@ pub struct MeasuredGroup<'a> {
     pub signs: Vec<Vec<Series>>,
     /// Whether equality within the error bound does not count: nothing is concluded from it for what should happen.
     pub strict: bool,
-    /// For each sign and comparison, whether agreement within the error bound says nothing: see `telling`.
+    /// For each sign and comparison, whether agreement within the error bound says nothing: see `mute`.
     pub mute: Vec<Vec<bool>>,
     /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
     /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
@@ -555,7 +555,7 @@ fn sizes<'a>(program: &'a Program, points: &Arc<Points>, sign: f64) -> Sizes<'a>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::Block;
+    use crate::block::Block;
 
     fn at(value: f64) -> Measured {
         Measured { left: value + 1.0, right: 1.0, difference: Bounded::new(value, 1e-15) }

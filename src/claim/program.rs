@@ -3,6 +3,7 @@
 //! **In:** what a claim says, see `denote`. **Out:** a [`Program`] that measures every comparison at a point of any
 //! motion. **Guaranteed:** what is measured is what was written: each form becomes parts in `denote` and nowhere else.
 
+use crate::block::{BLOCK, Block as Wide, Evaluation, Part as Block};
 use crate::comparison::{Comparison, Group};
 use crate::expr::tape::{Slots, Tape};
 use crate::expr::{Expr, Graph, Leaf, Symbol};
@@ -10,7 +11,6 @@ use crate::flow::{Points, Sample};
 use crate::latex::{LimitPoint, RelationKind};
 use crate::measured::{Measured, Series};
 use crate::number::{Bounded, NoValue};
-use crate::part::{BLOCK, Block as Wide, Evaluation, Part as Block};
 use crate::verdict::Proposition;
 
 /// The values of all leaves at one time.

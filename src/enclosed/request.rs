@@ -3,7 +3,8 @@
 use crate::derivation::Derivation;
 use claim::limits::Limits;
 use sampled::prepared::Prepared;
-use sampled::stage::{Fields, Stage};
+use sampled::stage::Stage;
+use sampled::systems::Fields;
 
 /// What is needed to enclose.
 pub struct Request<'a> {

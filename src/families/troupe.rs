@@ -32,7 +32,8 @@ use sampled::course::Trial;
 use sampled::independence::Gradients;
 use sampled::measure::Compiled;
 use sampled::prepared::Prepared;
-use sampled::stage::{Fields, Requests, Stage};
+use sampled::stage::{Requests, Stage};
+use sampled::systems::Fields;
 use sampled::{measure, same_motion, trial, witness};
 
 /// Whether a claim is tried on a family in this run.

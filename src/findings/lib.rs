@@ -10,7 +10,6 @@
 #![forbid(unsafe_code)]
 
 mod account;
-mod alone;
 pub mod conditions;
 pub mod family;
 mod identity;
@@ -19,6 +18,7 @@ pub mod region;
 #[cfg(debug_assertions)]
 #[doc(hidden)]
 pub mod sample;
+mod single_motion;
 pub mod standing;
 mod variant;
 
@@ -26,11 +26,11 @@ pub use account::{
     Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
     TrajectoryAccount,
 };
-pub use alone::Alone;
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};
 pub use picture::{Line, LineKind, PictureAccount};
 pub use proof::{Certificate, Cofactor, Origin};
+pub use single_motion::Alone;
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};
 pub use verdict::{

@@ -7,11 +7,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::agreement::answer;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, Written};
 use crate::diag::{Diagnostic, Source, nearest};
 use crate::findings::IdentityAccount;
 use crate::latex::{self, Relation, RelationKind, Scope, Statement};
-use crate::second_route::answer;
 use crate::step::Step;
 use claim::error::CheckError;
 use findings::Proposition;

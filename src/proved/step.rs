@@ -9,7 +9,7 @@
 //!
 //! Claims with several equations are one question: all must follow. Claims of other kinds than equations and first
 //! integrals are not identities, and have no answer, unless they say something about positive parameters only: then their
-//! signs are decided for every order of size of the parameters, see [`order`](super::identity::order).
+//! signs are decided for every order of size of the parameters, see [`order`](proof::order).
 //!
 //! # How a step is decided
 //!
@@ -28,12 +28,12 @@ mod points;
 mod times;
 mod wording;
 
+use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
 use crate::findings::standing::{self, Decision, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
-use crate::second_route::{Signs, answer, evidence, evidence_of, reach};
 use crate::verdict::Witness;
 use claim::comparison::at_instant;
 use gather::{Definitions, Gathered};

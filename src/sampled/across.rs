@@ -28,7 +28,7 @@ use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue, Number};
 use crate::verdict::{Evidence, Finding, Possible};
 use crate::weigh::weigh;
-use crate::{extrapolate, occasion};
+use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
 use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
 use claim::program::Values;
@@ -65,7 +65,7 @@ fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
         let t = course.stage.initial_time(course.trajectory);
         return Ok(Taken { t, values: course.values(t) });
     };
-    let found = trial.claim.at.as_ref().and_then(|at| occasion::of_event(trial.graph, at, event, course));
+    let found = trial.claim.at.as_ref().and_then(|at| events::of_event(trial.graph, at, event, course));
     let Some(found) = found else {
         return Err(Finding::open("the event has no meaning on this motion").into());
     };

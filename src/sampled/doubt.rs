@@ -8,14 +8,14 @@
 use crate::between::may_lie_beyond;
 use crate::course::Trial;
 use crate::describe::{Left, incomplete, short};
+use crate::events::Events;
 use crate::expr::{Expr, Leaf};
 use crate::flow::{Incomplete, Zeros};
 use crate::judged::{Judged, Tried};
 use crate::latex::Role;
-use crate::met;
-use crate::met::BESIDE;
 use crate::number::NoValue;
-use crate::occasion::Events;
+use crate::stretches;
+use crate::stretches::BESIDE;
 use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
 use claim::comparison::Group;
 use claim::measured::{MeasuredGroup, Measurements, measure};
@@ -36,7 +36,7 @@ pub(super) fn reopened(finding: Finding, possible: Possible, reason: String) -> 
 }
 
 /// What is known of a part whose selectors may be met at other times than those at which it was tried.
-pub(super) fn unless_met_elsewhere(met: &met::Search, finding: Finding) -> Finding {
+pub(super) fn unless_met_elsewhere(met: &stretches::Search, finding: Finding) -> Finding {
     let reason = match known(&finding).decided() {
         Some(Truth::True | Truth::Void) => met.open.clone().or(met.touches.clone()),
         Some(Truth::False) | None => None,

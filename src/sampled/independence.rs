@@ -15,7 +15,7 @@ use crate::flow::VectorField;
 use crate::judged::Tried;
 use crate::latex::{Role, Scope, Statement};
 use crate::number::{Bounded, NoValue};
-use crate::stage::Fields;
+use crate::systems::Fields;
 use crate::verdict::{Evidence, Finding, Possible, Witness};
 use claim::comparison::{GUARD, traced_now};
 

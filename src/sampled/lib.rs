@@ -3,7 +3,7 @@
 //! **In:** a compiled claim, and the trajectories of a derivation. **Out:** a verdict of the strength *sampled*, with its evidence.
 //!
 //! The order of work: [`stage`] turns trajectories into motions, [`course`] samples them; [`trial`] measures the comparisons of a claim at
-//! the samples, `judged` says what is known at each, `weigh` what that adds up to; `between`, `doubt`, `met` and `steep` look for what
+//! the samples, `judged` says what is known at each, `weigh` what that adds up to; `between`, `doubt`, `stretches` and `peaks` look for what
 //! samples may have missed. Parts that compare motions or times have files of their own: [`same_motion`], `across`, [`independence`],
 //! `limit`.
 //!
@@ -19,19 +19,21 @@ mod between;
 pub mod course;
 mod describe;
 mod doubt;
+pub mod events;
 pub mod extrapolate;
 pub mod independence;
 mod judged;
 mod limit;
 pub mod measure;
-mod met;
-pub mod occasion;
+mod peaks;
 pub mod prepared;
 pub mod recall;
 pub mod same_motion;
 mod series;
+pub mod setup;
 pub mod stage;
-mod steep;
+mod stretches;
+pub mod systems;
 pub mod trial;
 mod weigh;
 pub mod witness;

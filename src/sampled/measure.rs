@@ -8,12 +8,12 @@
 use crate::course::Course;
 use crate::derivation::{Derivation, Event, Since};
 use crate::describe::incomplete;
+use crate::events;
+use crate::events::Events;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::Measurement;
 use crate::number::{Bounded, NoValue};
-use crate::occasion;
-use crate::occasion::Events;
 use claim::denote::at_event;
 use claim::program::Values;
 
@@ -90,7 +90,7 @@ impl Compiled {
             return Some(out);
         };
         let none = |event: &Event| format!("`{}` has no meaning on this motion", event.equation.text);
-        let Some(found) = occasion::of_event(&derivation.graph, at, second_event, course) else {
+        let Some(found) = events::of_event(&derivation.graph, at, second_event, course) else {
             out.reason = Some(none(at));
             return Some(out);
         };
@@ -100,7 +100,7 @@ impl Compiled {
         let (shown, left_out) = events.split_at(events.len().min(MOST));
         match measure.since.as_ref().zip(self.since) {
             None => shown.iter().for_each(|event| self.at_event(*event, course, tape, &mut out)),
-            Some(((since, take), e)) => match occasion::of_event(&derivation.graph, since, e, course) {
+            Some(((since, take), e)) => match events::of_event(&derivation.graph, since, e, course) {
                 None => out.reason = Some(none(since)),
                 Some(first) => {
                     for &second in shown {

@@ -9,17 +9,15 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
-use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
+use crate::derivation::{Claim, Derivation, Form, Motion as Given, Trajectory};
 use crate::diag::Diagnostic;
-use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
+use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
-use crate::flow::{
-    Draft, FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros,
-};
-use crate::latex::Role;
+use crate::flow::{Draft, FlowError, Motion, Points, Search, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::recall::{Nothing, Recall};
-use claim::comparison::traced_now;
+use crate::setup::{is_known, setup};
+use crate::systems::Fields;
 use claim::error::CheckError;
 use claim::limits::Limits;
 use claim::program::{Program, Values};
@@ -36,88 +34,6 @@ pub struct Stage {
     motions: Vec<Option<Built>>,
     /// Whether samples are kept for a later state of the file.
     pub keeping: bool,
-}
-
-/// The leaves of all components of a symbol.
-fn leaves_of(graph: &Graph, symbol: Symbol) -> Vec<Leaf> {
-    let count = graph.component_count(symbol);
-    (0..count).map(|c| Leaf::now(symbol, c as u16)).collect()
-}
-
-fn paired(graph: &Graph, symbol: Symbol, rate: u8, values: &[Expr]) -> Vec<(Leaf, Expr)> {
-    leaves_of(graph, symbol).into_iter().map(|l| Leaf { rate, ..l }).zip(values.iter().copied()).collect()
-}
-
-/// The systems of a derivation, solved for their rates.
-pub struct Fields {
-    time: Leaf,
-    fields: Vec<VectorField>,
-    /// The state variables of all systems, and the states of motions given by formulas.
-    pub state_leaves: Vec<Leaf>,
-}
-
-/// The numbers that the motions of a file may keep together.
-const MOST_NUMBERS: usize = 300_000_000;
-/// The numbers that a motion keeps of a state for every step: its polynomial, and its error.
-const NUMBERS_OF_A_STEP: usize = 23;
-/// So many steps are allowed in any case.
-const LEAST_STEPS: usize = 100;
-
-impl Fields {
-    /// The field of every system, in the order of the file.
-    pub fn all(&self) -> &[VectorField] {
-        &self.fields
-    }
-
-    /// Solves the systems.
-    ///
-    /// # Errors
-    /// A diagnostic for every system that cannot be solved.
-    pub fn solve(derivation: &mut Derivation) -> Result<Fields, Vec<Diagnostic>> {
-        let mut problems = Vec::new();
-        let Derivation { graph, scope, systems, symbols, file, .. } = derivation;
-        let motionless = derivation.trajectories.is_empty() && systems.iter().all(|s| s.states.is_empty());
-        let absent = |graph: &mut Graph| motionless.then(|| Leaf::now(graph.declare("t", Shape::scalar(), false), 0));
-        let Some(time) = scope.time().or_else(|| absent(graph)) else {
-            return Err(vec![
-                Diagnostic::at(file, "derivation::no-time", 0..0, "no symbol has the role `time`")
-                    .hint("add `'t' = { role = \"time\" }` to [symbols]"),
-            ]);
-        };
-        let mut fields = Vec::new();
-        // The motions share the memory.
-        let each = MOST_NUMBERS / derivation.trajectories.len().max(1);
-        for system in systems.iter() {
-            // Observables on the right side are part of the system: it is closed in its states.
-            let mut closed: Vec<(Expr, Expr)> = Vec::new();
-            // Equations of fields have no motions.
-            let of_states = system.equations.iter().filter(|_| !system.states.is_empty());
-            for relation in of_states.flat_map(|w| &w.value.relations) {
-                for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
-                    closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
-                }
-            }
-            match VectorField::solve(graph, Some(time), &system.states, &closed) {
-                Ok(field) => {
-                    let most = (each / (NUMBERS_OF_A_STEP * field.states().len().max(1))).max(LEAST_STEPS);
-                    fields.push(field.with_most_steps(most));
-                }
-                Err(error) => {
-                    let message = format!("the system `{}` cannot be solved for its rates: {error}", system.id);
-                    problems.push(Diagnostic::at(file, "flow::system", system.span.clone(), message));
-                }
-            }
-        }
-        if !problems.is_empty() {
-            return Err(problems);
-        }
-        let mut state_leaves: Vec<Leaf> = fields.iter().flat_map(|f| f.states().to_vec()).collect();
-        let of_formulas = symbols.iter().filter(|s| s.role == Role::State).flat_map(|s| leaves_of(graph, s.symbol));
-        state_leaves.extend(of_formulas);
-        state_leaves.sort_unstable();
-        state_leaves.dedup();
-        Ok(Fields { time, fields, state_leaves })
-    }
 }
 
 /// What has to be known of motions before claims can be tried on them.
@@ -522,84 +438,6 @@ fn unbuilt(derivation: &Derivation, trajectory: &Trajectory, error: &FlowError) 
     }
 }
 
-/// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
-/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`.
-pub fn setup<'a>(
-    derivation: &Derivation,
-    fields: &'a Fields,
-    graph: &mut Graph,
-    trajectory: &Trajectory,
-    from: Option<(Arc<Motion>, &[Symbol])>,
-    exact: bool,
-) -> (Setup<'a>, Vec<Symbol>) {
-    let Derivation { scope, systems, symbols, claims, .. } = derivation;
-    let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
-    let mut known = vec![fields.time.symbol];
-    for (symbol, value) in &trajectory.parameters {
-        parameters.retain(|(l, _)| l.symbol != *symbol);
-        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
-        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
-        parameters.extend(paired(graph, *symbol, 0, &values));
-        known.push(*symbol);
-    }
-    let source = match (&trajectory.motion, from) {
-        (Given::Integrated { system, initial, start }, _) => {
-            known.extend(&systems[*system].states);
-            let values = initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect();
-            let start = start.as_ref().map_or_else(Start::default, |start| Start {
-                guesses: start
-                    .unknowns
-                    .iter()
-                    .map(|u| Guess { leaf: u.leaf, name: u.name.clone(), near: u.near, within: u.within })
-                    .collect(),
-                differences: start.differences.clone(),
-            });
-            Source::Integrated { field: &fields.fields[*system], initial: values, start }
-        }
-        (Given::Formula { states }, _) => {
-            known.extend(states.iter().map(|(s, _)| *s));
-            Source::Formula { states: states.iter().flat_map(|(s, w)| paired(graph, *s, 0, &w.value)).collect() }
-        }
-        (Given::Derived { map, .. }, from) => {
-            let mut states: Vec<(Leaf, Expr)> = Vec::new();
-            let kept = from.as_ref().map_or(&[][..], |(_, known)| known);
-            for &symbol in kept.iter().filter(|&&s| scope.role(s) == Some(Role::State)) {
-                if map.iter().any(|(s, _)| *s == symbol) {
-                    continue;
-                }
-                for leaf in leaves_of(graph, symbol) {
-                    let e = graph.leaf(leaf);
-                    states.push((leaf, e));
-                }
-                known.push(symbol);
-            }
-            for (symbol, w) in map {
-                states.extend(paired(graph, *symbol, 0, &w.value));
-                known.push(*symbol);
-            }
-            match from {
-                Some((motion, _)) => Source::Derived { from: motion, states },
-                None => Source::Formula { states },
-            }
-        }
-    };
-    let mut observables = Vec::new();
-    let entries: Vec<&SymbolEntry> = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)).collect();
-    for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
-        let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
-        let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
-        if known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
-            continue;
-        }
-        known.push(entry.symbol);
-        for (leaf, e) in paired(graph, entry.symbol, 0, &definition.components) {
-            observables.push(Observable { leaf, definition: e, angle: entry.angle });
-        }
-    }
-    let (span, initial_time) = (trajectory.span, trajectory.initial_time);
-    (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
-}
-
 /// Compiles what points need, and finds the events.
 fn prepare(
     derivation: &Derivation,
@@ -646,32 +484,9 @@ pub fn searched(derivation: &Derivation, requests: &Requests, trajectory: usize)
     searched.into_iter().collect()
 }
 
-/// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
-/// in the file is equal without an error.
-fn rounded(graph: &mut Graph, e: Expr) -> Expr {
-    let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
-    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
-        Some(r) => graph.constant(r),
-        None => e,
-    }
-}
-
 /// The values of expressions without leaves; those before the first that has none.
 fn closed_values(graph: &Graph, exprs: &[Expr]) -> Vec<Bounded> {
     let Ok(tape) = expr::tape::Tape::compile(graph, &[], exprs) else { return Vec::new() };
     let mut slots = tape.slots::<Bounded>(&());
     tape.evaluate(&(), &[], &mut slots).into_iter().map_while(Result::ok).collect()
-}
-
-/// Whether a leaf has a meaning on a motion that knows these symbols.
-pub fn is_known(graph: &Graph, known: &[Symbol], leaf: Leaf) -> bool {
-    known.contains(&leaf.symbol) && leaf.instant.is_none_or(|e| all_known(graph, known, &[e]))
-}
-
-/// Whether every leaf of the expressions belongs to a known symbol.
-fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
-    graph
-        .leaves(roots.iter().copied())
-        .iter()
-        .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
 }

@@ -13,17 +13,17 @@ use crate::doubt::{
     beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
     unless_unresolved, unless_valued_between,
 };
+use crate::events::Events;
 use crate::flow::Points;
 use crate::independence::Gradients;
 use crate::judged::{Judged, Tried, selected};
 use crate::limit::limit;
-use crate::occasion::Events;
 use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict};
 use crate::weigh::weigh;
-use crate::{across, independence, met, occasion, same_motion, steep};
+use crate::{across, events, independence, peaks, same_motion, stretches};
 use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
+use claim::mute::silence;
 use claim::program::{Assumption, What};
-use claim::telling::silence;
 
 /// The most parts of a claim that are looked at closer, each by itself.
 const MANY: usize = 64;
@@ -38,7 +38,7 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
         let parts = program.parts.iter().map(|_| Finding::open("it was not tried, since an assumption is not met"));
         return decide(parts.collect(), unmet);
     }
-    let mut met = met::look(trial);
+    let mut met = stretches::look(trial);
     // Other motions and gradients need more values than the comparisons of the claim.
     let special = |p: &claim::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent | What::Across);
     if program.parts.iter().any(special) && met.more.take().is_some() {
@@ -58,7 +58,7 @@ pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Resu
     let hypotheses: Vec<Finding> =
         (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &measured, (h, &along), &met)).collect();
     // Parts at events, or at all of these times.
-    let events = occasion::of_claim(trial.graph, (trial.claim, program), course);
+    let events = events::of_claim(trial.graph, (trial.claim, program), course);
     let parts = match (&program.at, &events) {
         (None, _) => {
             let each = |position| {
@@ -115,7 +115,7 @@ fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
     };
     let count = program.hypotheses.len();
     (0..count).any(false_here).then(|| {
-        let none = met::Search::default();
+        let none = stretches::Search::default();
         let each = |h: usize| match false_here(h) {
             true => met_on(trial, &describer, &measured, (h, &along), &none),
             false => Finding::open("it was not looked at"),
@@ -130,7 +130,7 @@ fn met_on(
     describer: &Describer,
     measured: &Measurements,
     (position, along): (usize, &Tried),
-    met: &met::Search,
+    met: &stretches::Search,
 ) -> Finding {
     let Assumption { text, part } = &trial.program.hypotheses[position];
     let finding = match &part.what {
@@ -340,7 +340,7 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
         None => false,
         Some(Truth::False | Truth::Void) => return finding,
     };
-    let Some(times) = steep::times(trial) else {
+    let Some(times) = peaks::times(trial) else {
         if !holds {
             return finding;
         }

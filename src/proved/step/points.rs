@@ -2,7 +2,7 @@
 //!
 //! **In:** a step, and the leaves that are asked about. **Out:** values of them at a few points. **Guaranteed:** everything given
 //! holds at each of the points, and a solution passes through it: they are what a question that no solution answers is refuted
-//! by, see [`identity`](crate::identity). **Left out:** where that is not known of any point, there is none.
+//! by, see [`identity`](proof). **Left out:** where that is not known of any point, there is none.
 
 use super::gather::Definitions;
 use super::{Pairs, Step};

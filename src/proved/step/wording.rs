@@ -1,13 +1,13 @@
 //! What was found about a step, as the account has it.
 
 use super::{Pairs, Step, pairs};
+use crate::agreement::EITHER_SIGN;
 use crate::derivation::{Form, Premise};
 use crate::expr::domain::{Change, EdgeOf};
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Symbol};
 use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use crate::latex::{RelationKind, Role};
-use crate::second_route::EITHER_SIGN;
 use order::{Question, Requirement};
 use proof::{Condition, Identity, Point, PointValue, Reason, Side, domains, order};
 

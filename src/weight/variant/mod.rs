@@ -7,7 +7,7 @@
 //! The order of work: `edit` and `convention` alter syntax trees, one place at a time or throughout; `generate` keeps those with a meaning; `equivalence`
 //! removes those that say what the print says; `battery` makes one program of what is left; `rejection` tries it at the points
 //! at which the claim was tried; `cover` chooses motions; `erratum` looks for what should have been printed. Claims without
-//! motions are `still`'s.
+//! motions are `motionless`'s.
 //!
 //! **Guaranteed:** a variant counts as rejected only if it is violated by the rule that the print is judged by. What was
 //! not tried, and why, is counted and reported.
@@ -23,15 +23,15 @@ mod equivalence;
 mod erratum;
 mod gap;
 mod generate;
+mod motionless;
 mod nearness;
 mod point;
 mod rejection;
 mod sites;
-mod still;
 mod tree;
 mod vocabulary;
 
-pub use still::weigh_still;
+pub use motionless::weigh_still;
 
 use std::ops::Range;
 
@@ -49,7 +49,7 @@ use claim::program::{Program, Values};
 use generate::{ClaimVariants, Formula, MOST_NODES, Manner, Setting, Source, Variant};
 use rejection::{Evidence, Placed, Rejections};
 use sampled::course::Course;
-use sampled::occasion;
+use sampled::events;
 
 /// A formula of a claim with one edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -257,7 +257,7 @@ impl Altered {
         if !matches!(outcome, Outcome::Holds(_) | Outcome::Fails(_)) {
             return None;
         }
-        let events = occasion::of_claim(graph, (claim, found.program), course);
+        let events = events::of_claim(graph, (claim, found.program), course);
         // The point at which the claim fails most clearly is always among those used.
         let mut own: Vec<Values> = Vec::new();
         if let (Outcome::Fails(_), Some(witness)) = (outcome, &found.verdict.evidence().witness) {

@@ -2,7 +2,7 @@
 //!
 //! **In:** claims that hold over ranges, or for all fields that satisfy what is given. **Out:** for each of them which of its
 //! variants points reject: points of the box at which the claim applies; or values of the fields, their derivatives and all else
-//! through which a solution of what is given passes, see [`passive`](crate::identity).
+//! through which a solution of what is given passes, see [`passive`](proof).
 //!
 //! For a claim that fails it offers the altered formulas, with one edit, that hold instead: each is decided as a claim of its own.
 //!

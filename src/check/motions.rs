@@ -16,7 +16,8 @@ use std::sync::Arc;
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::flow::Search;
-use sampled::stage::{Built, Requests, is_known, searched};
+use sampled::setup::is_known;
+use sampled::stage::{Built, Requests, searched};
 
 /// Motions that come from one another, with the graph that they were built in.
 #[derive(Debug)]
