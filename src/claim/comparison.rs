@@ -324,7 +324,7 @@ fn magnitude(graph: &mut Graph, e: Expr) -> Expr {
 
 /// Judges `left kind right`, where `difference` is left − right with its error bound.
 ///
-/// `scale` is the size of the terms, see [`magnitude`]; `precision` what the claim asks for, relative to it.
+/// `scale` is the size of the terms, see `magnitude`; `precision` what the claim asks for, relative to it.
 pub fn judge(kind: RelationKind, difference: Bounded, scale: f64, precision: f64) -> Possible {
     let (v, b) = (difference.value, difference.error);
     let tight = b <= precision * scale;

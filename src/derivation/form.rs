@@ -79,12 +79,12 @@ pub enum Form {
     Defined(Written<Tensor>),
     /// The states of the motion satisfy the equations of a system.
     Solves {
-        /// Position in [`Derivation::systems`].
+        /// Position in [`Derivation::systems`](super::Derivation::systems).
         system: usize,
     },
     /// The states of the motion are, at every time, those of another.
     SameMotion {
-        /// Position in [`Derivation::trajectories`].
+        /// Position in [`Derivation::trajectories`](super::Derivation::trajectories).
         other: usize,
         /// The states that are compared.
         of: Vec<Symbol>,

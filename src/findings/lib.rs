@@ -4,7 +4,7 @@
 //! formula, a [`Swept`](family::Swept) part of a family.
 //!
 //! **Guaranteed:** nothing is computed here but what follows from the data themselves: sums, shares, and words for what is stored. What
-//! decides has doors of its own: a [`Verdict`](verdict::Verdict) is made by the kernel, a [`Finding`](standing::Finding) for all values
+//! decides has doors of its own: a [`Verdict`] is made by the kernel, a [`Finding`](standing::Finding) for all values
 //! only from the answer of a proof, see [`standing`].
 
 #![forbid(unsafe_code)]

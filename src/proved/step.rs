@@ -9,7 +9,7 @@
 //!
 //! Claims with several equations are one question: all must follow. Claims of other kinds than equations and first
 //! integrals are not identities, and have no answer, unless they say something about positive parameters only: then their
-//! signs are decided for every order of size of the parameters, see [`order`](proof::order).
+//! signs are decided for every order of size of the parameters, see [`proof::order`].
 //!
 //! # How a step is decided
 //!

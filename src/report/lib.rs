@@ -3,7 +3,7 @@
 //! **In:** an [`Account`](findings::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
-//! from [`findings`]; [`part_text`] for the machine that joins the parts of a family, [`member_line`] for programs that
+//! from [`findings()`]; [`part_text`] for the machine that joins the parts of a family, [`member_line`] for programs that
 //! read its members.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is

@@ -123,7 +123,7 @@ pub fn sample_times(motion: &Motion) -> Vec<f64> {
     thinned(motion.sample_times(DENSITY))
 }
 
-/// Times, at most about [`MOST_SAMPLES`] of them, the last one among them.
+/// Times, at most about `MOST_SAMPLES` of them, the last one among them.
 pub fn thinned(times: Vec<f64>) -> Vec<f64> {
     if times.len() <= MOST_SAMPLES {
         return times;

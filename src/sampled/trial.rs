@@ -1,6 +1,6 @@
 //! One claim on one motion.
 //!
-//! **In:** a compiled claim, and a [`Course`]: the points of a motion. **Out:** a verdict, from a finding for each part of the
+//! **In:** a compiled claim, and a [`Course`](crate::course::Course): the points of a motion. **Out:** a verdict, from a finding for each part of the
 //! claim and each hypothesis. The same few steps for every part: see which times count, measure, weigh, look between.
 
 use std::sync::Arc;
