@@ -49,15 +49,19 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// What vanishes where the part may change between two samples, and the relation that it belongs to.
-    pub fn boundaries(&self) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
+    /// What vanishes where the part may change between two samples, and the relation that it belongs to; `void` if it has no
+    /// value at the samples, so that it may have one where an alternative is met.
+    pub fn boundaries(&self, void: bool) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
         let compared = match self.what {
             What::Limit(_) | What::Value | What::Across => &[][..],
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent => {
                 &self.group.comparisons[..]
             }
         };
-        compared.iter().enumerate().flat_map(|(n, c)| c.boundaries.iter().map(move |&e| (n, c.kind, e)))
+        compared.iter().enumerate().flat_map(move |(n, c)| {
+            let meetings = c.meetings.iter().filter(move |_| void);
+            c.boundaries.iter().chain(meetings).map(move |&e| (n, c.kind, e))
+        })
     }
 
     /// Whether it compares something at every time that counts.
@@ -166,7 +170,7 @@ impl Program {
         // What is tried at events only is not looked at between them.
         match self.at {
             None => {
-                let parts = parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e);
+                let parts = parts.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e);
                 let one_sided = self.groups().flat_map(|g| &g.one_sided);
                 parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).collect()
             }
@@ -174,7 +178,7 @@ impl Program {
                 let hypotheses = self.hypotheses.iter().map(|a| &a.part);
                 let one_sided = hypotheses.clone().flat_map(|p| p.group.one_sided.iter().copied());
                 [e].into_iter()
-                    .chain(hypotheses.flat_map(|p| p.boundaries()).map(|(_, _, e)| e))
+                    .chain(hypotheses.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e))
                     .chain(one_sided)
                     .collect()
             }

@@ -18,13 +18,13 @@ use super::measure::Compiled;
 use super::memory::Recall;
 use super::program::Program;
 use super::trial::{Course, Values};
-use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, Trajectory};
+use crate::derivation::{Claim, Derivation, Form, Motion as Given, SymbolEntry, System, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Shape, Symbol};
 use crate::flow::{
     Draft, FlowError, Guess, Motion, Observable, Points, Search, Setup, Source, Start, VectorField, Zeros,
 };
-use crate::latex::Role;
+use crate::latex::{Role, Scope};
 use crate::number::{Bounded, NoValue};
 
 /// Chebyshev points in each step of an integration.
@@ -94,16 +94,7 @@ impl Fields {
         // The motions share the memory.
         let each = MOST_NUMBERS / derivation.trajectories.len().max(1);
         for system in systems.iter() {
-            // Observables on the right side are part of the system: it is closed in its states.
-            let mut closed: Vec<(Expr, Expr)> = Vec::new();
-            // Equations of fields have no motions.
-            let of_states = system.equations.iter().filter(|_| !system.states.is_empty());
-            for relation in of_states.flat_map(|w| &w.value.relations) {
-                for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
-                    closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
-                }
-            }
-            match VectorField::solve(graph, Some(time), &system.states, &closed) {
+            match solved(graph, scope, system, time) {
                 Ok(field) => {
                     let most = (each / (NUMBERS_OF_A_STEP * field.states().len().max(1))).max(LEAST_STEPS);
                     fields.push(field.with_most_steps(most));
@@ -124,6 +115,22 @@ impl Fields {
         state_leaves.dedup();
         Ok(Fields { time, fields, state_leaves })
     }
+}
+
+/// A system, solved for its rates. Observables on the right side are part of the system: it is closed in its states.
+///
+/// # Errors
+/// See [`VectorField::solve`].
+pub(super) fn solved(graph: &mut Graph, scope: &Scope, system: &System, time: Leaf) -> Result<VectorField, FlowError> {
+    let mut closed: Vec<(Expr, Expr)> = Vec::new();
+    // Equations of fields have no motions.
+    let of_states = system.equations.iter().filter(|_| !system.states.is_empty());
+    for relation in of_states.flat_map(|w| &w.value.relations) {
+        for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+            closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
+        }
+    }
+    VectorField::solve(graph, Some(time), &system.states, &closed)
 }
 
 /// What has to be known of motions before claims can be tried on them.
