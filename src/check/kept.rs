@@ -13,10 +13,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::stage::{Built, Requests, is_known, searched};
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Graph, Leaf, Node};
 use crate::flow::Search;
+use sampled::stage::{Built, Requests, is_known, searched};
 
 /// Motions that come from one another, with the graph that they were built in.
 #[derive(Debug)]

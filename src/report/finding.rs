@@ -11,10 +11,10 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
-use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
 use diag::shown::{in_one_line, shown};
+use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
 
 /// How serious a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -369,8 +369,8 @@ pub fn rule_says(rule: &str) -> &'static str {
 #[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
-    use crate::check::sample::account;
     use crate::tests::derivation;
+    use findings::sample::account;
 
     #[test]
     fn what_is_not_as_expected_and_what_is_open_is_found_and_nothing_else() {

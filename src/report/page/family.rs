@@ -6,8 +6,8 @@ use super::super::family;
 use super::super::tally::name;
 use super::map;
 use super::text::prose;
-use crate::check::ClaimAccount;
 use crate::latex::Scope;
+use findings::ClaimAccount;
 
 /// The blocks of a claim, one for each family.
 pub(super) fn blocks(claim: &ClaimAccount, scope: &Scope) -> Markup {
