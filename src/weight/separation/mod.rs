@@ -71,8 +71,9 @@ impl Probes {
         derivation.claims.extend(dropped.iter().map(|d| d.claim.clone()));
         let conditions = own..own + candidates.len();
         let mut compiled = |c: usize, start: &Rational| {
-            let program = Program::new(derivation, c, start);
-            Program { tells_apart: conditions.contains(&c), ..program }
+            let mut program = Program::new(derivation, c, start);
+            program.tells_apart = conditions.contains(&c);
+            program
         };
         let last = own + candidates.len() + dropped.len();
         let programs = (own..last).map(|c| starts.iter().map(|s| compiled(c, s)).collect()).collect();
