@@ -34,6 +34,8 @@ pub struct Comparison {
     /// What vanishes where an inequality can change between two samples, for each sign of ±: left − right. Empty for
     /// equations, and for what does not move.
     pub boundaries: Vec<Expr>,
+    /// What vanishes where an equation that is one of several alternatives is true, perhaps at a single time: left − right.
+    pub meetings: Vec<Expr>,
     /// Its terms, for the question whether it says anything.
     pub told: Told,
     /// y and x of every atan2(y, x) in it. What is continued along a motion has no cut.
@@ -53,13 +55,15 @@ impl Comparison {
         let magnitude = magnitude_of(graph, scope, left, right);
         let boundaries = if kind == RelationKind::Equal { Vec::new() } else { boundaries(graph, scope, left, right) };
         let cuts = cuts(graph, scope, [left, right]);
-        Comparison { label, kind, left, right, magnitude, boundaries, told: Told::default(), cuts }
+        let meetings = Vec::new();
+        Comparison { label, kind, left, right, magnitude, boundaries, meetings, told: Told::default(), cuts }
     }
 
     /// A comparison of `node` that is measured by other means than its formulas.
     pub fn measured(label: String, kind: RelationKind, node: Expr) -> Comparison {
-        let (boundaries, cuts) = (Vec::new(), Vec::new());
-        Comparison { label, kind, left: node, right: node, magnitude: node, boundaries, told: Told::default(), cuts }
+        let (boundaries, meetings, cuts) = (Vec::new(), Vec::new(), Vec::new());
+        let told = Told::default();
+        Comparison { label, kind, left: node, right: node, magnitude: node, boundaries, meetings, told, cuts }
     }
 }
 
@@ -84,7 +88,7 @@ pub fn cuts(graph: &mut Graph, scope: &Scope, of: impl IntoIterator<Item = Expr>
 }
 
 /// left − right for each sign of ±, unless it does not move.
-fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Vec<Expr> {
+pub(super) fn boundaries(graph: &mut Graph, scope: &Scope, left: Expr, right: Expr) -> Vec<Expr> {
     let sign = scope.branch_sign();
     let leaves = graph.leaves_within([left, right]);
     let moves = |l: &Leaf| *l != sign && l.instant.is_none() && scope.role(l.symbol) != Some(Role::Parameter);

@@ -7,7 +7,7 @@
 //! R is not `always` not R, exactly; `u \ne v` says that some component differs; one ± in one text and one claim is one sign.
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
-use crate::comparison::{Comparison, Group, at_instant, cuts, presupposed, traced};
+use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
 use crate::derivation::{Claim, Derivation, Form, System, Written};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Tensor};
@@ -508,6 +508,13 @@ impl Denotation<'_> {
         }
         let count = group.comparisons.len();
         group.formula = (!is_conjunction_of_all(&formula, count)).then_some(formula);
+        // Where other alternatives have no value, one that is met at a single time is all that is said.
+        let compared = group.comparisons.iter();
+        if group.formula.is_some() && !edges(self.graph, &self.claim.scope, compared).is_empty() {
+            for c in group.comparisons.iter_mut().filter(|c| c.kind == RelationKind::Equal) {
+                c.meetings = boundaries(self.graph, &self.claim.scope, c.left, c.right);
+            }
+        }
         group
     }
 

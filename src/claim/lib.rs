@@ -19,3 +19,4 @@ pub mod measured;
 pub mod mute;
 pub mod options;
 pub mod program;
+pub mod system;

@@ -263,10 +263,14 @@ pub struct MeasuredGroup<'a> {
     pub strict: bool,
     /// For each sign and comparison, whether agreement within the error bound says nothing: see `mute`.
     pub mute: Vec<Vec<bool>>,
-    /// For each sign and comparison, whether equality within the error bound refutes a strict relation. What is equal all
-    /// along is equal; what is equal within its error at some times, as a power that decays, may be larger than 0 still.
-    /// Nor does such agreement at some times show a weak relation, where that is `doubted`.
+    /// For each sign and comparison, whether the sides agree within the error bound all along. Agreement at some times, as of a
+    /// power that decays, does not show a weak relation, where that is `doubted`.
     pub equal: Vec<Vec<bool>>,
+    /// For each sign and comparison, whether agreement within the error bound refutes a strict relation: where the event says
+    /// that the sides are equal, or they change their order.
+    said: Vec<Vec<bool>>,
+    /// Whether agreement all along refutes a strict relation, too: where it selects times, which then are left out, or motions.
+    selects: bool,
     /// Whether agreement within the error bound does not show a weak relation: where it selects times, and at events where it
     /// is denied that something happens.
     doubted: bool,
@@ -293,22 +297,26 @@ impl<'a> MeasuredGroup<'a> {
         (sizes, first): (Vec<Sizes<'a>>, usize),
     ) -> MeasuredGroup<'a> {
         let mute = signs.iter().map(|s| vec![false; s.len()]).collect();
-        let along = |(series, comparison): (&Series, &Comparison)| {
+        let ends = |series: &Series| Some((series.differences().next()?, series.differences().next_back()?));
+        let equal = |(series, comparison): (&Series, &Comparison)| {
             // Nothing else asks for it.
-            if comparison.kind == RelationKind::Equal {
-                return false;
-            }
-            let (Some(first), Some(last)) = (series.differences().next(), series.differences().next_back()) else {
-                return false;
-            };
-            match (first.contains_zero(), last.contains_zero()) {
-                // What is clear before and after did not fade away, and what changes its sign vanishes between.
-                (false, false) => group.asserted && first.value.is_sign_negative() != last.value.is_sign_negative(),
-                (true, _) => series.differences().all(|d| d.contains_zero()),
-                (false, true) => false,
-            }
+            comparison.kind != RelationKind::Equal
+                && ends(series).is_some_and(|(first, _)| first.contains_zero())
+                && series.differences().all(|d| d.contains_zero())
         };
-        let equal = signs.iter().map(|s| s.iter().zip(&group.comparisons).map(along).collect()).collect();
+        // What is clear before and after did not fade away, and what changes its sign vanishes between.
+        let said = |(series, comparison): (&Series, &Comparison)| {
+            let clear = |d: &Bounded| !d.contains_zero();
+            group.asserted
+                && comparison.kind != RelationKind::Equal
+                && ends(series).is_some_and(|(first, last)| {
+                    clear(&first) && clear(&last) && first.value.is_sign_negative() != last.value.is_sign_negative()
+                })
+        };
+        let of_each = |one: &dyn Fn((&Series, &Comparison)) -> bool| -> Vec<Vec<bool>> {
+            signs.iter().map(|s| s.iter().zip(&group.comparisons).map(one).collect()).collect()
+        };
+        let (equal, said) = (of_each(&equal), of_each(&said));
         let floors = signs.iter().map(|_| OnceCell::new()).collect();
         MeasuredGroup {
             group,
@@ -316,6 +324,8 @@ impl<'a> MeasuredGroup<'a> {
             strict: false,
             mute,
             equal,
+            said,
+            selects: false,
             doubted: false,
             crossing: Vec::new(),
             sizes,
@@ -332,10 +342,10 @@ impl<'a> MeasuredGroup<'a> {
         along: &MeasuredGroup,
     ) -> MeasuredGroup<'a> {
         let floors = (0..signs.len()).map(|s| OnceCell::from(along.floor(s))).collect();
-        let (mute, equal) = (along.mute.clone(), along.equal.clone());
-        let (strict, doubted) = (along.strict, along.doubted);
+        let (mute, equal, said) = (along.mute.clone(), along.equal.clone(), along.said.clone());
+        let (strict, selects, doubted) = (along.strict, along.selects, along.doubted);
         let crossing = Vec::new();
-        MeasuredGroup { group, signs, strict, mute, equal, doubted, crossing, sizes, first, floors }
+        MeasuredGroup { group, signs, strict, mute, equal, said, selects, doubted, crossing, sizes, first, floors }
     }
 
     /// What is equal at events, a few single times, is equal only if it is so along the whole motion; or if the event says so.
@@ -352,9 +362,11 @@ impl<'a> MeasuredGroup<'a> {
                 || c.right == event && zero(c.left)
                 || sides.is_some_and(|(a, b)| [(a, b), (b, a)].contains(&(c.left, c.right)))
         };
-        for (here, there) in self.equal.iter_mut().zip(&along.equal) {
-            for ((here, there), comparison) in here.iter_mut().zip(there).zip(&self.group.comparisons) {
-                *here &= *there && !self.group.asserted || says(comparison);
+        for (s, there) in along.equal.iter().enumerate() {
+            for ((c, there), comparison) in there.iter().enumerate().zip(&self.group.comparisons) {
+                let said = self.equal[s][c] && says(comparison);
+                self.equal[s][c] &= *there && !self.group.asserted || said;
+                self.said[s][c] = said;
             }
         }
     }
@@ -393,7 +405,8 @@ impl<'a> MeasuredGroup<'a> {
     /// Whether the sides are equal within an error, where that does not refute a strict relation.
     fn is_open(&self, sign: usize, comparison: usize, time: usize, difference: Bounded) -> bool {
         let strict = is_strict(self.group.comparisons[comparison].kind);
-        let equal = || self.equal[sign][comparison] || self.crossing.get(time) == Some(&Some(comparison));
+        let along = || self.selects && self.equal[sign][comparison];
+        let equal = || self.said[sign][comparison] || along() || self.crossing.get(time) == Some(&Some(comparison));
         strict && difference.error > 0.0 && difference.contains_zero() && !equal()
     }
 
@@ -535,9 +548,10 @@ fn gathered<'a>(
         of.into_iter().enumerate().map(one).collect()
     };
     let mut selectors = each(program.selectors.iter().map(|a| &a.part).collect(), along.map(|m| &m.selectors));
-    selectors.iter_mut().for_each(|group| group.doubted = true);
+    selectors.iter_mut().for_each(|group| (group.doubted, group.selects) = (true, true));
     let hypotheses = each(program.hypotheses.iter().map(|a| &a.part).collect(), along.map(|m| &m.hypotheses));
-    let parts = each(program.parts.iter().collect(), along.map(|m| &m.parts));
+    let mut parts = each(program.parts.iter().collect(), along.map(|m| &m.parts));
+    parts.iter_mut().for_each(|group| group.selects = program.tells_apart);
     Measurements { selectors, hypotheses, parts }
 }
 

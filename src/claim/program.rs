@@ -52,15 +52,19 @@ pub struct Part {
 }
 
 impl Part {
-    /// What vanishes where the part may change between two samples, and the relation that it belongs to.
-    pub fn boundaries(&self) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
+    /// What vanishes where the part may change between two samples, and the relation that it belongs to; `void` if it has no
+    /// value at the samples, so that it may have one where an alternative is met.
+    pub fn boundaries(&self, void: bool) -> impl Iterator<Item = (usize, RelationKind, Expr)> + '_ {
         let compared = match self.what {
             What::Limit(_) | What::Value | What::Across => &[][..],
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent => {
                 &self.group.comparisons[..]
             }
         };
-        compared.iter().enumerate().flat_map(|(n, c)| c.boundaries.iter().map(move |&e| (n, c.kind, e)))
+        compared.iter().enumerate().flat_map(move |(n, c)| {
+            let meetings = c.meetings.iter().filter(move |_| void);
+            c.boundaries.iter().chain(meetings).map(move |&e| (n, c.kind, e))
+        })
     }
 
     /// Whether it compares something at every time that counts.
@@ -118,6 +122,8 @@ pub struct Program {
     pub edges: Vec<(Expr, bool)>,
     /// Whether an angle leaps in what says when the claim is to be tried: there it may meet the other side, or pass it, unseen.
     pub leaps_at: bool,
+    /// Whether it is a condition that tells motions apart, and no claim: sides that agree all along count as equal.
+    pub tells_apart: bool,
     /// Left, right, and left − right of every comparison; then y and x of the cuts.
     sides: Option<Block>,
     /// The size of the terms of every comparison.
@@ -143,7 +149,22 @@ impl From<Denoted> for Program {
     fn from(of: Denoted) -> Program {
         let Denoted { selectors, hypotheses, parts, claim, at, steep, edges, sign } = of;
         let (sides, sizes, inputs) = (None, None, Vec::new());
-        Program { selectors, hypotheses, parts, claim, at, steep, edges, leaps_at: false, sides, sizes, inputs, sign }
+        let (leaps_at, tells_apart) = (false, false);
+        Program {
+            selectors,
+            hypotheses,
+            parts,
+            claim,
+            at,
+            steep,
+            edges,
+            leaps_at,
+            tells_apart,
+            sides,
+            sizes,
+            inputs,
+            sign,
+        }
     }
 }
 
@@ -169,7 +190,7 @@ impl Program {
         // What is tried at events only is not looked at between them.
         match self.at {
             None => {
-                let parts = parts.flat_map(|p| p.boundaries()).map(|(_, _, e)| e);
+                let parts = parts.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e);
                 let one_sided = self.groups().flat_map(|g| &g.one_sided);
                 parts.chain(met()).chain(one_sided.copied()).chain(self.edges()).collect()
             }
@@ -177,7 +198,7 @@ impl Program {
                 let hypotheses = self.hypotheses.iter().map(|a| &a.part);
                 let one_sided = hypotheses.clone().flat_map(|p| p.group.one_sided.iter().copied());
                 [e].into_iter()
-                    .chain(hypotheses.flat_map(|p| p.boundaries()).map(|(_, _, e)| e))
+                    .chain(hypotheses.flat_map(|p| p.boundaries(true)).map(|(_, _, e)| e))
                     .chain(one_sided)
                     .collect()
             }

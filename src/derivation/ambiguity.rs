@@ -69,8 +69,7 @@ impl Loader<'_> {
         let mut out = Vec::new();
         let mut statement = |form: &'static str, w: &Written<Statement>| {
             let signed: Vec<&Relation> = w.value.relations.iter().filter(|r| r.has_branches).collect();
-            let neither = |kind: RelationKind| form == "always" && kind == RelationKind::NotEqual;
-            let of_kind = |neither_one: bool| signed.iter().any(|r| neither(r.kind) == neither_one);
+            let of_kind = |neither: bool| signed.iter().any(|r| (r.kind == RelationKind::NotEqual) == neither);
             out.extend([false, true].into_iter().filter(|&n| of_kind(n)).map(|neither| Signed {
                 form,
                 neither,

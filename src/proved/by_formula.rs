@@ -13,13 +13,14 @@ use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::findings::ClaimAccount;
-use crate::latex::{RelationKind, Scope};
+use crate::latex::{RelationKind, Role, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group, may_leap};
 use claim::denote::denote;
 use claim::limits::Limits;
 use claim::program::{Assumption, Part, What};
+use claim::system;
 use proof::{Along, Apart, InTime, Memory, Refuted, along};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -75,6 +76,8 @@ pub fn settle(
 
 /// Places at which a formula is looked at for a change of its sign.
 const LOOKS: u32 = 256;
+/// A rate at the start is a derivative of rates at most so many times.
+const MOST_DERIVATIONS: u8 = 6;
 /// The largest denominator of a time that is tried exactly.
 const LARGEST_DENOMINATOR: i64 = 1000;
 
@@ -102,6 +105,13 @@ fn simple_fraction(number: f64) -> Option<Rational> {
     }
 }
 
+/// Rates at the start of an integrated motion.
+struct Rates {
+    initial: FastMap<Leaf, Expr>,
+    /// Those that the system gives, of each state variable.
+    given: FastMap<Leaf, Expr>,
+}
+
 /// A motion by formulas, or any motion at its start.
 struct Setting<'a> {
     derivation: &'a Derivation,
@@ -113,6 +123,8 @@ struct Setting<'a> {
     start: Option<Expr>,
     /// Components of states, as formulas in time or by their values at the start, and of parameters, as numbers.
     values: FastMap<(Symbol, u16), Expr>,
+    /// What is known of rates at the start of an integrated motion: initial values, and what its system says.
+    rates: Option<Rates>,
     /// What has a value wherever the formulas have.
     needs: Vec<Expr>,
 }
@@ -120,7 +132,13 @@ struct Setting<'a> {
 impl<'a> Setting<'a> {
     /// The motion at its start, where its initial values are exact.
     fn at_start(derivation: &'a Derivation, t: usize) -> Option<Setting<'a>> {
-        let start = Rational::try_from(derivation.trajectories[t].initial_time).ok()?;
+        let trajectory = &derivation.trajectories[t];
+        let start = Rational::try_from(trajectory.initial_time).ok()?;
+        if let Some(mut setting) = Setting::of(derivation, t, None) {
+            setting.start = Some(setting.graph.constant(start));
+            setting.span = (trajectory.initial_time, trajectory.initial_time);
+            return Some(setting);
+        }
         Setting::of(derivation, t, Some(&start))
     }
 
@@ -132,7 +150,7 @@ impl<'a> Setting<'a> {
             let mut graph = derivation.graph.clone();
             let start = start.map(|start| graph.constant(start.clone()));
             let (memory, values) = (Memory::default(), FastMap::default());
-            Setting { derivation, graph, memory, time, span, start, values, needs: Vec::new() }
+            Setting { derivation, graph, memory, time, span, start, values, rates: None, needs: Vec::new() }
         };
         let mut setting = match (&trajectory.motion, start) {
             (Motion::Integrated { .. }, None) => return None,
@@ -164,6 +182,19 @@ impl<'a> Setting<'a> {
             known.push((symbol, put?));
         }
         setting.note(&mut known);
+        if let (Motion::Integrated { system, initial, .. }, Some(_)) = (&trajectory.motion, setting.start) {
+            let equations = &derivation.systems[*system];
+            let mut rates = FastMap::default();
+            for (symbol, rate, written) in initial.iter().filter(|i| i.1 > 0) {
+                for (at, &e) in written.value.iter().enumerate() {
+                    let leaf = Leaf { rate: *rate, component: at as u16, ..Leaf::now(*symbol, 0) };
+                    rates.insert(leaf, setting.put(&derivation.scope, e)?);
+                }
+            }
+            let given = system::rates(&mut setting.graph, &derivation.scope, equations, time);
+            let given = given.into_iter().flatten().collect();
+            setting.rates = Some(Rates { initial: rates, given });
+        }
         setting.needs.clear();
         Some(setting)
     }
@@ -201,9 +232,14 @@ impl<'a> Setting<'a> {
         if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, value) {
             return None;
         }
-        if let Some(start) = self.start {
+        if let (Some(_), Some(start)) = (&self.rates, self.start) {
             let then = leaf.instant.map_or(Some(start), |at| self.put(scope, at))?;
-            return (leaf.rate == 0 && then == start).then_some(value);
+            let now = Leaf { instant: None, ..leaf };
+            return match (then == start, leaf.rate) {
+                (false, _) => None,
+                (true, 0) => Some(value),
+                (true, _) => self.rate_at_start(scope, now, MOST_DERIVATIONS),
+            };
         }
         let now = leaf.instant.is_none();
         self.needs.extend(now.then_some(value));
@@ -211,11 +247,60 @@ impl<'a> Setting<'a> {
             value = self.graph.time_derivative(value, self.time, |_| false).ok()?;
             self.needs.extend(now.then_some(value));
         }
-        let Some(instant) = leaf.instant else { return Some(value) };
-        let instant = self.put(scope, instant)?;
+        let instant = match leaf.instant {
+            Some(instant) => self.put(scope, instant)?,
+            None => match self.start {
+                Some(start) => start,
+                None => return Some(value),
+            },
+        };
         let time = self.time;
         let fixed = !self.graph.leaves([instant]).contains(&time);
         fixed.then(|| self.graph.substitute(value, |_, l| (l == time).then_some(instant)))
+    }
+
+    /// A rate at the start of an integrated motion: an initial value, what the system says, or a derivative of either.
+    fn rate_at_start(&mut self, scope: &Scope, leaf: Leaf, most: u8) -> Option<Expr> {
+        let rates = self.rates.as_ref()?;
+        if let Some(&known) = rates.initial.get(&leaf) {
+            return Some(known);
+        }
+        let mut lower = Leaf { rate: leaf.rate.checked_sub(1)?, ..leaf };
+        let mut formula = loop {
+            match rates.given.get(&lower) {
+                Some(&formula) => break formula,
+                None if lower.rate > 0 => lower.rate -= 1,
+                None => {
+                    let definition = scope.definition(leaf.symbol)?;
+                    // Derived as often as is asked.
+                    let component = *definition.components.get(usize::from(leaf.component))?;
+                    break self.derived(component)?;
+                }
+            }
+        };
+        for _ in lower.rate + 1..leaf.rate {
+            formula = self.derived(formula)?;
+        }
+        let mut images: FastMap<Leaf, Expr> = FastMap::default();
+        for below in self.graph.leaves([formula]) {
+            let image = match below.rate > 0 && below.instant.is_none() {
+                true => self.rate_at_start(scope, below, most.checked_sub(1)?)?,
+                false => {
+                    let leaf = self.graph.leaf(below);
+                    self.put(scope, leaf)?
+                }
+            };
+            images.insert(below, image);
+        }
+        Some(self.graph.substitute(formula, |_, l| images.get(&l).copied()))
+    }
+
+    /// The derivative by time of a formula of states and observables.
+    fn derived(&mut self, e: Expr) -> Option<Expr> {
+        let scope = &self.derivation.scope;
+        let moves = |l: Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let slope = self.graph.time_derivative(e, self.time, moves).ok()?;
+        Some(self.graph.rate_of(e, slope, |_| true))
     }
 
     /// Both sides, with everything put in.

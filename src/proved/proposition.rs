@@ -7,7 +7,6 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::agreement::answer;
 use crate::derivation::{Claim, DEFAULT_PRECISION, Derivation, Form, FormKind, Formula, Written};
 use crate::diag::{Diagnostic, Source, nearest};
 use crate::findings::IdentityAccount;
@@ -15,7 +14,6 @@ use crate::latex::{self, Relation, RelationKind, Scope, Statement};
 use crate::step::Step;
 use claim::error::CheckError;
 use findings::Proposition;
-use proof::Premises;
 
 /// The name of a typed claim: no file can have it.
 const NAME: &str = "\u{2063}typed";
@@ -125,13 +123,11 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     derivation.claims.pop();
     match decided {
         Some(account) => account.map_err(CheckError::Defect),
-        // Both sides are one expression: all that is left to see is whether it has a value.
+        // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
         None => {
-            let (identity, evidence) =
-                answer(&mut derivation.graph, &pairs, &Premises::default(), None).map_err(CheckError::Defect)?;
             let step = Step::of(derivation, &claim);
-            let defect = || CheckError::Defect("an equation is no equation".to_owned());
-            step.map(|mut s| s.of_identity(identity, evidence)).ok_or_else(defect)
+            let step = step.ok_or_else(|| CheckError::Defect("an equation is no equation".to_owned()))?;
+            step.of_one_expression(&pairs).map_err(CheckError::Defect)
         }
     }
 }

@@ -279,6 +279,17 @@ impl<'a> Step<'a> {
         self.decide_equations()
     }
 
+    /// The answer where both sides are one expression: whether it has a value somewhere, where what is given holds.
+    ///
+    /// # Errors
+    /// A description of the contradiction, if the two routes disagree.
+    pub fn of_one_expression(mut self, equations: &Pairs) -> Result<IdentityAccount, String> {
+        let gathered = self.gather(None);
+        let premises = self.premises(&gathered, equations, Definitions::All);
+        let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
+        Ok(self.of_identity(identity, evidence))
+    }
+
     /// Whether ± stands among the assumptions of the claim.
     fn assumes_sign(&self) -> bool {
         self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)

@@ -61,12 +61,12 @@ pub(super) fn is_weak(kind: RelationKind) -> bool {
 
 impl<'a> Between<'a> {
     /// Looks for the changes of a part of the program.
-    fn look(trial: &Trial<'a>, along: &Measurements, position: usize) -> Between<'a> {
+    fn look(trial: &Trial<'a>, along: &Measurements, position: usize, void: bool) -> Between<'a> {
         let Trial { program, course, .. } = *trial;
         let (from, to) = course.stage.span(course.trajectory);
         let mut found: Vec<(f64, Role)> = Vec::new();
         let mut open: Vec<String> = Vec::new();
-        for (comparison, kind, e) in program.parts[position].boundaries() {
+        for (comparison, kind, e) in program.parts[position].boundaries(void) {
             let Some(zeros) = course.zeros(e) else {
                 open.push("what lies between the samples cannot be searched".to_owned());
                 let role = Role::Probe { reason: open.len() - 1, comparison };
@@ -202,11 +202,12 @@ impl<'a> Between<'a> {
 /// What is known of a part that is true, or has no value, at all samples, with what lies between them.
 pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
     let known = finding.known(Strength::Sampled);
-    if trial.program.parts[position].boundaries().next().is_none() {
+    let void = known == Some(Possible::VOID);
+    if trial.program.parts[position].boundaries(void).next().is_none() {
         return finding;
     }
-    if known == Some(Possible::VOID) {
-        return match Between::look(trial, along, position).valued(trial) {
+    if void {
+        return match Between::look(trial, along, position, void).valued(trial) {
             Some(reason) => {
                 Finding::sampled(Possible::ANY, Evidence { reason: Some(reason), ..finding.evidence().clone() })
             }
@@ -216,7 +217,7 @@ pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usi
     if known != Some(Possible::TRUE) {
         return finding;
     }
-    let Some(found) = Between::look(trial, along, position).held(trial) else { return finding };
+    let Some(found) = Between::look(trial, along, position, void).held(trial) else { return finding };
     let samples = finding.evidence().samples + found.evidence().samples;
     let excluded = finding.evidence().excluded.clone();
     let series = found.evidence().series.clone().or(finding.evidence().series.clone());

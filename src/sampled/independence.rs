@@ -116,7 +116,9 @@ impl Gradients {
         let mut entries = Vec::new();
         for &row in &rows {
             for &variable in &variables {
-                entries.push(graph.partial_derivative(row, variable).map_err(|e: NoDerivative| e.to_string())?);
+                let slope = graph.partial_derivative(row, variable).map_err(|e: NoDerivative| e.to_string())?;
+                // Where a function has no value, it has no gradient.
+                entries.push(graph.rate_of(row, slope, |_| false));
             }
         }
         let names: Vec<&str> = functions.iter().map(|w| w.text.as_str()).collect();

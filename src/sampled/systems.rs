@@ -9,7 +9,7 @@ use expr::{Expr, Graph, Leaf, Shape, Symbol};
 use flow::VectorField;
 use latex::Role;
 
-use claim::comparison::traced_now;
+use claim::system::solved;
 
 /// The leaves of all components of a symbol.
 pub(crate) fn leaves_of(graph: &Graph, symbol: Symbol) -> Vec<Leaf> {
@@ -61,16 +61,7 @@ impl Fields {
         // The motions share the memory.
         let each = MOST_NUMBERS / derivation.trajectories.len().max(1);
         for system in systems.iter() {
-            // Observables on the right side are part of the system: it is closed in its states.
-            let mut closed: Vec<(Expr, Expr)> = Vec::new();
-            // Equations of fields have no motions.
-            let of_states = system.equations.iter().filter(|_| !system.states.is_empty());
-            for relation in of_states.flat_map(|w| &w.value.relations) {
-                for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
-                    closed.push((traced_now(graph, scope, l), traced_now(graph, scope, r)));
-                }
-            }
-            match VectorField::solve(graph, Some(time), &system.states, &closed) {
+            match solved(graph, scope, system, time) {
                 Ok(field) => {
                     let most = (each / (NUMBERS_OF_A_STEP * field.states().len().max(1))).max(LEAST_STEPS);
                     fields.push(field.with_most_steps(most));

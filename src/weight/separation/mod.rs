@@ -69,9 +69,14 @@ impl Probes {
         let own = derivation.claims.len();
         derivation.claims.extend(candidates.iter().map(|c| c.claim.clone()));
         derivation.claims.extend(dropped.iter().map(|d| d.claim.clone()));
-        let programs = (own..derivation.claims.len())
-            .map(|c| starts.iter().map(|s| Program::new(derivation, c, s)).collect())
-            .collect();
+        let conditions = own..own + candidates.len();
+        let mut compiled = |c: usize, start: &Rational| {
+            let mut program = Program::new(derivation, c, start);
+            program.tells_apart = conditions.contains(&c);
+            program
+        };
+        let last = own + candidates.len() + dropped.len();
+        let programs = (own..last).map(|c| starts.iter().map(|s| compiled(c, s)).collect()).collect();
         derivation.claims.truncate(own);
         Probes { candidates, dropped, programs }
     }
