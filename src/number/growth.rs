@@ -522,14 +522,16 @@ mod tests {
     #[test]
     fn lanes_are_what_they_are_alone_and_what_jets_are_up_to_rounding() {
         let mut draws = Draws::new(23);
-        let (mut same, mut near) = (0, 0);
+        let (mut same, mut near, mut far) = (0, 0, 0);
         for _ in 0..400 {
             let (steps, moves) = program(&mut draws);
             let count = moves.len() as u64;
             let rates = (0..STATES).map(|_| draws.below(count) as usize).collect();
             let of = Recurrences::new(&steps, &moves, rates);
-            let inputs: [[f64; 6]; 8] =
-                std::array::from_fn(|_| std::array::from_fn(|_| draws.below(1 << 20) as f64 / 262_144.0 - 1.0));
+            // Away from 0, where quotients would cancel.
+            let mut number =
+                || (0.5 + draws.below(1 << 20) as f64 / 524_288.0) * if draws.below(2) == 0 { 1.0 } else { -1.0 };
+            let inputs: [[f64; 6]; 8] = std::array::from_fn(|_| std::array::from_fn(|_| number()));
             let wide = grown(&of, &steps, &moves, inputs);
             let some: [[f64; 6]; 3] = std::array::from_fn(|i| inputs[i]);
             let half: [[f64; 6]; 4] = std::array::from_fn(|i| inputs[i]);
@@ -551,18 +553,15 @@ mod tests {
                         assert!(x.is_nan() || x.is_finite());
                         same += others.len();
                         if let Some(y) = jets.as_ref().map(|jets| jets[slot].coefficient(k)) {
-                            let size =
-                                (0..=k).map(|k| jets.as_ref().unwrap()[slot].coefficient(k).abs()).fold(1.0, f64::max);
-                            if x.is_finite() && size < 1e6 {
-                                assert!((x - y).abs() <= 1e-7 * size, "{steps:?} slot {slot} order {k}: {x} {y}");
-                                near += 1;
-                            }
+                            let is_near = (x - y).abs() <= 1e-9 * y.abs().max(1.0);
+                            *if is_near { &mut near } else { &mut far } += 1;
                         }
                     }
                 }
             }
         }
-        assert!(same > 1_000_000 && near > 100_000, "{same} {near}");
+        // Where something cancels, rounding counts for much.
+        assert!(same > 1_000_000 && near > 100_000 && far * 100 < near, "{same} {near} {far}");
     }
 
     #[test]
