@@ -124,8 +124,9 @@ impl<'a> Estimate<'a> {
                 }
             }
             let by = Lanes::splat(1.0 / multiple);
+            let power = (0..ORDER).fold(1.0, |power, _| power * h);
             for i in 0..n {
-                let last = (series[ORDER * n + i] * h.powi(ORDER as i32)).abs();
+                let last = (series[ORDER * n + i] * power).abs();
                 let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
                 let rounded = rounding[step * n + i] + branch.defects[step * n + i] + sum;
                 let own = TYPICAL * h.abs() * rounded + last;

@@ -166,10 +166,13 @@ impl Flow {
     /// The size of every state on a step of length h, from its series, order by order: what states of one kind have in common.
     pub(super) fn reach(&self, series: &[f64], h: f64, out: &mut [f64]) {
         let n = self.dimension;
-        let of = |i: usize| series[i].abs().max((series[n + i] * h).abs()).max((series[2 * n + i] * h * h).abs());
-        for (i, (g, out)) in self.groups.iter().zip(out).enumerate() {
-            let alike = self.groups.iter().enumerate().filter(|(_, other)| *other == g);
-            *out = alike.fold(of(i), |most, (j, _)| most.max(of(j)));
+        let mut most = vec![0.0_f64; self.group_count];
+        for (i, &g) in self.groups.iter().enumerate() {
+            let of = series[i].abs().max((series[n + i] * h).abs()).max((series[2 * n + i] * h * h).abs());
+            most[g] = most[g].max(of);
+        }
+        for (out, &g) in out.iter_mut().zip(&self.groups) {
+            *out = most[g];
         }
     }
 

@@ -252,43 +252,50 @@ fn put<S: Simd, const N: usize>(simd: S, out: &mut Lanes<N>, register: usize, x:
     S::as_mut_simd_f64s(&mut out.0).0[register] = simd.add_f64s(x, simd.sub_f64s(x, x));
 }
 
-/// Σⱼ bⱼ·aₖ₋ⱼ for one a and several b: a register of each.
-#[inline(always)]
-fn products<S: Simd, const N: usize, const M: usize>(
-    simd: S,
-    a: &[Lanes<N>],
-    b: [&[Lanes<N>]; M],
-    register: usize,
-) -> [S::f64s; M] {
-    let n = a.len();
-    let mut sums = [simd.splat_f64s(0.0); M];
-    for j in 0..n {
-        let x = part::<S, N>(&a[n - 1 - j], register);
-        for m in 0..M {
-            sums[m] = simd.add_f64s(sums[m], simd.mul_f64s(part::<S, N>(&b[m][j], register), x));
+/// Σⱼ bⱼ·aₖ₋ⱼ for one a and several b of one length: a register of each. A macro, so that each slice has a name of its own, whose
+/// length is looked at once.
+macro_rules! products {
+    ($simd:ident, $register:ident, $a:expr, $($b:ident $sum:ident),+) => {{
+        let n = $a.len();
+        let a = &$a[..n];
+        $(let $b = &$b[..n];)+
+        $(let mut $sum = $simd.splat_f64s(0.0);)+
+        for j in 0..n {
+            let x = part::<S, N>(&a[n - 1 - j], $register);
+            $($sum = $simd.add_f64s($sum, $simd.mul_f64s(part::<S, N>(&$b[j], $register), x));)+
         }
-    }
-    sums
+        [$($sum),+]
+    }};
 }
 
-/// Coefficient `k` of `M` products with a factor in common.
+/// Coefficient `k` of products with a factor in common.
 #[inline(always)]
-fn product_row<S: Simd, const N: usize, const M: usize>(
+fn product_row<S: Simd, const N: usize>(
     simd: S,
     values: &mut [Lanes<N>],
     (room, k): (usize, usize),
-    steps: &[[usize; 3]; M],
+    steps: &[[usize; 3]],
 ) {
-    for register in 0..N / S::F64_LANES {
-        let a = &values[steps[0][0] * room..][..k + 1];
-        let mut b = [a; M];
-        for (b, step) in b.iter_mut().zip(steps) {
-            *b = &values[step[1] * room..][..k + 1];
-        }
-        let sums = products::<S, N, M>(simd, a, b, register);
-        for (sum, step) in sums.into_iter().zip(steps) {
-            put::<S, N>(simd, &mut values[step[2] * room + k], register, sum);
-        }
+    let Some(&[common, ..]) = steps.first() else { return };
+    macro_rules! row {
+        ($($step:ident $b:ident $sum:ident),+) => {
+            for register in 0..N / S::F64_LANES {
+                let a = &values[common * room..][..k + 1];
+                $(let $b = &values[$step[1] * room..][..k + 1];)+
+                let [$($sum),+] = products!(simd, register, a, $($b $sum),+);
+                $(put::<S, N>(simd, &mut values[$step[2] * room + k], register, $sum);)+
+            }
+        };
+    }
+    match steps {
+        [s1] => row!(s1 b1 x1),
+        [s1, s2] => row!(s1 b1 x1, s2 b2 x2),
+        [s1, s2, s3] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3),
+        [s1, s2, s3, s4] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4),
+        [s1, s2, s3, s4, s5] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5),
+        [s1, s2, s3, s4, s5, s6] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5, s6 b6 x6),
+        // No row is longer.
+        _ => {}
     }
 }
 
@@ -392,24 +399,14 @@ fn grow_row<S: Simd, const N: usize>(
         Kind::Negative => each!(|a, _b, r| simd.neg_f64s(coefficient!(a, k, r))),
         Kind::Sum => each!(|a, b, r| simd.add_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
         Kind::Difference => each!(|a, b, r| simd.sub_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
-        Kind::Product => {
-            let at = (room, k);
-            match row.steps.as_slice() {
-                [a] => product_row(simd, values, at, &[*a]),
-                [a, b] => product_row(simd, values, at, &[*a, *b]),
-                [a, b, c] => product_row(simd, values, at, &[*a, *b, *c]),
-                [a, b, c, d] => product_row(simd, values, at, &[*a, *b, *c, *d]),
-                [a, b, c, d, e] => product_row(simd, values, at, &[*a, *b, *c, *d, *e]),
-                [a, b, c, d, e, f] => product_row(simd, values, at, &[*a, *b, *c, *d, *e, *f]),
-                _ => {}
-            }
-        }
+        Kind::Product => product_row(simd, values, (room, k), &row.steps),
         // x·b = a.
         Kind::Quotient => {
             for &[a, b, out] in &row.steps {
                 for r in 0..registers {
                     let (x, b) = (&values[out * room..out * room + k], &values[b * room..b * room + k + 1]);
-                    let [known] = products::<S, N, 1>(simd, x, [&b[1..]], r);
+                    let b1 = &b[1..];
+                    let [known] = products!(simd, r, x, b1 sum);
                     let rest = simd.sub_f64s(coefficient!(a, k, r), known);
                     let value = simd.div_f64s(rest, part::<S, N>(&b[0], r));
                     put::<S, N>(simd, &mut values[out * room + k], r, value);
@@ -421,7 +418,8 @@ fn grow_row<S: Simd, const N: usize>(
             for &[a, _, out] in &row.steps {
                 for r in 0..registers {
                     let x = &values[out * room..out * room + k];
-                    let [known] = products::<S, N, 1>(simd, &x[1..], [&x[1..]], r);
+                    let x1 = &x[1..];
+                    let [known] = products!(simd, r, x1, x1 sum);
                     let rest = simd.sub_f64s(coefficient!(a, k, r), known);
                     let first = part::<S, N>(&x[0], r);
                     let value = simd.div_f64s(rest, simd.add_f64s(first, first));
