@@ -39,9 +39,9 @@ const SAFETY: f64 = 4.0;
 const TYPICAL: f64 = 0.5;
 /// A neighbour is as far off as this share of the size of a state; as soon as it is nearer or farther than the limits, the
 /// multiple of the difference is chosen anew.
-const AWAY: i32 = -25;
-const NEAREST: f64 = 1.0 / (1_u64 << 32) as f64;
-const FARTHEST: f64 = 1.0 / (1_u64 << 22) as f64;
+const AWAY: i32 = -27;
+const NEAREST: f64 = 1.0 / (1_u64 << 36) as f64;
+const FARTHEST: f64 = 1.0 / (1_u64 << 20) as f64;
 /// Steps of which the rounding is found together.
 const BLOCK: usize = 8;
 
@@ -89,7 +89,7 @@ impl<'a> Estimate<'a> {
         };
         let (mut differences, constants) = (each(&plan.state), each(&plan.constants));
         let mut largest: Vec<f64> = differences.iter().map(size).collect();
-        let mut multiple = 0.0;
+        let (mut multiple, mut multiples) = (0.0, 0);
         let mut scale = vec![0.0; n];
         let mut sums = vec![Lanes::<LANES>::splat(0.0); n];
         for step in 0..steps {
@@ -103,7 +103,10 @@ impl<'a> Estimate<'a> {
                 if !(multiple >= 4.0) {
                     return None;
                 }
-                for lane in 0..LANES {
+                // Constants that are known exactly are set once.
+                let again = multiples == 0 || plan.constants.iter().any(|c| c.error > 0.0);
+                multiples += 1;
+                for lane in (0..LANES).filter(|_| again) {
                     let shifted = |(c, by): (&Bounded, &Lanes<LANES>)| c.value + multiple * by.0[lane];
                     let values: Vec<f64> = plan.constants.iter().zip(&constants).map(shifted).collect();
                     self.flow.enter(&mut self.growth, lane, &values);

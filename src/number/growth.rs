@@ -13,7 +13,7 @@
 use super::{Instruction, Jet, Lanes, Op, Orders, Scalar};
 use pulp::{Arch, Simd, WithSimd};
 
-/// How coefficient k ≥ 1 of a result is found.
+/// How the coefficients of a result are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// A multiple, by a constant.
@@ -43,8 +43,6 @@ struct Row {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recurrences {
     slots: usize,
-    /// The steps that depend on what moves, in their order.
-    moving: Vec<Instruction>,
     rows: Vec<Row>,
     /// The steps that are carried out on jets.
     others: Vec<Instruction>,
@@ -92,11 +90,10 @@ impl Recurrences {
     /// For a program whose slot 0 is the time, followed by as many states as there are `rates`, the slots of their rates.
     /// `moves` says of every slot whether it depends on time or state.
     pub fn new(steps: &[Instruction], moves: &[bool], rates: Vec<usize>) -> Recurrences {
-        let moving: Vec<Instruction> = steps.iter().copied().filter(|step| moves[step.out as usize]).collect();
         let mut depth = vec![0_usize; moves.len()];
         let mut others = Vec::new();
         let mut ordered: Vec<(usize, Kind, [usize; 3])> = Vec::new();
-        for step in &moving {
+        for step in steps.iter().filter(|step| moves[step.out as usize]) {
             let [mut a, mut b, out] = [step.a as usize, step.b as usize, step.out as usize];
             let kind = kind(step, moves);
             depth[out] = 1 + depth[a].max(depth[b]);
@@ -128,7 +125,7 @@ impl Recurrences {
                 _ => rows.push(Row { kind, steps }),
             }
         }
-        Recurrences { slots: moves.len(), moving, rows, others, rates }
+        Recurrences { slots: moves.len(), rows, others, rates }
     }
 }
 
@@ -307,13 +304,8 @@ fn grow<S: Simd, const N: usize>(simd: S, of: &Recurrences, order: usize, growth
         values[1] = Lanes::splat(1.0);
     }
     for k in 0..order {
-        if k == 0 {
-            start(of, values, room);
-            others_at(of, values, room, 0, &mut growth.others);
-        } else {
-            for row in &of.rows {
-                grow_row(simd, row, values, (room, k), of, &mut growth.others);
-            }
+        for row in &of.rows {
+            grow_row(simd, row, values, (room, k), of, &mut growth.others);
         }
         let share = simd.splat_f64s(growth.shares[k + 1]);
         for (state, &rate) in of.rates.iter().enumerate() {
@@ -322,32 +314,6 @@ fn grow<S: Simd, const N: usize>(simd: S, of: &Recurrences, order: usize, growth
                 put::<S, N>(simd, &mut values[(1 + state) * room + k + 1], register, x);
             }
         }
-    }
-}
-
-/// Order 0 of everything that moves.
-#[inline(never)]
-fn start<const N: usize>(of: &Recurrences, values: &mut [Lanes<N>], room: usize) {
-    for step in &of.moving {
-        let (a, b) = (values[step.a as usize * room], values[step.b as usize * room]);
-        // No operation on lanes fails as a whole; what the type does not know has no value.
-        if step.op.apply(&(), &mut values[step.out as usize * room], &a, &b).is_err() {
-            values[step.out as usize * room] = Lanes::INVALID;
-        }
-    }
-}
-
-/// One order of everything that is carried out on jets, from order 0.
-#[inline(never)]
-fn others_at<const N: usize>(
-    of: &Recurrences,
-    values: &mut [Lanes<N>],
-    room: usize,
-    k: usize,
-    others: &mut [OnJets<N>],
-) {
-    for at in 0..of.others.len() {
-        other(of, at, values, (room, k), others);
     }
 }
 
@@ -363,11 +329,12 @@ fn other<const N: usize>(
     let (step, OnJets { a, b, out }) = (&of.others[at], &mut others[at]);
     a.set_coefficient(k, values[step.a as usize * room + k]);
     b.set_coefficient(k, values[step.b as usize * room + k]);
+    // No operation on lanes fails as a whole; what the type does not know has no value.
     let found = step.op.apply(&Orders::only(k, room - 1), out, a, b);
     values[step.out as usize * room + k] = if found.is_ok() { out.coefficient(k) } else { Lanes::INVALID };
 }
 
-/// Coefficient `k` ≥ 1 of the results of a row.
+/// Coefficient `k` of the results of a row.
 #[inline(always)]
 fn grow_row<S: Simd, const N: usize>(
     simd: S,
@@ -413,6 +380,7 @@ fn grow_row<S: Simd, const N: usize>(
                 }
             }
         }
+        Kind::Root if k == 0 => each!(|a, _b, r| simd.sqrt_f64s(coefficient!(a, 0, r))),
         // x·x = a.
         Kind::Root => {
             for &[a, _, out] in &row.steps {
