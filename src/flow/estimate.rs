@@ -34,7 +34,7 @@ const LANES: usize = 4;
 /// Order of the series of neighbours.
 const SHORT: usize = 6;
 /// What the largest of the differences is multiplied with.
-const SAFETY: f64 = 4.0;
+const SAFETY: f64 = 8.0;
 /// What a step adds by rounding, as a part of its bound: on average it is a quarter, of each operation, and never all of it at once.
 const TYPICAL: f64 = 0.5;
 /// A neighbour is as far off as this share of the size of a state; as soon as it is nearer or farther than the limits, the
