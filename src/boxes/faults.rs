@@ -25,6 +25,8 @@ faults! {
     NO_DOMAIN, no_domain;
     /// Take < for ≤, and > for ≥.
     WEAK, weak;
+    /// Take the first derivative at an end for 0, whatever it is.
+    TOO_FLAT, too_flat;
     /// Take a zero for verified although Krawczyk's operator does not map into the interior, but only meets the part.
     NO_INCLUSION, no_inclusion;
 }

@@ -12,6 +12,10 @@
 //!   At the ends of the whole range the exact number of the file is put into the formula, so that what vanishes there vanishes
 //!   exactly, and touching the border of a closed range decides as it should.
 //!
+//! Where D vanishes at an end a of the range of xᵢ with its first m − 1 derivatives by xᵢ, exactly and whatever the others are, a
+//! cell at that end has D = (xᵢ − a)ᵐ · ∂ᵢᵐD(ξ) / m! with ξ on the cell (Taylor's theorem in Lagrange's form): the power that both
+//! sides of a bound have in common is taken out ([`Flat`]).
+//!
 //! **Where D has a value** follows from its operations: none lacks one on the cell, or what each of them needs (a radicand
 //! that is not negative, a divisor that is not 0) is true by the same means.
 //!
@@ -21,10 +25,14 @@
 
 use super::faults;
 use crate::expr::tape::{Slots, Tape};
-use crate::expr::{Expr, FastMap, Graph, Leaf};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op};
 use crate::latex::RelationKind;
 use crate::number::{Decorated, Interval, NoValue};
 use claim::denote::relation;
+
+/// Most derivatives that are looked at where D vanishes at an end of a range, and the most nodes of one of them.
+const MOST_FLAT: u32 = 8;
+const MOST_NODES: usize = 400;
 
 /// Most variables for which formulas at the ends of ranges are made: there are 3ⁿ of them.
 const MOST_EXACT: usize = 3;
@@ -77,8 +85,19 @@ struct Compiled {
     slopes: Option<Tape>,
     /// D with some variables at an end of their ranges, by [`pattern`].
     exact: FastMap<usize, Tape>,
+    /// The ends of ranges at which it is flat.
+    flat: Vec<Flat>,
     /// What the operations of D need, by number, and whether there is no value where it is not met.
     needs: Vec<(usize, bool)>,
+}
+
+/// An end of the range of a variable at which D vanishes with its first derivatives, exactly, whatever the other variables are.
+#[derive(Debug)]
+struct Flat {
+    variable: usize,
+    upper: bool,
+    /// ∂D … ∂ᵐD, of which the last does not vanish there.
+    derivatives: Tape,
 }
 
 /// Relations `D ? 0` over some variables.
@@ -145,7 +164,7 @@ impl Signs {
         }
         let slopes: Result<Vec<Expr>, _> = inputs.iter().map(|&l| graph.partial_derivative(d, l)).collect();
         let slopes = slopes.ok().and_then(|roots| Tape::compile(graph, &inputs, &roots).ok());
-        let mut exact = FastMap::default();
+        let (mut exact, mut flat) = (FastMap::default(), Vec::new());
         let occurring = graph.leaves([d]);
         let used: Vec<bool> = inputs.iter().map(|leaf| occurring.contains(leaf)).collect();
         if self.variables.len() <= MOST_EXACT {
@@ -161,12 +180,37 @@ impl Signs {
                     ends[i].map(|upper| if upper { to } else { from })
                 });
                 exact.insert(number, Tape::compile(graph, &inputs, &[at])?);
+                let mut given = ends.iter().enumerate().filter_map(|(i, end)| end.map(|upper| (i, upper)));
+                if let (true, Some((i, upper)), None) = (is_null(graph, at), given.next(), given.next()) {
+                    flat.extend(self.flat(graph, d, i, upper));
+                }
             }
         }
-        self.all.push(Compiled { kind, vanishes: false, value, used, slopes, exact, needs });
+        self.all.push(Compiled { kind, vanishes: false, value, used, slopes, exact, flat, needs });
         let number = self.all.len() - 1;
         self.known.insert((d, kind), number);
         Ok(number)
+    }
+
+    /// How flat D, which vanishes at an end of the range of a variable, is there; `None` where slopes alone tell as much.
+    fn flat(&self, graph: &mut Graph, d: Expr, variable: usize, upper: bool) -> Option<Flat> {
+        let Variable { leaf, ends: (from, to), .. } = self.variables[variable];
+        let end = if upper { to } else { from };
+        let (mut derivatives, mut next) = (Vec::new(), d);
+        for _ in 0..MOST_FLAT {
+            next = graph.partial_derivative(next, leaf).ok()?;
+            if graph.reachable([next]).len() > MOST_NODES {
+                return None;
+            }
+            derivatives.push(next);
+            let at = graph.substitute(next, |_, l| (l == leaf).then_some(end));
+            if !is_null(graph, at) && !(faults::too_flat() && derivatives.len() == 1) {
+                let derivatives =
+                    Tape::compile(graph, &leaves(&self.variables), &derivatives).ok().filter(|_| derivatives.len() > 1);
+                return derivatives.map(|derivatives| Flat { variable, upper, derivatives });
+            }
+        }
+        None
     }
 
     /// What a relation says.
@@ -292,9 +336,60 @@ impl Signs {
                 sharp = sharp.intersection(mean)?;
             }
         }
+        for (number, flat) in self.all[relation].flat.iter().enumerate() {
+            if let Some(range) = self.beside(flat, (relation, FLAT + number), cell, scratch) {
+                sharp = sharp.intersection(range)?;
+            }
+        }
         Some(sharp)
     }
+
+    /// What Taylor's theorem says of the range of D on a cell beside an end at which it is flat.
+    fn beside(&self, flat: &Flat, key: (usize, usize), cell: &Cell, scratch: &mut Scratch) -> Option<Interval> {
+        let (side, outer) = (cell.sides[flat.variable], self.variables[flat.variable].outer);
+        let touches = if flat.upper { side.hi() == outer.hi() } else { side.lo() == outer.lo() };
+        if !touches || cell.at_end[flat.variable].is_some() {
+            return None;
+        }
+        // The last one has a value on all of the cell, and those before it: then each is the derivative of the one before.
+        let ranges: Vec<Interval> = run(&flat.derivatives, key, cell, scratch)
+            .into_iter()
+            .map(|s| s.filter(|s| s.is_defined()).map(|s| s.range()))
+            .collect::<Option<_>>()?;
+        // Points of the range are on one side of its end; the end itself lies in the interval or on its border.
+        let width = (Interval::point(side.hi()) - Interval::point(side.lo())).hi();
+        let away = if flat.upper { Interval::new(-width, 0.0) } else { Interval::new(0.0, width) }.ok()?;
+        let mut range = *ranges.last()?;
+        for k in 1..=ranges.len() {
+            range = range * away / Interval::point(k as f64);
+        }
+        Some(range)
+    }
 }
+
+/// Whether a formula is 0 wherever it has a value, as its sums and products show.
+fn is_null(graph: &Graph, e: Expr) -> bool {
+    let mut null: FastSet<Expr> = FastSet::default();
+    for part in graph.reachable([e]) {
+        let is = |e: Expr| null.contains(&e);
+        let found = match *graph.node(part) {
+            Node::Constant(_) => graph.is_zero(part),
+            Node::Unary(Op::Neg | Op::Sin, a) => is(a),
+            Node::Binary(Op::Add, a, b) => is(a) && is(b),
+            Node::Binary(Op::Sub, a, b) => a == b || is(a) && is(b),
+            Node::Binary(Op::Mul, a, b) => is(a) || is(b),
+            Node::Binary(Op::Div, a, _) => is(a),
+            Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => false,
+        };
+        if found {
+            null.insert(part);
+        }
+    }
+    null.contains(&e)
+}
+
+/// Keys of the slots of derivatives at flat ends; those before are of D itself, of its slopes, and of D at ends.
+const FLAT: usize = 1 << 16;
 
 /// Runs a tape on a cell: a range for each output, `None` where it has a value nowhere.
 fn run(tape: &Tape, key: (usize, usize), cell: &Cell, scratch: &mut Scratch) -> Vec<Range> {

@@ -1,6 +1,6 @@
 //! Verdicts over ranges, and what becomes of them when a part of the method is broken on purpose.
 
-use super::faults::{NO_DOMAIN, NO_INCLUSION, WEAK};
+use super::faults::{NO_DOMAIN, NO_INCLUSION, TOO_FLAT, WEAK};
 use super::question::{Insertion, Question};
 use super::signs::{Cell, Scratch};
 use super::subdivide::{MOST_CELLS, subdivide};
@@ -57,10 +57,28 @@ fn each_trap_catches_a_method_that_is_broken() {
     let near = "exists = { unknowns = { 'x' = [-1, 1] }, such-that = ['x^2-0.6x+0.090000001=0'] }";
     // Beyond a jump slopes say nothing: neither is the range continuous there, nor has the slope a value.
     assert_eq!(word(&account(jump)), "fails");
-    for (fault, claim) in [(&NO_DOMAIN, pole), (&WEAK, strict), (&NO_INCLUSION, near)] {
+    // False between 0 and 0.00001, at whose ends it is true.
+    let dip = "ranges = { 'x' = [0, 1] }\nalways = ['x^3\\ge 0.0000000001x']";
+    for (fault, claim) in [(&NO_DOMAIN, pole), (&WEAK, strict), (&NO_INCLUSION, near), (&TOO_FLAT, dip)] {
         assert_ne!(word(&account(claim)), "holds", "{claim}");
         assert_eq!(word(&broken(fault, claim)), "holds", "{claim}");
     }
+}
+
+#[test]
+fn a_power_that_both_sides_have_in_common_is_taken_out() {
+    let over = |range: &str, formula: &str| word(&account(&format!("ranges = {{ {range} }}\nalways = ['{formula}']")));
+    let sine = r"\left|\sin x-x+\frac{x^3}{6}\right|\le\frac{x^5}{60}";
+    assert_eq!(over("'x' = [0, 0.5]", sine), "holds");
+    // x⁵/120 is the next term: nothing smaller bounds what is left.
+    assert_eq!(over("'x' = [0, 0.5]", &sine.replace("60", "121")), "fails");
+    assert_eq!(over("'x' = [0, 0.5]", &sine.replace("\\le\\frac", "<\\frac")), "fails");
+    assert_eq!(over("'x' = [0, 0.5]", r"\sqrt{1+x}-1-\frac x2\le\frac{x^2}{4}"), "holds");
+    assert_eq!(over("'x' = [-0.5, 0]", r"1+x\le e^x\le1+x+x^2"), "holds");
+    assert_eq!(over("'x' = [-0.5, 0]", r"e^x-1-x\le0.4x^2"), "fails");
+    // Whatever the other variable is.
+    assert_eq!(over("'x' = [0, 0.5], 'y' = [1, 2]", r"y\sin x\le xy"), "holds");
+    assert_eq!(over("'x' = [0, 0.5], 'y' = [-1, 2]", r"y\sin x\le xy"), "fails");
 }
 
 #[test]

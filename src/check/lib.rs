@@ -353,7 +353,7 @@ fn check_and(
         if options.limits.reached().is_some() {
             return None;
         }
-        let step = Step::of(derivation, claim)?;
+        let step = Step::of(derivation, claim)?.with(options.plain);
         match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
             None => recall.identity(derivation, claim, || step.decide()),

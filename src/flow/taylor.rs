@@ -494,8 +494,8 @@ impl<'a> Walker<'a> {
     }
 
     /// Whether the polynomial of this step arrives with the slope that the field has there: a guard against series whose
-    /// last terms are small by accident. What the rounding of the rates explains is no difference: a state that rests moves
-    /// by that alone, and no step is short enough to follow it.
+    /// last terms are small by accident. What the rounding of the states and of the rates explains is no difference: a state
+    /// that rests moves by that alone, and no step is short enough to follow it.
     fn continues(&mut self, target: f64, h: f64) -> bool {
         let n = self.flow.dimension;
         let mut rounding: Option<Vec<f64>> = None;
@@ -511,11 +511,13 @@ impl<'a> Walker<'a> {
         })
     }
 
-    /// How far the rates at the next state may be off by their rounding; 0 where it is not known.
+    /// How far the rates at the next state may be off by its rounding and their own; 0 where it is not known.
     fn rounding(&self, time: f64) -> Vec<f64> {
         let n = self.flow.dimension;
         let constants: Vec<Bounded> = self.constants.iter().map(|&c| Bounded::exact(c)).collect();
-        let state: Vec<Bounded> = self.next_state.iter().map(|&x| Bounded::exact(x)).collect();
+        // Where states nearly cancel, as masses between springs at rest do, their rounding is all that a rate shows.
+        let rounded = |&x: &f64| Bounded { value: x, error: 0.5 * f64::EPSILON * x.abs() };
+        let state: Vec<Bounded> = self.next_state.iter().map(rounded).collect();
         let mut rates = vec![Bounded::exact(0.0); 2 * n];
         let mut slots = self.flow.slots(1, &constants);
         match self.flow.expand(&mut slots, 1, Bounded::exact(time), &state, &mut rates) {

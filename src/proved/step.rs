@@ -62,6 +62,8 @@ pub struct Step<'a> {
     loosened: bool,
     /// The sign for which the claim is asked, where it stands among its assumptions.
     sign: Option<i64>,
+    /// Whether the answer is all that is wanted, and not which assumptions it needs.
+    plain: bool,
 }
 
 /// What a proof took: how many of the definitions, see [`Definitions::LEVELS`], and whether products were taken apart.
@@ -190,6 +192,7 @@ impl<'a> Step<'a> {
             memory: Memory::default(),
             sign: None,
             loosened: false,
+            plain: false,
         };
         let possible = !claim.forms.is_empty() && claim.at.is_none();
         (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
@@ -268,6 +271,11 @@ impl<'a> Step<'a> {
         }
     }
 
+    /// The same step; with `plain` it is not asked which assumptions a proof needs.
+    pub fn with(self, plain: bool) -> Step<'a> {
+        Step { plain, ..self }
+    }
+
     /// Decides the step; `Err` if the two routes contradict each other.
     pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
         if !self.is_equations() {
@@ -299,7 +307,7 @@ impl<'a> Step<'a> {
     fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
         let mut all: Option<IdentityAccount> = None;
         for value in [1, -1] {
-            let mut step = Step::of(self.derivation, self.claim)?;
+            let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
             step.sign = Some(value);
             let one = match step.decide_equations()? {
                 Ok(account) => account,
@@ -346,7 +354,7 @@ impl<'a> Step<'a> {
         if !matches!(identity, Identity::Proved(_)) {
             let settled = self.settled.take();
             match self.by_rate(&gathered, &equations) {
-                Some(by_rate) => (identity, moved) = (by_rate, true),
+                Some((by_rate, of)) => (identity, moved, equations) = (by_rate, true, of),
                 None => self.settled = settled,
             }
         }
@@ -413,7 +421,7 @@ impl<'a> Step<'a> {
         let account = self.account_along(identity, gathered.from.clone(), complete, along);
         let mut account = IdentityAccount { evidence, narrower, ..account };
         if account.finding.is_proved_in_part() {
-            account.assumptions = self.assumptions_used(&equations, moved);
+            account.assumptions = if self.plain { None } else { self.assumptions_used(&equations, moved) };
             account.generic |= !gathered.inherited.is_empty();
             account.presupposed.clone_from(&gathered.inherited);
         }
@@ -732,19 +740,53 @@ impl<'a> Step<'a> {
         equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
     }
 
-    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always.
-    fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
+    /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
+    fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
         // What holds at the present time only says nothing of rates.
         let mut gathered = gathered.clone();
         gathered.premises.only_now.clear();
         let gathered = &gathered;
         let all = self.start_and_rates(gathered, equations)?;
         let proved = |i: &Identity| matches!(i, Identity::Proved(_));
-        let found = self.levels(gathered, &all, false);
-        if proved(&found) {
-            return Some(found);
+        for split in [false, true] {
+            let found = self.levels(gathered, &all, split);
+            if proved(&found) {
+                return Some((found, equations.clone()));
+            }
         }
-        Some(self.levels(gathered, &all, true)).filter(proved)
+        let even = self.without_growth(equations)?;
+        let all = self.start_and_rates(gathered, &even)?;
+        Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
+    }
+
+    /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.
+    /// An exponential is never 0, and has a value wherever a side has one that it is part of. `None` where there is none.
+    fn without_growth(&mut self, equations: &Pairs) -> Option<Pairs> {
+        let scope = &self.claim.scope;
+        let time = scope.time()?;
+        let mut found = false;
+        let mut even = Pairs::new();
+        for &(l, r) in equations {
+            let exponent = self.graph.reachable([l, r]).into_iter().find_map(|e| match *self.graph.node(e) {
+                Node::Unary(Op::Exp, exponent) => {
+                    let leaves = self.graph.leaves([exponent]);
+                    let moves = |leaf: &Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+                    let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
+                    in_time.then_some(exponent)
+                }
+                _ => None,
+            });
+            let Some(exponent) = exponent else {
+                even.push((l, r));
+                continue;
+            };
+            found = true;
+            let opposite = self.graph.neg(exponent);
+            let inverse = self.graph.unary(Op::Exp, opposite);
+            even.push((self.graph.mul(l, inverse), self.graph.mul(r, inverse)));
+        }
+        found.then_some(even)
     }
 
     /// The equations at a fixed time, and their rates; `None` where there is no such time.
