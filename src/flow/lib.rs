@@ -34,6 +34,7 @@ mod cover;
 mod definitions;
 mod enclosure;
 mod error;
+mod estimate;
 mod expansion;
 mod field;
 mod hoist;

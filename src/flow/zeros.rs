@@ -443,7 +443,11 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     }
     out.touching.sort_by(f64::total_cmp);
     out.incomplete.sort_by(|a, b| a.stretch().0.total_cmp(&b.stretch().0));
-    out.incomplete.dedup();
+    // Poles so near to each other cannot be told apart.
+    let is_one = |a: f64, b: f64| (a - b).abs() <= 64.0 * f64::EPSILON * a.abs();
+    out.incomplete.dedup_by(|b, a| {
+        a == b || *a == pole(a.stretch().0) && *b == pole(b.stretch().0) && is_one(a.stretch().0, b.stretch().0)
+    });
     out
 }
 
