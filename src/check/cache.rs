@@ -22,7 +22,6 @@ use crate::derivation::{Derivation, Family, Motion};
 use claim::error::CheckError;
 use claim::options::Options;
 use findings::{Account, ClaimAccount};
-use units;
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]

@@ -61,6 +61,11 @@ impl Series {
         self.difference.len()
     }
 
+    /// Whether there is no time.
+    pub fn is_empty(&self) -> bool {
+        self.difference.is_empty()
+    }
+
     /// Adds a time.
     pub fn push(&mut self, measured: Result<Measured, NoValue>) {
         let none = Measured { left: 0.0, right: 0.0, difference: Bounded::exact(0.0) };
