@@ -138,8 +138,10 @@ fn chain(unknowns: usize) -> String {
     let each = |of: &dyn Fn(usize) -> String, by: &str| masses.clone().map(of).collect::<Vec<_>>().join(by);
     let at = |i: usize| if masses.contains(&i) { format!("x_{{{i}}}") } else { "0".to_owned() };
     let state = |i: usize| format!("'x_{{{i}}}' = {{ role = 'state' }}\n'v_{{{i}}}' = {{ role = 'state' }}");
-    let rate =
-        |i: usize| format!(r"'\dot x_{{{i}}}=v_{{{i}}}', '\dot v_{{{i}}}=k({}+{}-2{})'", at(i - 1), at(i + 1), at(i));
+    let rate = |i: usize| {
+        let (before, after) = (at(i - 1), at(i + 1));
+        format!(r"'\dot x_{{{i}}}=v_{{{i}}}', '\dot v_{{{i}}}=k(-x_{{{i}}}+{before})+k(-x_{{{i}}}+{after})'")
+    };
     let spring = |i: usize| format!(r"\frac12v_{{{i}}}^2+\frac k2({}-{})^2", at(i + 1), at(i));
     format!(
         "{}{}\n[system.s]\nstates = [{}]\nequations = [{}]\n[[trajectory]]\nid = 'a'\nsystem = 's'\nparameters = {{ 'k' = 1 }}\n\
