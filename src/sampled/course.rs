@@ -14,6 +14,9 @@ use crate::number::{Bounded, NoValue};
 use crate::stage::{DENSITY, Stage, thinned};
 use claim::program::{Program, Values};
 
+/// Every how many samples dual numbers are compared with the bounds.
+const CROSS_CHECK: usize = 8;
+
 /// Points between neighbouring samples at which a claim that holds is tried again, on each side of its worst sample.
 const CLOSER: usize = 4;
 
@@ -156,7 +159,7 @@ impl Stage {
         let kept = self.keeping.then(|| (times.clone(), points.clone()));
         let points = points.arranged(&built.places);
         let mut contradiction = None;
-        for (i, &t) in times.iter().enumerate().step_by(self.cross_check) {
+        for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
             for (k, place) in built.places.iter().enumerate() {
                 let (Some(place), Ok(bounded)) = (place, points.get(i, k)) else { continue };

@@ -26,9 +26,8 @@ use claim::program::{Program, Values};
 pub const DENSITY: usize = 6;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
 const MOST_SAMPLES: usize = 1_500;
-/// Every how many samples dual numbers are compared with the bounds; and where a motion is one of many alike.
+/// Every how many samples dual numbers are compared with the bounds.
 const CROSS_CHECK: usize = 8;
-const CROSS_CHECK_OF_MANY: usize = 64;
 
 /// So many motions are integrated together: as many as there are lanes.
 const TOGETHER: usize = 8;
@@ -38,8 +37,6 @@ pub struct Stage {
     motions: Vec<Option<Built>>,
     /// Whether samples are kept for a later state of the file.
     pub keeping: bool,
-    /// Every how many samples the two routes to values are compared.
-    pub cross_check: usize,
 }
 
 /// What has to be known of motions before claims can be tried on them.
@@ -182,7 +179,7 @@ impl Stage {
             crate::diag::sort(&mut problems);
             return Err(CheckError::Problems(problems));
         }
-        Ok(Stage { motions, keeping: recall.is_known(), cross_check: CROSS_CHECK })
+        Ok(Stage { motions, keeping: recall.is_known() })
     }
 
     /// A stage for each of several derivations that differ in a trajectory; nothing where a limit of the run was reached before.
@@ -205,7 +202,7 @@ impl Stage {
                 let Some(of_family) = of_family? else { return Ok(None) };
                 of_family.into_iter().for_each(|(t, b)| motions[t] = Some(b));
             }
-            Ok(Some(Stage { motions, keeping: false, cross_check: CROSS_CHECK_OF_MANY }))
+            Ok(Some(Stage { motions, keeping: false }))
         };
         derivations.iter().zip(&families).map(&mut stage).collect()
     }
