@@ -8,8 +8,8 @@
 //! and no verdict is given.
 
 use super::identity::{
-    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason,
-    Refutation, Side, branches_test, by_domain, certify, identity_test,
+    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, PointValue, Premises, Proof,
+    Reason, Refutation, Side, branches_test, by_domain, certify, identity_test,
 };
 use crate::expr::{Expr, Graph, Leaf};
 
@@ -65,9 +65,10 @@ pub struct Place {
     pub left: String,
     /// The right side.
     pub right: String,
-    /// LaTeX name and value of everything that the sides depend on; `\cos x` and `\sin x` where these are rational and x is
-    /// not.
+    /// LaTeX name and value of everything that the sides name; `\cos x` and `\sin x` where these are rational and x is not.
     pub point: Vec<(String, String)>,
+    /// The same of what the premises ask for beyond that.
+    pub beyond: Vec<(String, String)>,
 }
 
 /// A formula with ±: the leaf that stands for the sign, and what is claimed of it.
@@ -283,8 +284,10 @@ fn side(side: &Side) -> String {
 }
 
 fn counterexample(graph: &Graph, refutation: &Refutation) -> Counterexample {
-    let place =
-        |p: &Point, left: &Side, right: &Side| Place { left: side(left), right: side(right), point: point(graph, p) };
+    let place = |p: &Point, left: &Side, right: &Side| {
+        let [point, beyond] = refutation.parted(p).map(|values| self::point(graph, &values));
+        Place { left: side(left), right: side(right), point, beyond }
+    };
     Counterexample {
         equation: refutation.equation,
         first: place(&refutation.point, &refutation.left, &refutation.right),
@@ -292,9 +295,9 @@ fn counterexample(graph: &Graph, refutation: &Refutation) -> Counterexample {
     }
 }
 
-fn point(graph: &Graph, point: &Point) -> Vec<(String, String)> {
+fn point(graph: &Graph, values: &[&(Leaf, PointValue)]) -> Vec<(String, String)> {
     let mut out = Vec::new();
-    for (leaf, value) in &point.values {
+    for (leaf, value) in values {
         let name = graph.leaf_latex(*leaf);
         match (&value.exact, &value.circle) {
             (Some(r), _) => out.push((name, r.to_string())),
