@@ -7,6 +7,7 @@
 use super::confidence::{CONFIDENCE, failing_share};
 use super::distribution::Distribution;
 use super::map::{Boundary, FamilyMap, Scale};
+use super::slope::SlopeAccount;
 use super::tally::{Counts, Ranked, Tally, deviation, gap};
 use crate::check::separation::Explanation;
 use crate::derivation::{Derivation, Family, Measure};
@@ -99,6 +100,8 @@ pub struct FamilyAccount {
     pub map: Option<FamilyMap>,
     /// Which condition separates the members on which it holds from those on which it fails.
     pub separation: Option<FamilySeparation>,
+    /// The slope of a scaling law over all members.
+    pub slope: Option<SlopeAccount>,
 }
 
 impl FamilyAccount {
@@ -204,6 +207,8 @@ pub(super) struct Counted<'a> {
     pub stopped: Option<&'a str>,
     /// What separates them.
     pub separation: Option<&'a FamilySeparation>,
+    /// The scale of what a scaling law is along, the power, and how far it may be off.
+    pub law: Option<(&'a Scale, f64, f64)>,
 }
 
 /// A member that was tried again, and turned out otherwise than it was counted.
@@ -301,6 +306,9 @@ impl Counted<'_> {
                 boundary: self.boundary.cloned(),
             }),
             separation: self.separation.cloned(),
+            slope: self.law.and_then(|(scale, power, to)| {
+                tally.slopes.account(&scale.axis.name, &scale.axis.middles(), (power, to))
+            }),
         })
     }
 }

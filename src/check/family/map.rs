@@ -26,6 +26,13 @@ pub struct Axis {
     pub cells: Vec<(f64, f64)>,
 }
 
+impl Axis {
+    /// The middle of each cell.
+    pub(super) fn middles(&self) -> Vec<f64> {
+        self.cells.iter().map(|(from, to)| 0.5 * (from + to)).collect()
+    }
+}
+
 /// Two members of a map, next to one another along one axis, between which the verdict changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
