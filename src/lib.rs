@@ -73,8 +73,8 @@
 //! # The path of a formula
 //!
 //! ```text
-//! derivation/ → latex/ → expr/ → flow/, proof/ → check/ → report/
-//!                          ↑ number/ ↑
+//! derivation/ → latex/ → expr/ → claim/ → sampled/, enclosed/, proved/, boxes/ → check/ → report/
+//!                          ↑ number/, flow/, proof/
 //! ```
 //!
 //! | crate | what happens there | imports |
@@ -89,9 +89,17 @@
 //! | [`proof`] | identities for all values: proved, refuted, undecided | expr, number |
 //! | [`units`] | whether formulas are consistent in their units | derivation, expr, latex |
 //! | [`verdict`] | the kernel: what is true, what is known, what is said; alone makes verdicts | – |
-//! | [`check`] | claims → evidence: along motions, and for all values | diag, derivation, latex, flow, proof, units, expr, number, verdict |
+//! | [`findings`] | what was found, as plain data | derivation, expr, proof, units, verdict |
+//! | [`claim`] | a claim, compiled to comparisons | derivation, diag, expr, flow, latex, number, verdict |
+//! | [`proved`] | claims for all values | claim, findings, proof, units, and what these use |
+//! | [`boxes`] | claims over ranges of values | claim, findings, proof, proved, and what these use |
+//! | [`sampled`] | claims along motions, from samples | claim, findings, flow, and what these use |
+//! | [`enclosed`] | claims for every time of a span | claim, findings, flow, sampled, and what these use |
+//! | [`families`] | claims on many motions | claim, findings, proved, sampled, and what these use |
+//! | [`weight`] | what the evidence is worth | boxes, claim, findings, proved, sampled, and what these use |
+//! | [`check`] | the methods in their order, and what is known from before | all above |
 //! | [`paper`] | the paper's LaTeX source beside the derivation file | diag, derivation, files, latex |
-//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, check, paper |
+//! | [`report`] | verdicts → text, JSON, Markdown, HTML, LaTeX; no arithmetic | diag, expr, latex, derivation, findings, paper |
 //!
 //! `ARCHITECTURE.md` has the map in full; `tests/layering.rs` keeps these rules.
 
@@ -107,7 +115,10 @@ mod session;
 #[cfg(feature = "cli")]
 extern crate self as rederive;
 
-pub use ::{check, derivation, diag, expr, files, flow, latex, number, paper, proof, report, units, verdict};
+pub use ::{
+    boxes, check, claim, derivation, diag, enclosed, expr, families, files, findings, flow, latex, number, paper,
+    proof, proved, report, sampled, units, verdict, weight,
+};
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
 pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};

@@ -132,6 +132,35 @@ fn a_chain_of_fifty_thousand_relations_is_read_once() {
     assert!(matches!(ran.code, Some(0 | 3)), "{}{}", ran.out, ran.err);
 }
 
+/// Masses between springs, of which those far from the ends are at rest for a while: so many unknowns, and their energy.
+fn chain(unknowns: usize) -> String {
+    let masses = 1..=unknowns / 2;
+    let each = |of: &dyn Fn(usize) -> String, by: &str| masses.clone().map(of).collect::<Vec<_>>().join(by);
+    let at = |i: usize| if masses.contains(&i) { format!("x_{{{i}}}") } else { "0".to_owned() };
+    let state = |i: usize| format!("'x_{{{i}}}' = {{ role = 'state' }}\n'v_{{{i}}}' = {{ role = 'state' }}");
+    let rate =
+        |i: usize| format!(r"'\dot x_{{{i}}}=v_{{{i}}}', '\dot v_{{{i}}}=k({}+{}-2{})'", at(i - 1), at(i + 1), at(i));
+    let spring = |i: usize| format!(r"\frac12v_{{{i}}}^2+\frac k2({}-{})^2", at(i + 1), at(i));
+    format!(
+        "{}{}\n[system.s]\nstates = [{}]\nequations = [{}]\n[[trajectory]]\nid = 'a'\nsystem = 's'\nparameters = {{ 'k' = 1 }}\n\
+         initial = {{ {} }}\nspan = [0, 10]\n[[claim]]\nid = 'energy'\nsays = 's'\n\
+         first-integral = ['{}+\\frac k2 x_{{1}}^2']\n",
+        HEAD.replace("'x' = { role = 'state' }\n", ""),
+        each(&state, "\n"),
+        each(&|i| format!("'x_{{{i}}}', 'v_{{{i}}}'"), ", "),
+        each(&rate, ", "),
+        each(&|i| format!("'x_{{{i}}}' = {}, 'v_{{{i}}}' = 0", i % 3 + 1), ", "),
+        each(&spring, "+"),
+    )
+}
+
+#[test]
+fn two_hundred_unknowns() {
+    for unknowns in [100, 200] {
+        answers(&chain(unknowns), 0, 150);
+    }
+}
+
 #[test]
 fn many_claims_and_many_motions() {
     let claims: String = (0..10_000).map(|i| claim(i, r"\dot x=-kx", "")).collect();

@@ -73,3 +73,15 @@ fn claims_on_motions_by_formulas_are_proved_at_once() {
     }
     assert_eq!(count, 12);
 }
+
+#[test]
+fn what_decays_is_proved_in_closed_form_and_nothing_beside_it() {
+    let account = account_of("decay");
+    for id in ["law", "law-later", "approach"] {
+        assert_eq!(found(&account, id, None), ("proved", vec!["proved"]), "{id}");
+    }
+    for id in ["law-too-fast", "law-too-large", "approach-wrong"] {
+        let (verdict, strengths) = found(&account, id, None);
+        assert_eq!((verdict, strengths), ("refuted", vec!["certified"]), "{id}");
+    }
+}

@@ -16,9 +16,13 @@
 use std::collections::BTreeSet;
 
 use super::follow::{Followed, follow, strengthen_all};
-use super::memory::{Contents, Memory, Recall};
-use super::{Account, CheckError, ClaimAccount, Options, check, check_beside, check_recalling, units};
+use super::memory::{Contents, Known as Recalled, Memory};
+use super::{check, check_beside, check_recalling};
 use crate::derivation::{Derivation, Family, Motion};
+use claim::error::CheckError;
+use claim::options::Options;
+use findings::{Account, ClaimAccount};
+use units;
 
 /// The verdicts on one file, and the content that they are of.
 #[derive(Debug, Default)]
@@ -50,7 +54,7 @@ impl Cache {
         }
         self.memory.grow_older();
         let fresh = self.memory.is_new();
-        let recall = Recall::new(&self.memory, &contents);
+        let recall = Recalled::new(&self.memory, &contents);
         let mut checked = ids(derivation);
         let mut account = match known {
             Some(known) if known.contents.base == contents.base && known.contents.motions == contents.motions => {
@@ -73,7 +77,7 @@ impl Cache {
             account = check_recalling(
                 derivation,
                 &Options::default(),
-                Recall::new(&self.memory, &contents),
+                Recalled::new(&self.memory, &contents),
                 None,
                 &|_, _| {},
             )?;
@@ -94,7 +98,7 @@ fn checked_again(
     account: &mut Account,
     (checked, changed): (&[String], &BTreeSet<String>),
     before: &[ClaimAccount],
-    recall: Recall,
+    recall: Recalled,
 ) -> Result<(), CheckError> {
     let check_some = |derivation: &mut Derivation, account: &mut Account, some: Vec<String>| {
         if !some.is_empty() {

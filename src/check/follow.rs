@@ -10,9 +10,12 @@
 
 use rayon::prelude::*;
 
-use super::memory::Recall;
-use super::{ClaimAccount, Column, IdentityAccount, Limits, Step, counterexample, strengthen};
+use super::memory::Known;
+use super::premises::{Column, counterexample, strengthen};
 use crate::derivation::{Claim, Derivation};
+use claim::limits::Limits;
+use findings::{ClaimAccount, IdentityAccount};
+use proved::step::Step;
 
 /// What becomes of claims whose premises have changed.
 pub(super) struct Followed {
@@ -32,7 +35,7 @@ pub(super) fn follow(
     following: &[usize],
     known: &[ClaimAccount],
     before: &[ClaimAccount],
-    recall: Recall,
+    recall: Known,
 ) -> Result<Followed, String> {
     let claim = |&c: &usize| &derivation.claims[c];
     let mut rest: Vec<String> = Vec::new();
@@ -89,7 +92,7 @@ pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that
 /// has to be checked.
-fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Recall) -> Option<ClaimAccount> {
+fn unproved(derivation: &Derivation, claim: &Claim, before: &[ClaimAccount], recall: Known) -> Option<ClaimAccount> {
     let account = before.iter().find(|a| a.id == claim.id && a.reading == claim.reading)?;
     let searched = account.variants.as_ref().is_some_and(|v| v.erratum.is_some());
     if searched || account.region.is_some() || claim.region.is_some() {

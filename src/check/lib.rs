@@ -1,129 +1,74 @@
-//! Claims against trajectories: the only room that can make a [`Verdict`].
+//! A derivation, checked: the methods in their order, and what is known from before.
 //!
 //! **In:** a [`Derivation`]. **Out:** an [`Account`]: one verdict for every claim on every trajectory, with its evidence.
 //!
-//! The order of work: `program` turns every form of claim into comparisons; `stage` turns trajectories into motions;
-//! `trial` measures the comparisons at the points of a motion; `weigh` makes the verdict; `step` asks what holds for all
-//! values, see [`identity`]. Motions are independent of one another
-//! and are tried in parallel; the result does not depend on how many threads there are.
+//! The order of work: claims are compiled (`claim`), all that they will ask of motions is collected, and the motions are built and
+//! sampled (`sampled`); each claim is tried on each; what claims say for all values is proved (`proved`), and lends its strength
+//! (`premises`); verdicts are enclosed (`enclosed`) and weighed (`weight`). Claims over ranges (`boxes`) and on families (`families`) go
+//! beside. Motions are independent of one another and are tried in parallel; the result does not depend on how many threads there are.
 //!
-//! **Guaranteed:** a residual is judged against its own propagated error bound, never against a tolerance alone; values
-//! computed with dual numbers must lie within the bounds that were propagated separately, or the run stops as defective.
+//! **Guaranteed:** no evidence is found here, and no method calls another. What is known from before, by content, is asked at one seam,
+//! [`Recall`](sampled::recall::Recall).
 
 #![forbid(unsafe_code)]
 
-use crate as check;
-use ::{derivation, diag, expr, flow, latex, number, verdict};
+use ::{derivation, diag, expr, findings, flow, latex, number, verdict};
 
-mod account;
-mod across;
-mod between;
-mod by_formula;
 mod cache;
-mod comparison;
-mod denote;
-mod describe;
-mod doubt;
-mod enclose;
-mod error;
-mod extrapolate;
-pub mod family;
 mod follow;
-mod independence;
-mod kept;
-mod limit;
-mod limits;
-mod measure;
-mod measured;
 mod memory;
-mod met;
-mod occasion;
-mod part;
+mod motions;
 mod picture;
-mod program;
-mod proposition;
-pub mod region;
-mod same_motion;
-#[cfg(debug_assertions)]
-#[doc(hidden)]
-pub mod sample;
+mod premises;
 pub mod search;
-mod second_route;
-pub mod separation;
-mod series;
-mod stage;
-pub mod standing;
-mod steep;
-mod step;
-mod telling;
-mod trial;
-
-mod variant;
-mod weigh;
-mod witness;
 
 pub use ::proof as identity;
 pub use ::units;
-pub use account::{
-    Account, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary, TrajectoryAccount,
-};
 pub use cache::Cache;
-pub use enclose::Rigor;
-pub use error::CheckError;
-use family::Joined;
-pub use family::{FailingShare, FamilyAccount, MemberAccount};
-pub use identity::{Certificate, Cofactor, Origin};
-pub use limits::{Cancel, Limits};
-pub use picture::{Line, LineKind, PictureAccount};
-pub use proposition::{Proposition, prove, with_symbols_of};
-pub use second_route::{Counterexample, IdentityEvidence, Place, Trials, agree};
-pub use variant::{
-    Alone, AlteredFormula, ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Sameness, Survivor,
-    VariantAccount, WEAK, altered_formulas, says_the_same,
+pub use claim::error::CheckError;
+pub use claim::limits::{Cancel, Limits};
+pub use claim::options::{Options, Rigor};
+pub use families as family;
+use families::{Checker, Families, Joined};
+use findings::conditions::ConditionName;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub use findings::sample;
+pub use findings::{
+    Account, Alone, Certificate, ClaimAccount, ClassCount, Cofactor, Correction, Counterexample, Discrimination,
+    EditClass, Erratum, IdentityAccount, IdentityEvidence, Judged, Line, LineKind, Measurement, Origin, PairAccount,
+    PictureAccount, Place, Proposition, SEED, Summary, Survivor, TrajectoryAccount, Trials, VariantAccount, WEAK,
+    family::{FailingShare, FamilyAccount, MemberAccount},
+    standing,
 };
+pub use proved::agreement::agree;
+pub use proved::proposition::{prove, with_symbols_of};
+use sampled::prepared::Prepared;
 pub use verdict::{
     Enclosed, Evidence, Exclusion, Finding, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
     Verdict, Witness,
 };
+pub use weight::separation;
+pub use weight::variant::{AlteredFormula, Sameness, altered_formulas, says_the_same};
 
-use derivation::{Claim, Derivation, Premise};
-use error::CANCELLED;
+use claim::error::CANCELLED;
+use claim::program::Program;
+use derivation::{Claim, Derivation};
 use expr::Rational;
-use family::Families;
 use flow::Motion;
-use independence::Gradients;
-use memory::Recall;
-use program::Program;
+use memory::Known;
+use premises::{Column, counterexample, strengthen};
+use proved::step::Step;
 use rayon::prelude::*;
-use separation::Probes;
-use stage::{Fields, Requests, Stage};
-use std::collections::HashMap;
+use sampled::course::{Course, Trial};
+use sampled::independence::Gradients;
+use sampled::stage::{Requests, Stage};
+use sampled::systems::Fields;
+use sampled::trial::try_claim;
+use sampled::{measure, same_motion, witness};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use step::Step;
-use trial::{Course, Trial};
-use variant::{Altered, Found, Places, Weighed};
-
-/// What to check.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Options {
-    /// Only claims with these ids; all when empty.
-    pub claims: Vec<String>,
-    /// Only trajectories with these ids; all when empty.
-    pub trajectories: Vec<String>,
-    /// The verdicts alone: no variants, no corrections, nothing that separates the motions, no pictures.
-    pub plain: bool,
-    /// How much is asked of a verdict.
-    pub rigor: Rigor,
-    /// When the run must end.
-    pub limits: Limits,
-}
-
-/// A claim with everything that is compiled for it.
-struct Prepared<'a> {
-    claim: &'a Claim,
-    program: Program,
-    gradients: Option<Result<Gradients, String>>,
-}
+use weight::separation::Probes;
+use weight::variant::{self, Altered, Found, Places, Weighed};
 
 /// Tries every claim on every trajectory.
 ///
@@ -137,7 +82,7 @@ pub fn check(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_recalling(derivation, options, Recall::default(), None, progress)
+    check_recalling(derivation, options, Known::default(), None, progress)
 }
 
 /// The verdicts on a family whose members were counted in parts: what [`check()`] finds with the options `trajectories = [FAMILY]` and
@@ -153,21 +98,21 @@ pub fn check_joined(
 ) -> Result<Account, CheckError> {
     let trajectories = vec![joined.id(derivation).to_owned()];
     let options = Options { trajectories, plain: true, limits: limits.clone(), ..Options::default() };
-    check_recalling(derivation, &options, Recall::default(), Some(joined), progress)
+    check_recalling(derivation, &options, Known::default(), Some(joined), progress)
 }
 
 /// [`check()`], with what is known from before.
 fn check_recalling(
     derivation: &mut Derivation,
     options: &Options,
-    recall: Recall,
+    recall: Known,
     joined: Option<&Joined>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let families = Families::of(derivation, options)?;
     let mut account = check_and(derivation, options, &[], !options.plain, recall, progress)?;
     if let Some(families) = families {
-        account.distributions = families.try_all(options, &mut account.claims, joined, progress)?;
+        account.distributions = families.try_all(&Trajectories, options, &mut account.claims, joined, progress)?;
     }
     account.units = units::units(derivation);
     account.units.keep(&options.claims);
@@ -180,14 +125,32 @@ fn check_beside(
     derivation: &mut Derivation,
     options: &Options,
     known: &[ClaimAccount],
-    recall: Recall,
+    recall: Known,
 ) -> Result<Vec<ClaimAccount>, CheckError> {
     let families = Families::of(derivation, options)?;
     let mut claims = check_and(derivation, options, known, true, recall, &|_, _| {})?.claims;
     if let Some(families) = families {
-        families.try_all(options, &mut claims, None, &|_, _| {})?;
+        families.try_all(&Trajectories, options, &mut claims, None, &|_, _| {})?;
     }
     Ok(claims)
+}
+
+/// Members of families, tried as trajectories.
+struct Trajectories;
+
+impl Checker for Trajectories {
+    fn check(
+        &self,
+        derivation: &mut Derivation,
+        options: &Options,
+        separating: bool,
+    ) -> Result<Vec<ClaimAccount>, CheckError> {
+        check_and(derivation, options, &[], separating, Known::default(), &|_, _| {}).map(|account| account.claims)
+    }
+
+    fn conditions(&self, derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>> {
+        separation::as_claims(derivation, names)
+    }
 }
 
 /// The verdicts alone: neither what separates trajectories, nor units.
@@ -196,7 +159,7 @@ fn check_claims(
     options: &Options,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
-    check_and(derivation, options, &[], false, Recall::default(), progress)
+    check_and(derivation, options, &[], false, Known::default(), progress)
 }
 
 /// The verdicts, and, where that is asked for, what separates the trajectories.
@@ -205,7 +168,7 @@ fn check_and(
     options: &Options,
     known: &[ClaimAccount],
     separating: bool,
-    recall: Recall,
+    recall: Known,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Account, CheckError> {
     let unless_cancelled =
@@ -213,7 +176,7 @@ fn check_and(
     let chosen = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
     // What is about ranges needs no motion.
     let regions = |derivation: &Derivation| {
-        region::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)
+        boxes::decide_all(derivation, |c| chosen(&options.claims, &c.id)).map_err(CheckError::Problems)
     };
     let motionless = derivation.trajectories.is_empty() && derivation.systems.is_empty();
     if derivation.scope.time().is_none() && motionless && !derivation.claims.iter().any(Claim::is_of_fields) {
@@ -302,11 +265,11 @@ fn check_and(
         claims: &claims,
         programs: &compiled,
         start_of: &start_of,
-        measures: &measures,
+        measured: &|derivation, t| measure::searched(&measures, derivation, t),
         limits: &options.limits,
     };
     unless_cancelled()?;
-    let stage = Stage::build(derivation, &fields, &requests, recall)?;
+    let stage = Stage::build(derivation, &fields, &requests, &recall)?;
     unless_cancelled()?;
     // What is said of all motions together is not said where some are missing.
     let complete = tried.iter().all(|&t| stage.motion(t).is_some());
@@ -341,7 +304,7 @@ fn check_and(
                 }
                 let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
                 let mut verdict =
-                    recall.verdict(derivation, claim, t, || one_pair(derivation, &trial, gradients.as_ref()));
+                    recall.verdict(derivation, claim, t, || try_claim(derivation, &trial, gradients.as_ref()));
                 if let Some(contradiction) = &contradiction {
                     verdict.contradict(contradiction.clone());
                 }
@@ -353,7 +316,7 @@ fn check_and(
         verdicts.iter().zip(&failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
         // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
         let of = (start_of[t], &course);
-        let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, recall));
+        let without = probes.without_each(derivation, &gradients, of, &verdicts, (&failed, &recall));
         let found = |(k, verdict): (usize, &'_ Option<Verdict>)| {
             let Prepared { claim, program, .. } = &prepared[k][start_of[t]];
             verdict.clone().map(|verdict| Found { claim, program, verdict })
@@ -390,7 +353,7 @@ fn check_and(
         if options.limits.reached().is_some() {
             return None;
         }
-        let step = Step::of(derivation, claim)?;
+        let step = Step::of(derivation, claim)?.with(options.plain);
         match counterexample(derivation, claim, k, &claimed, known, &tried, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
             None => recall.identity(derivation, claim, || step.decide()),
@@ -402,14 +365,14 @@ fn check_and(
     }
     unless_cancelled()?;
     if complete {
-        probes.separate(derivation, &without, &start_of, recall, &courses, &mut account);
+        probes.separate(derivation, &without, &start_of, &recall, &courses, &mut account);
     }
     strengthen(derivation, &mut account.claims, &claimed, known, &tried, &options.limits);
     if options.rigor == Rigor::Enclosed && options.limits.reached().is_none() {
         let (prepared, start_of, tried) = (&prepared, &start_of, &tried);
         let (fields, stage, limits) = (&fields, &stage, &options.limits);
-        let request = enclose::Request { derivation, fields, stage, prepared, start_of, tried, limits };
-        enclose::strengthen(&request, &mut account.claims);
+        let request = enclosed::Request { derivation, fields, stage, prepared, start_of, tried, limits };
+        enclosed::strengthen(&request, &mut account.claims);
     }
     unless_cancelled()?;
     let (prepared, start_of, tried_on) = (&prepared, &start_of, &tried);
@@ -435,183 +398,11 @@ fn check_and(
     Ok(account)
 }
 
-/// A motion on which everything holds that a claim is said to follow from, and the claim fails.
-fn counterexample<'a>(
-    derivation: &Derivation,
-    claim: &Claim,
-    k: usize,
-    claimed: &[usize],
-    known: &[ClaimAccount],
-    tried: &[usize],
-    columns: &'a [Column],
-) -> Option<(usize, &'a Witness)> {
-    let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|(verdicts, &t)| {
-        let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
-        let holds = |name: &String| match derivation.premise(name) {
-            Premise::System(system) => is_integrated_from(derivation, t, system),
-            Premise::Claim(premise) => {
-                let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
-                let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
-                // Where a premise was left out, nothing is given.
-                verdict.and_then(Verdict::is_met) == Some(true)
-            }
-            Premise::Definition => true,
-        };
-        if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
-    })
-}
-
-/// The verdict on a claim, by its position, that is known from before.
-fn known_verdict<'a>(
-    derivation: &Derivation,
-    known: &'a [ClaimAccount],
-    claim: usize,
-    trajectory: usize,
-) -> Option<&'a Verdict> {
-    let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
-    let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
-    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
-}
-
-/// Whether a trajectory was integrated from a system: then its equations hold on it.
-fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize) -> bool {
-    let motion = &derivation.trajectories[trajectory].motion;
-    matches!(motion, derivation::Motion::Integrated { system: of, .. } if *of == system)
-}
-
-/// Whether the states of a motion may leap, as formulas may: a proof that goes from one time to others, or to rates, takes them
-/// to be smooth.
-fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
-    let leaps = |of: &[(crate::expr::Symbol, derivation::Written<Vec<crate::expr::Expr>>)]| {
-        let analytic = |&e: &_| derivation.scope.time().is_some_and(|time| derivation.graph.is_analytic_in(e, time));
-        !of.iter().flat_map(|(_, w)| &w.value).all(analytic)
-    };
-    match &derivation.trajectories[trajectory].motion {
-        derivation::Motion::Integrated { .. } => false,
-        derivation::Motion::Formula { states } => leaps(states),
-        derivation::Motion::Derived { from, map } => {
-            let mapped = map.iter().flat_map(|(_, w)| &w.value);
-            may_leap(derivation, *from) || mapped.into_iter().any(|&e| comparison::may_leap(&derivation.graph, e))
-        }
-    }
-}
-
-/// What was found on one motion: a verdict for every claim that is tried on it.
-type Column = Vec<Option<Verdict>>;
-
 /// What was measured and drawn on one motion.
 type Shown = (Vec<Measurement>, Vec<PictureAccount>);
 
 /// A column; the verdicts without each assumption; what it says of the variants, and the motion where it is needed again.
 type Tried<'a> = ((Column, Shown), (Vec<Option<Verdict>>, (Option<Weighed>, Option<Course<'a>>)));
-
-/// The verdict of one claim on one motion.
-fn one_pair(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
-    trial::try_claim(derivation, trial, gradients)
-}
-
-/// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`].
-///
-/// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
-/// from claims that are themselves `proved` on it. What it presupposes is not proved by that.
-fn strengthen(
-    derivation: &Derivation,
-    claims: &mut [ClaimAccount],
-    claimed: &[usize],
-    known: &[ClaimAccount],
-    tried: &[usize],
-    limits: &Limits,
-) {
-    standing::conditional(derivation, claims, known);
-    for (claim, &at) in claims.iter_mut().zip(claimed) {
-        let declared = &derivation.claims[at];
-        if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
-            claim.region = Some(region::RegionAccount::of_step(declared, region, claim.identity.as_ref()));
-        }
-    }
-    by_formula::settle(derivation, claims, claimed, tried, limits);
-    let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
-    // The motions of the results of each claim.
-    let on: Vec<HashMap<usize, usize>> = claims
-        .iter()
-        .map(|c| {
-            c.results.iter().enumerate().filter_map(|(at, p)| Some((*motion.get(p.trajectory.as_str())?, at))).collect()
-        })
-        .collect();
-    let here = |premise: usize| claimed.binary_search(&premise).ok();
-    for k in premises_first(derivation, claimed, claims) {
-        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
-        // Where the sign that is proved has no value, the other one may be false.
-        if !identity.conditions.is_empty()
-            && derivation.claims[claimed[k]].forms.iter().any(derivation::Form::has_branches)
-        {
-            continue;
-        }
-        let mut ready: Vec<usize> = Vec::new();
-        for (at, pair) in claims[k].results.iter().enumerate() {
-            let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
-            let declared = &derivation.claims[claimed[k]];
-            if !(identity.from.is_empty() && declared.assuming.is_empty()) && may_leap(derivation, t) {
-                continue;
-            }
-            let given = |name: &String| match derivation.premise(name) {
-                Premise::System(system) => is_integrated_from(derivation, t, system),
-                Premise::Claim(premise) => {
-                    let here = here(premise).and_then(|k| Some(&claims[k].results[*on[k].get(&t)?].verdict));
-                    let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
-                    verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
-                }
-                Premise::Definition => true,
-            };
-            // Where something special is left out, only what is seen to hold is given the strength of the proof.
-            let open = match pair.verdict.outcome() {
-                Outcome::Holds(strength) => strength < Strength::Proved,
-                Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
-                Outcome::NotApplicable(_) => false,
-            };
-            if open && identity.from.iter().all(given) {
-                ready.push(at);
-            }
-        }
-        let proof = Proof { from: identity.from.clone(), conditions: Vec::new() };
-        for at in ready {
-            claims[k].results[at].verdict.prove_claim(&proof);
-        }
-    }
-}
-
-/// The claims, each after those that it follows from: there are no circles.
-fn premises_first(derivation: &Derivation, claimed: &[usize], claims: &[ClaimAccount]) -> Vec<usize> {
-    let premises = |k: usize| {
-        let of = |name: &String| match derivation.premise(name) {
-            Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
-            Premise::System(_) | Premise::Definition => None,
-        };
-        let proved = claims[k].identity.iter().flat_map(|i| &i.from);
-        derivation.claims[claimed[k]].follows_from.iter().chain(proved).filter_map(of).collect::<Vec<usize>>()
-    };
-    let mut out = Vec::with_capacity(claimed.len());
-    let mut seen = vec![false; claimed.len()];
-    for first in 0..claimed.len() {
-        // What is open, with its premises that are still to be seen.
-        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
-        if !std::mem::replace(&mut seen[first], true) {
-            open.push((first, premises(first)));
-        }
-        while let Some((k, left)) = open.last_mut() {
-            match left.pop() {
-                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
-                Some(_) => {}
-                None => {
-                    out.push(*k);
-                    open.pop();
-                }
-            }
-        }
-    }
-    out
-}
 
 /// Puts the columns together into the account.
 fn assemble(

@@ -17,12 +17,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 
-use super::account::IdentityAccount;
-use super::kept::Family;
-use super::step::Step;
+use super::motions::Family;
 use crate::derivation::{Claim, Derivation, Form, Motion};
 use crate::expr::{Graph, Leaf};
+use crate::findings::IdentityAccount;
 use crate::verdict::Verdict;
+use proved::step::Step;
+use sampled::recall::Recall;
+use sampled::stage::{Built, Requests};
 
 /// For how many states of a file an answer is kept that is not asked for.
 const AGES: u64 = 8;
@@ -114,20 +116,20 @@ pub(super) struct Contents {
 
 /// What is known, for one state of a file. Without a memory everything is computed.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Recall<'a>(Option<Known<'a>>);
+pub(super) struct Known<'a>(Option<State<'a>>);
 
 #[derive(Clone, Copy)]
-struct Known<'a> {
+struct State<'a> {
     memory: &'a Memory,
     contents: &'a Contents,
     /// The name of everything but claims and motions.
     base: Key,
 }
 
-impl<'a> Recall<'a> {
+impl<'a> Known<'a> {
     /// What is known for a state of a file.
-    pub fn new(memory: &'a Memory, contents: &'a Contents) -> Recall<'a> {
-        Recall(Some(Known { memory, contents, base: key(&[contents.base.as_bytes()]) }))
+    pub fn new(memory: &'a Memory, contents: &'a Contents) -> Known<'a> {
+        Known(Some(State { memory, contents, base: key(&[contents.base.as_bytes()]) }))
     }
 
     /// The verdict of a claim on a motion.
@@ -148,35 +150,6 @@ impl<'a> Recall<'a> {
         let known = self.0?;
         let name = known.of_claim(derivation, claim, &claim.name(), t, b"")?;
         known.memory.known(&known.memory.verdicts, name)
-    }
-
-    /// The verdict of a claim of the file without one of its assumptions, by its place, on a motion.
-    pub fn without(
-        &self,
-        derivation: &Derivation,
-        (claim, whole, place): (&Claim, &str, usize),
-        t: usize,
-        compute: impl FnOnce() -> Verdict,
-    ) -> Verdict {
-        let Some(known) = self.0 else { return compute() };
-        let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
-        known.memory.answer(&known.memory.verdicts, name, compute)
-    }
-
-    /// How a condition stands on a motion. It is named by what it says in the notation of the whole file.
-    pub fn standing(
-        &self,
-        derivation: &Derivation,
-        says: &[&str],
-        t: usize,
-        compute: impl FnOnce() -> Option<bool>,
-    ) -> Option<bool> {
-        let Some(known) = self.0 else { return compute() };
-        let name = known.motion(derivation, t).map(|motion| {
-            let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
-            key(&[b"condition", &known.base, &says, &motion])
-        });
-        known.memory.answer(&known.memory.standings, name, compute)
     }
 
     /// Notes what each of some claims, with those that are made from it, asks of motions, and compares what all claims ask with
@@ -200,45 +173,6 @@ impl<'a> Recall<'a> {
         }
     }
 
-    /// Notes that a motion was built for a part of the claims only.
-    pub fn builds_for_a_part(&self) {
-        if let Some(known) = self.0 {
-            known.memory.other.store(true, Ordering::Relaxed);
-        }
-    }
-
-    /// Whether there is a memory.
-    pub fn is_known(&self) -> bool {
-        self.0.is_some()
-    }
-
-    /// The motions of a family, if they are kept and `work` finds them fit for what is asked.
-    pub fn family<T>(
-        &self,
-        derivation: &Derivation,
-        members: &[usize],
-        work: impl FnOnce(&mut Family) -> Option<T>,
-    ) -> Option<T> {
-        let known = self.0?;
-        let name = known.family(derivation, members)?;
-        let kept = {
-            let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
-            let (age, family) = families.get_mut(&name)?;
-            *age = known.memory.age;
-            Arc::clone(family)
-        };
-        work(&mut kept.lock().unwrap_or_else(PoisonError::into_inner))
-    }
-
-    /// Keeps the motions of a family.
-    pub fn keep(&self, derivation: &Derivation, members: &[usize], family: impl FnOnce() -> Family) {
-        let Some(known) = self.0 else { return };
-        if let Some(name) = known.family(derivation, members) {
-            let kept = (known.memory.age, Arc::new(Mutex::new(family())));
-            known.memory.families.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
-        }
-    }
-
     /// Whether a claim holds for all values.
     pub fn identity(
         &self,
@@ -257,7 +191,68 @@ fn named(graph: &Graph, leaf: &Leaf) -> String {
     format!("{} {} {} {instant:?}", leaf.symbol.index(), leaf.component, leaf.rate)
 }
 
-impl Known<'_> {
+impl Recall for Known<'_> {
+    fn is_known(&self) -> bool {
+        self.0.is_some()
+    }
+
+    fn motions(&self, derivation: &Derivation, requests: &Requests, members: &[usize]) -> Option<Vec<(usize, Built)>> {
+        let known = self.0?;
+        let name = known.family(derivation, members)?;
+        let kept = {
+            let mut families = known.memory.families.lock().unwrap_or_else(PoisonError::into_inner);
+            let (age, family) = families.get_mut(&name)?;
+            *age = known.memory.age;
+            Arc::clone(family)
+        };
+        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.again(derivation, requests, members)
+    }
+
+    fn keep(&self, derivation: &Derivation, members: &[usize], graph: Graph, built: &[(usize, Built)]) {
+        let Some(known) = self.0 else { return };
+        if let Some(name) = known.family(derivation, members) {
+            let family = Family::new(derivation, graph, members, built);
+            let kept = (known.memory.age, Arc::new(Mutex::new(family)));
+            known.memory.families.lock().unwrap_or_else(PoisonError::into_inner).insert(name, kept);
+        }
+    }
+
+    fn builds_for_a_part(&self) {
+        if let Some(known) = self.0 {
+            known.memory.other.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn without(
+        &self,
+        derivation: &Derivation,
+        (claim, whole, place): (&Claim, &str, usize),
+        t: usize,
+        compute: &dyn Fn() -> Verdict,
+    ) -> Verdict {
+        let Some(known) = self.0 else { return compute() };
+        let name = known.of_claim(derivation, claim, whole, t, &(place as u64 + 1).to_le_bytes());
+        known.memory.answer(&known.memory.verdicts, name, compute)
+    }
+
+    fn standing(
+        &self,
+        derivation: &Derivation,
+        says: &[&str],
+        t: usize,
+        compute: &dyn Fn() -> Option<bool>,
+    ) -> Option<bool> {
+        let Some(known) = self.0 else { return compute() };
+        let name = known.motion(derivation, t).map(|motion| {
+            let says = key(&says.iter().map(|text| text.as_bytes()).collect::<Vec<_>>());
+            key(&[b"condition", &known.base, &says, &motion])
+        });
+        known.memory.answer(&known.memory.standings, name, compute)
+    }
+}
+
+impl State<'_> {
     /// The content of a motion and of those that it comes from.
     fn motion(&self, derivation: &Derivation, mut t: usize) -> Option<Key> {
         let mut parts: Vec<&[u8]> = Vec::new();

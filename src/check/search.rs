@@ -12,12 +12,14 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use super::{CheckError, Options, check_claims};
+use super::check_claims;
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
 use crate::number::Draws;
 use crate::verdict::{Finding, Outcome, Verdict};
+use claim::error::CheckError;
+use claim::options::Options;
 
 /// Tries that are checked together. Part of what a seed means: it must not depend on the machine.
 const BATCH: usize = 24;
@@ -371,7 +373,7 @@ impl Trial<'_> {
             };
         };
         let of = |i: usize| {
-            let name = |c: &super::ClaimAccount| match &c.reading {
+            let name = |c: &findings::ClaimAccount| match &c.reading {
                 Some(reading) => format!("{}/{reading}", c.id),
                 None => c.id.clone(),
             };
@@ -582,8 +584,8 @@ fn known(
     let claim = options.claim.split('/').next().unwrap_or_default().to_owned();
     let account =
         check_claims(&mut copy, &Options { claims: vec![claim], plain: true, ..Options::default() }, &|_, _| {})?;
-    let reading = |c: &super::ClaimAccount| c.reading.as_ref().map(|r| format!("{}/{r}", c.id));
-    let meant = |c: &&super::ClaimAccount| c.id == options.claim || reading(c).as_deref() == Some(&options.claim);
+    let reading = |c: &findings::ClaimAccount| c.reading.as_ref().map(|r| format!("{}/{r}", c.id));
+    let meant = |c: &&findings::ClaimAccount| c.id == options.claim || reading(c).as_deref() == Some(&options.claim);
     let mut out: Vec<String> = Vec::new();
     for pair in account.claims.iter().filter(meant).flat_map(|c| &c.results) {
         if matches!(pair.verdict.outcome(), Outcome::Fails(_)) && !out.contains(&pair.trajectory) {

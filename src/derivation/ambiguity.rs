@@ -5,8 +5,10 @@
 
 use std::ops::Range;
 
+use super::form::Form;
 use super::load::Loader;
-use super::model::{Claim, Form, Written};
+use super::model::Claim;
+use super::written::Written;
 use expr::{Leaf, Tensor};
 use latex::{Relation, RelationKind, Role, Statement};
 
@@ -67,8 +69,7 @@ impl Loader<'_> {
         let mut out = Vec::new();
         let mut statement = |form: &'static str, w: &Written<Statement>| {
             let signed: Vec<&Relation> = w.value.relations.iter().filter(|r| r.has_branches).collect();
-            let neither = |kind: RelationKind| form == "always" && kind == RelationKind::NotEqual;
-            let of_kind = |neither_one: bool| signed.iter().any(|r| neither(r.kind) == neither_one);
+            let of_kind = |neither: bool| signed.iter().any(|r| (r.kind == RelationKind::NotEqual) == neither);
             out.extend([false, true].into_iter().filter(|&n| of_kind(n)).map(|neither| Signed {
                 form,
                 neither,
@@ -76,36 +77,15 @@ impl Loader<'_> {
             }));
         };
         for form in &claim.forms {
-            match form {
-                Form::Always(w) => statement("always", w),
-                Form::Never(w) => statement("never", w),
-                Form::Eventually(w) => statement("eventually", w),
-                Form::FirstIntegral(_)
-                | Form::Defined(_)
-                | Form::Solves { .. }
-                | Form::SameMotion { .. }
-                | Form::Independent { .. }
-                | Form::Exists { .. }
-                | Form::Across(_) => {}
+            if let Some(w) = form.statement() {
+                statement(form.kind().key(), w);
             }
         }
         let signed =
             |w: &Written<Tensor>| self.out.graph.leaves_within(w.value.components.iter().copied()).contains(&sign);
         for form in &claim.forms {
-            let (form, w) = match form {
-                Form::FirstIntegral(w) => ("first-integral", w),
-                Form::Defined(w) => ("defined", w),
-                Form::Always(_)
-                | Form::Never(_)
-                | Form::Eventually(_)
-                | Form::Solves { .. }
-                | Form::SameMotion { .. }
-                | Form::Independent { .. }
-                | Form::Exists { .. }
-                | Form::Across(_) => continue,
-            };
-            if signed(w) {
-                out.push(Signed { form, neither: false, span: w.span.clone() });
+            if let Some(w) = form.quantity().filter(|w| signed(w)) {
+                out.push(Signed { form: form.kind().key(), neither: false, span: w.span.clone() });
             }
         }
         out
@@ -114,11 +94,7 @@ impl Loader<'_> {
     /// A limit is one number: what it is compared with must not move.
     fn moving_limits(&mut self, claim: &Claim) {
         let mut statements: Vec<&Written<Statement>> = claim.assuming.iter().collect();
-        for form in &claim.forms {
-            if let Form::Always(w) | Form::Never(w) | Form::Eventually(w) = form {
-                statements.push(w);
-            }
-        }
+        statements.extend(claim.forms.iter().filter_map(Form::statement));
         let moves = |leaf: &Leaf| {
             leaf.instant.is_none()
                 && matches!(claim.scope.role(leaf.symbol), Some(Role::State | Role::Observable | Role::Time))

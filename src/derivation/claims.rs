@@ -4,12 +4,14 @@ use std::ops::Range;
 
 use toml::de::DeValue;
 
+use super::form::{Form, FormKind};
 use super::keys;
 use super::load::{Loader, written};
-use super::model::{Claim, Form, FormKind, Formula, Measure, Written};
+use super::model::{Claim, Formula, Measure};
 use super::number::finite;
 use super::role::ClaimRole;
 use super::table::{Literal, Table, Value, text_of};
+use super::written::Written;
 use expr::Tensor;
 use latex::Statement;
 

@@ -10,10 +10,11 @@ use toml::de::DeValue;
 use super::family::{Constraint, Drawing, Family, LARGEST_FAMILY, Piece, Spread, Varied};
 use super::keys;
 use super::load::Loader;
-use super::model::{GivenValue, Motion, Written};
+use super::model::{GivenValue, Motion};
 use super::motions::{ValueOf, undotted};
 use super::table::{Table, Value, text_of};
 use super::values::Known;
+use super::written::Written;
 use expr::{Expr, Leaf, Tensor};
 use latex::{RelationKind, Role, Scope};
 

@@ -22,6 +22,7 @@ mod dependence;
 mod event;
 mod families;
 mod family;
+mod form;
 pub mod keys;
 mod load;
 mod map;
@@ -39,17 +40,20 @@ mod table;
 mod typed;
 mod unit;
 mod values;
+mod written;
 
 pub use claims::DEFAULT_PRECISION;
 pub use dependence::{Dependence, End, NoOther};
 pub use event::{Direction, Event, Occasion, Since};
 pub use family::{Constraint, Drawing, Family, LARGEST_FAMILY, Spread, Varied, WIDEST_ROW};
+pub use form::{Across, Form, FormKind};
 pub use load::{LARGEST_FILE, load, parse};
 pub use model::{
-    Across, Claim, Condition, Derivation, Domain, Form, FormKind, Formula, GivenValue, Measure, Motion, Picture,
-    PictureKind, Ranged, Region, Start, SymbolEntry, System, Trajectory, Unknown, Values, Written,
+    Claim, Condition, Derivation, Domain, Formula, GivenValue, Measure, Motion, Picture, PictureKind, Region, Start,
+    SymbolEntry, System, Trajectory, Unknown,
 };
 pub use premise::Premise;
 pub use role::ClaimRole;
 pub use schema::{schema, undescribed};
 pub use unit::Unit;
+pub use written::{Ranged, Values, Written};

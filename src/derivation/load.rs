@@ -9,8 +9,9 @@ use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue};
 
 use super::keys;
-use super::model::{Derivation, System, Trajectory, Unknown, Written};
+use super::model::{Derivation, System, Trajectory, Unknown};
 use super::table::{Literal, Problems, Table, as_printed, check_id, text_of};
+use super::written::Written;
 use diag::shown::{in_one_line, shown};
 use diag::{Diagnostic, Source, sort};
 use expr::{Symbol, Tensor};

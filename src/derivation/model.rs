@@ -7,23 +7,13 @@ use diag::Source;
 use expr::{Expr, Graph, Leaf, Symbol, Tensor};
 use latex::{Role, Scope, Statement};
 
-use super::dependence::{Dependence, NoOther};
 use super::event::{Event, Since};
 use super::family::Family;
+use super::form::{Form, FormKind};
 use super::premise::Index;
 use super::role::ClaimRole;
 use super::unit::Unit;
-
-/// A formula as written, where it stands, and what it means.
-#[derive(Clone, Debug)]
-pub struct Written<T> {
-    /// The formula as the file has it, without what surrounds it.
-    pub text: String,
-    /// Its place in the file: `source.text[span]` is `text`.
-    pub span: Range<usize>,
-    /// What it means.
-    pub value: T,
-}
+use super::written::{Ranged, Written};
 
 /// A derivation file.
 #[derive(Clone, Debug)]
@@ -263,61 +253,6 @@ impl Trajectory {
     }
 }
 
-/// What a formula of a claim is there for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum FormKind {
-    /// The relation holds at every time.
-    Always,
-    /// The relation holds at no time.
-    Never,
-    /// The relation holds at some time.
-    Eventually,
-    /// The expression is constant along the motion.
-    FirstIntegral,
-    /// The expression has a real value at every time.
-    Defined,
-    /// The motion solves a system.
-    Solves,
-    /// Two motions are the same.
-    SameMotion,
-    /// Functions are independent.
-    Independent,
-    /// Equations have a solution.
-    Exists,
-    /// A quantity has the same value for members of a family that differ in a symbol.
-    IndependentOf,
-    /// It is a power of the symbol.
-    ScalesAs,
-    /// It grows with the symbol, or falls.
-    Monotone,
-    /// It is largest, or smallest, at a value of the symbol.
-    Extremum,
-    /// It tends to a value as the symbol does.
-    Limit,
-}
-
-impl FormKind {
-    /// The key of the derivation file.
-    pub fn key(self) -> &'static str {
-        match self {
-            FormKind::Always => "always",
-            FormKind::Never => "never",
-            FormKind::Eventually => "eventually",
-            FormKind::FirstIntegral => "first-integral",
-            FormKind::Defined => "defined",
-            FormKind::Solves => "solves",
-            FormKind::SameMotion => "same-motion",
-            FormKind::Independent => "independent",
-            FormKind::Exists => "exists",
-            FormKind::IndependentOf => "independent-of",
-            FormKind::ScalesAs => "scales-as",
-            FormKind::Monotone => "monotone",
-            FormKind::Extremum => "extremum",
-            FormKind::Limit => "limit",
-        }
-    }
-}
-
 /// A formula of a claim as the file has it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
@@ -325,96 +260,6 @@ pub struct Formula {
     pub text: String,
     /// What it is there for.
     pub kind: FormKind,
-}
-
-/// One thing that a claim says of a motion.
-#[derive(Clone, Debug)]
-pub enum Form {
-    /// The statement holds at every time.
-    Always(Written<Statement>),
-    /// The statement holds at no time.
-    Never(Written<Statement>),
-    /// The statement holds at some time.
-    Eventually(Written<Statement>),
-    /// Every component is constant along the motion.
-    FirstIntegral(Written<Tensor>),
-    /// Every component has a real value at every time.
-    Defined(Written<Tensor>),
-    /// The states of the motion satisfy the equations of a system.
-    Solves {
-        /// Position in [`Derivation::systems`].
-        system: usize,
-    },
-    /// The states of the motion are, at every time, those of another.
-    SameMotion {
-        /// Position in [`Derivation::trajectories`].
-        other: usize,
-        /// The states that are compared.
-        of: Vec<Symbol>,
-    },
-    /// The functions (of the states at one time) are independent where the constraints hold.
-    Independent {
-        /// The functions.
-        functions: Vec<Written<Tensor>>,
-        /// Relations between the variables that hold anyway.
-        subject_to: Vec<Written<Statement>>,
-    },
-    /// Equations have a solution in a box.
-    Exists {
-        /// The unknowns: each a component with the range in which it is looked for.
-        unknowns: Vec<Ranged>,
-        /// As many equations as unknowns, and any number of other relations, which a solution must satisfy, too.
-        such_that: Vec<Written<Statement>>,
-        /// Whether there is one only.
-        unique: bool,
-    },
-    /// How a quantity depends on what a family varies.
-    Across(Box<Across>),
-}
-
-/// What a claim says of members that differ in one symbol.
-#[derive(Clone, Debug)]
-pub struct Across {
-    /// The quantity.
-    pub of: Written<Tensor>,
-    /// The symbol that varies, as the families have it.
-    pub with: Leaf,
-    /// Its name.
-    pub name: String,
-    /// How the quantity depends on it.
-    pub dependence: Dependence,
-    /// Where the extremum lies, or what the symbol tends to: an expression without leaves; nothing where there is no such number.
-    pub point: Option<Written<Expr>>,
-    /// The limit.
-    pub value: Option<Written<Tensor>>,
-    /// Where a member is tried: the trajectories that it is compared with, by their positions.
-    pub others: Vec<usize>,
-    /// Where a member is tried: its value of what varies, and those of the others; or why there is none.
-    pub values: Result<Vec<f64>, NoOther>,
-}
-
-/// One component of a symbol, and the values that it has in a claim over ranges.
-#[derive(Clone, Debug)]
-pub struct Ranged {
-    /// The component, at the present time.
-    pub leaf: Leaf,
-    /// Its values.
-    pub values: Values,
-    /// The formula as written, of a value that depends on others.
-    pub formula: Option<String>,
-    /// The unit of the symbol as written.
-    pub unit: Option<String>,
-    /// Where the values stand in the file.
-    pub span: Range<usize>,
-}
-
-/// The values of a component.
-#[derive(Clone, Debug)]
-pub enum Values {
-    /// All numbers from the first to the last, both included: expressions without leaves.
-    Between(Expr, Expr),
-    /// One value, which may depend on those that are given before it.
-    One(Expr),
 }
 
 /// A box of values, with formulas for fields, that claims share.
@@ -435,44 +280,6 @@ pub struct Region {
     pub ranges: Vec<Ranged>,
     /// The expected verdict, as a word of the report.
     pub expect: Option<&'static str>,
-}
-
-impl Form {
-    /// Whether ± stands in what it says of a statement.
-    pub fn has_branches(&self) -> bool {
-        match self {
-            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => w.value.relations.iter().any(|r| r.has_branches),
-            Form::FirstIntegral(_)
-            | Form::Defined(_)
-            | Form::Solves { .. }
-            | Form::SameMotion { .. }
-            | Form::Independent { .. }
-            | Form::Exists { .. }
-            | Form::Across(_) => false,
-        }
-    }
-
-    /// What it is.
-    pub fn kind(&self) -> FormKind {
-        match self {
-            Form::Always(_) => FormKind::Always,
-            Form::Never(_) => FormKind::Never,
-            Form::Eventually(_) => FormKind::Eventually,
-            Form::FirstIntegral(_) => FormKind::FirstIntegral,
-            Form::Defined(_) => FormKind::Defined,
-            Form::Solves { .. } => FormKind::Solves,
-            Form::SameMotion { .. } => FormKind::SameMotion,
-            Form::Independent { .. } => FormKind::Independent,
-            Form::Exists { .. } => FormKind::Exists,
-            Form::Across(across) => match across.dependence {
-                Dependence::Independent => FormKind::IndependentOf,
-                Dependence::Increasing | Dependence::Decreasing => FormKind::Monotone,
-                Dependence::Power { .. } => FormKind::ScalesAs,
-                Dependence::Extremum { .. } => FormKind::Extremum,
-                Dependence::Limit { .. } => FormKind::Limit,
-            },
-        }
-    }
 }
 
 /// A claim, or one reading of it.

@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use toml::de::DeValue;
 
 use super::load::Loader;
-use super::model::Written;
 use super::number::rational;
 use super::table::{Value, as_printed, literal_of};
+use super::written::Written;
 use expr::{Expr, Leaf, Shape, Symbol, Tensor};
 use latex::Scope;
 

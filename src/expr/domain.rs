@@ -461,10 +461,11 @@ impl Graph {
     ///
     /// A derivative drops terms that do not change (ln of a constant, x⁰), and with them what they need.
     pub fn rate_of(&mut self, function: Expr, formula: Expr, partial: impl Fn(Leaf) -> bool) -> Expr {
-        let asked = |graph: &mut Graph, e: Expr| -> FastSet<(Expr, Sign)> {
+        // What a rate of a rate needs is as little known to be needed as what the first one needs.
+        let asked = |graph: &mut Graph, e: Expr| -> FastSet<(Expr, Sign, bool)> {
             let needs = graph.needs_below([e]);
             let open = needs.into_iter().filter(|need| !graph.is_met(need));
-            open.map(|need| (need.value, need.sign)).collect()
+            open.map(|need| (need.value, need.sign, need.certain)).collect()
         };
         let same_needs = asked(self, function) == asked(self, formula);
         let kept: FastSet<Symbol> = self.leaves([formula]).into_iter().map(|leaf| leaf.symbol).collect();

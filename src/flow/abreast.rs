@@ -2,7 +2,7 @@
 //!
 //! **In:** walkers of one field, each with its own constants, order, state, span and steps. **Out:** the same steps that each makes
 //! alone. **Guaranteed:** bit for bit so, however many there are and whichever are side by side: the series of a lane are grown by
-//! the same operations in the same order as those of one motion (see `Lanes`), each walker chooses its steps from its own series,
+//! the same operations in the same order as those of one motion (see [`Growth`]), each walker chooses its steps from its own series,
 //! and a lane without a value is grown again alone, which says why. Nothing can depend on the grouping.
 //!
 //! **Why:** to read an instruction of the tape costs as much as a short sum of products; so it is read once for all lanes, whose
@@ -12,7 +12,7 @@
 use super::kinks::{Lane, Series};
 use super::taylor::{Flow, Stop, Walker};
 use expr::tape::Slots;
-use number::{Jet, Lanes, NoValue, Orders, Scalar};
+use number::{Growth, Jet, NoValue, Orders};
 
 /// Whether to stop, although there is more to do: asked between steps.
 pub type Halt<'h> = &'h (dyn Fn() -> bool + Sync);
@@ -59,7 +59,6 @@ const PATIENCE: usize = 64;
 fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], halt: Halt) -> bool {
     let order = runners.iter_mut().map(|r| r.walker().order()).max().unwrap_or(0);
     let mut together = Together::<N>::new(flow, order);
-    let mut alone = Alone { flow, order, slots: None };
     let mut seats: [Option<Seat>; N] = [None; N];
     let mut waiting = 0..runners.len();
     let mut grown = 0_usize;
@@ -80,12 +79,17 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
         match seats.iter().flatten().count() {
             0 => return true,
             // The last one need not pay for the lanes that are empty.
-            1 => {
-                for seat in &mut seats {
-                    let Some(Seat { runner, mut started }) = seat.take() else { continue };
-                    let runner = &mut runners[runner];
-                    while alone.advance(runner, started) {
-                        started = true;
+            1 if N > 1 => {
+                let mut alone = Together::<1>::new(flow, order);
+                for Seat { runner, mut started } in seats.iter_mut().filter_map(Option::take) {
+                    alone.enter(0, runners[runner].walker());
+                    let mut seat = [Some(Seat { runner, started })];
+                    loop {
+                        alone.grow(&seat, runners);
+                        if !alone.told(0, &mut runners[runner], started) {
+                            break;
+                        }
+                        (started, seat) = (true, [Some(Seat { runner, started: true })]);
                         if stopped() {
                             return false;
                         }
@@ -93,16 +97,11 @@ fn run_in<'a, const N: usize, R: Runner<'a>>(flow: &'a Flow, runners: &mut [R], 
                 }
             }
             _ => {
-                let grown = together.grow(&seats, runners);
+                together.grow(&seats, runners);
                 for (lane, seat) in seats.iter_mut().enumerate() {
                     let Some(Seat { runner, started }) = *seat else { continue };
-                    let runner = &mut runners[runner];
-                    let goes_on = match grown && together.hand_over(lane, runner.walker()) {
-                        true => tell(runner, &Lane { slots: &together.slots, lane }, Ok(()), started),
-                        // Why there is no value is known for one motion alone.
-                        false => alone.advance(runner, started),
-                    };
-                    *seat = goes_on.then_some(Seat { started: true, ..seat.unwrap_or(Seat { runner: 0, started }) });
+                    let goes_on = together.told(lane, &mut runners[runner], started);
+                    *seat = goes_on.then_some(Seat { runner, started: true });
                 }
             }
         }
@@ -140,84 +139,56 @@ fn tell<'a, R: Runner<'a>>(
     }
 }
 
-/// The series of one motion.
-struct Alone<'a> {
-    flow: &'a Flow,
-    order: usize,
-    slots: Option<Slots<Jet<f64>>>,
-}
-
-impl Alone<'_> {
-    /// Grows what a walker asks for, and tells; whether it goes on.
-    fn advance<'a, R: Runner<'a>>(&mut self, runner: &mut R, started: bool) -> bool {
-        let Alone { flow, order, slots } = self;
-        let walker = runner.walker();
-        let slots = slots.get_or_insert_with(|| flow.slots(*order, &[]));
-        let orders = Orders::all(*order);
-        for (i, &c) in walker.constants().iter().enumerate() {
-            *slots.value_mut(1 + flow.dimension + i) = Jet::constant(c, &orders);
-        }
-        let wanted = walker.order();
-        let (time, state, room) = walker.asks();
-        let grown = flow.expand(slots, wanted, time, state, room);
-        room.iter_mut().for_each(|c| *c = positive_zero(*c));
-        tell(runner, slots, grown, started)
-    }
-}
-
-/// The series of several motions.
+/// The series of several motions, each in a lane.
 struct Together<'a, const N: usize> {
     flow: &'a Flow,
     order: usize,
-    slots: Slots<Jet<Lanes<N>>>,
-    time: Lanes<N>,
-    state: Vec<Lanes<N>>,
-    /// `order + 1` coefficients for every state.
-    out: Vec<Lanes<N>>,
+    growth: Growth<N>,
+    /// Memory for a motion whose series have no values, once there is one.
+    jets: Option<Slots<Jet<f64>>>,
 }
 
 impl<'a, const N: usize> Together<'a, N> {
     fn new(flow: &'a Flow, order: usize) -> Together<'a, N> {
-        let n = flow.dimension;
-        Together {
-            flow,
-            order,
-            slots: flow.slots(order, &[]),
-            time: Lanes::ZERO,
-            state: vec![Lanes::ZERO; n],
-            out: vec![Lanes::ZERO; n * (order + 1)],
-        }
+        Together { flow, order, growth: Growth::new(&flow.recurrences, order), jets: None }
     }
 
     /// Gives a lane to a walker.
     fn enter(&mut self, lane: usize, walker: &Walker) {
-        for (i, &c) in walker.constants().iter().enumerate() {
-            let slot = self.slots.value_mut(1 + self.flow.dimension + i);
-            let mut all = slot.coefficient(0);
-            all.0[lane] = c;
-            slot.set_coefficient(0, all);
-        }
+        self.flow.enter(&mut self.growth, lane, walker.constants());
     }
 
-    /// Grows what all walkers ask for; whether that could be done.
-    fn grow<'w, R: Runner<'w>>(&mut self, seats: &[Option<Seat>; N], runners: &mut [R]) -> bool {
+    /// Grows what all walkers ask for.
+    fn grow<'w, R: Runner<'w>>(&mut self, seats: &[Option<Seat>; N], runners: &mut [R]) {
         for (lane, seat) in seats.iter().enumerate() {
             let Some(seat) = seat else { continue };
             let (time, state, _) = runners[seat.runner].walker().asks();
-            self.time.0[lane] = time;
-            self.state.iter_mut().zip(state).for_each(|(all, &x)| all.0[lane] = x);
+            self.growth.start_mut(0).0[lane] = time;
+            state.iter().enumerate().for_each(|(i, &x)| self.growth.start_mut(1 + i).0[lane] = x);
         }
-        self.flow.expand(&mut self.slots, self.order, self.time, &self.state, &mut self.out).is_ok()
+        self.growth.grow(&self.flow.recurrences, self.order);
+    }
+
+    /// Tells the runner in a lane its series; whether it goes on.
+    fn told<'w, R: Runner<'w>>(&mut self, lane: usize, runner: &mut R, started: bool) -> bool {
+        if self.hand_over(lane, runner.walker()) {
+            return tell(runner, &Lane { growth: &self.growth, lane }, Ok(()), started);
+        }
+        // Why there is no value is known of the series of one motion; it may also be that there is one after all.
+        let Together { flow, order, ref mut jets, .. } = *self;
+        let slots = jets.get_or_insert_with(|| flow.slots(order, &[]));
+        let grown = by_jets(flow, slots, runner.walker());
+        tell(runner, slots, grown, started)
     }
 
     /// Gives a walker its series; `false` if some coefficient has no value.
     fn hand_over(&self, lane: usize, walker: &mut Walker) -> bool {
-        let wanted = walker.order() + 1;
+        let n = self.flow.dimension;
         let (_, _, room) = walker.asks();
         let mut sum = 0.0;
-        for (to, from) in room.chunks_exact_mut(wanted).zip(self.out.chunks_exact(self.order + 1)) {
-            for (to, from) in to.iter_mut().zip(from) {
-                *to = positive_zero(from.0[lane]);
+        for (k, all) in room.chunks_exact_mut(n.max(1)).enumerate() {
+            for (i, to) in all.iter_mut().enumerate() {
+                *to = self.growth.coefficient(1 + i, k).0[lane];
                 sum += *to * 0.0;
             }
         }
@@ -226,7 +197,18 @@ impl<'a, const N: usize> Together<'a, N> {
     }
 }
 
-/// 0 without a sign: that of a sum of zeros depends on how many were added.
-fn positive_zero(x: f64) -> f64 {
-    x + 0.0
+/// Grows what a walker asks for as the series of one motion.
+fn by_jets(flow: &Flow, slots: &mut Slots<Jet<f64>>, walker: &mut Walker) -> Result<(), (usize, NoValue)> {
+    let (n, order) = (flow.dimension, walker.order());
+    let orders = Orders::all(order);
+    for (i, &c) in walker.constants().iter().enumerate() {
+        *slots.value_mut(1 + n + i) = Jet::constant(c, &orders);
+    }
+    let (time, state, room) = walker.asks();
+    let mut rows = vec![0.0; n * (order + 1)];
+    let grown = flow.expand(slots, order, time, state, &mut rows);
+    for (i, row) in rows.chunks_exact(order + 1).enumerate() {
+        row.iter().enumerate().for_each(|(k, &c)| room[k * n + i] = c);
+    }
+    grown
 }

@@ -7,7 +7,7 @@
 use super::taylor::{Flow, horner};
 use expr::domain::{Change, Place, Term, row};
 use expr::tape::Slots;
-use number::{Jet, Lanes};
+use number::{Growth, Jet};
 
 /// The series of all slots of one motion, at the time that was looked at last.
 pub(super) trait Series {
@@ -24,14 +24,14 @@ impl Series for Slots<Jet<f64>> {
 /// One of several motions whose series are grown together.
 pub(super) struct Lane<'s, const N: usize> {
     /// The series of all of them.
-    pub(super) slots: &'s Slots<Jet<Lanes<N>>>,
+    pub(super) growth: &'s Growth<N>,
     /// Which one.
     pub(super) lane: usize,
 }
 
 impl<const N: usize> Series for Lane<'_, N> {
     fn coefficient(&self, slot: usize, k: usize) -> f64 {
-        self.slots.value(slot).coefficient(k).0[self.lane]
+        self.growth.coefficient(slot, k).0[self.lane]
     }
 }
 
@@ -84,6 +84,11 @@ impl Edges {
             }
         }
         out
+    }
+
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.slots.is_empty() && self.steep.is_empty()
     }
 
     /// Whether a right side is steep at the present state: exactly at an edge.

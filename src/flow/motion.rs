@@ -13,11 +13,12 @@ use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, Problem};
 use super::expansion::{Expansion, Memory};
 use super::field::VectorField;
+use super::incomplete::Incomplete;
 use super::points::Points;
 use super::program::{DualBench, Program};
 use super::resolve::{Resolution, resolve};
 use super::start::Start;
-use super::zeros::{self, Incomplete, Minimum, Zeros};
+use super::zeros::{self, Minimum, Zeros};
 use expr::{Expr, Graph, Leaf};
 use number::{Bounded, NoValue};
 

@@ -50,20 +50,23 @@ fn is_polynomial(op: Op, first: bool, second: bool) -> bool {
 
 impl Narrow {
     /// Memory for a field of some dimension, whose inputs are the time, then the states; nothing where its right sides are
-    /// polynomials in the slots that are `moving`. `slots` makes memory for series up to an order.
+    /// polynomials, which hide nothing. `slots` makes memory for series up to an order.
     pub(super) fn new(
-        tape: &Tape,
-        moving: &[bool],
+        hides_nothing: bool,
         dimension: usize,
         slots: impl FnOnce(usize) -> Slots<Jet<Interval>>,
     ) -> Option<Narrow> {
-        let polynomial = |op: Op, a: u32, b: u32| is_polynomial(op, moving[a as usize], moving[b as usize]);
-        let hides_nothing = tape.instructions().iter().all(|i| polynomial(i.op, i.a, i.b));
         (!hides_nothing).then(|| Narrow { slots: slots(ORDER), dimension })
     }
 
+    /// Whether the right sides are polynomials in the slots that are `moving`.
+    pub(super) fn hides_nothing(tape: &Tape, moving: &[bool]) -> bool {
+        let polynomial = |op: Op, a: u32, b: u32| is_polynomial(op, moving[a as usize], moving[b as usize]);
+        tape.instructions().iter().all(|i| polynomial(i.op, i.a, i.b))
+    }
+
     /// Whether all rates are polynomials over the step from `time` to `time + h`, on which the states are the polynomials
-    /// `series` in the time since its start; `scale` is the size of a state.
+    /// `series` in the time since its start, order by order; `scale` is the size of a state.
     pub(super) fn resolves(
         &mut self,
         tape: &Tape,
@@ -75,7 +78,8 @@ impl Narrow {
         let slot = self.slots.value_mut(0);
         slot.set_coefficient(0, Interval::point(time).hull(Interval::point(time + h)));
         slot.set_coefficient(1, Interval::point(1.0));
-        for (i, c) in series.chunks(series.len() / self.dimension.max(1)).enumerate() {
+        for i in 0..self.dimension {
+            let c: Vec<f64> = series[i..].iter().step_by(self.dimension).copied().collect();
             let slot = self.slots.value_mut(1 + i);
             // The coefficients around all times of the step: ∑ⱼ (j over k)·cⱼ·sʲ⁻ᵏ.
             let mut weights: Vec<f64> = vec![1.0; c.len()];

@@ -12,8 +12,8 @@ use std::cell::RefCell;
 
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
+use super::incomplete::Incomplete;
 use super::program::{Bench, Program};
-use super::zeros::Incomplete;
 use number::{Bounded, Interval, NoValue, Scalar};
 
 /// Degree of the polynomials.

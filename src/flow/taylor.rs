@@ -10,7 +10,7 @@ use super::kinks::{Edges, Kinks, Series};
 use super::narrow::Narrow;
 use expr::Leaf;
 use expr::tape::{Slots, Tape};
-use number::{Bounded, Interval, Jet, NoValue, Orders, Scalar};
+use number::{Bounded, Growth, Instruction, Interval, Jet, NoValue, Orders, Recurrences, Scalar};
 
 /// A field compiled for numbers: inputs are the time, the states, and the constants.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,11 @@ pub(super) struct Flow {
     pub(super) edges: Edges,
     /// Whether the right sides name the time.
     driven: bool,
+    /// The recurrences of what moves, and the instructions for what does not.
+    pub(super) recurrences: Recurrences,
+    still: Vec<Instruction>,
+    /// Whether the right sides are polynomials in what moves.
+    polynomial: bool,
 }
 
 /// Order and caution of one integration.
@@ -78,13 +83,16 @@ pub(super) struct Walker<'a> {
     /// State and the part of it that binary64 cannot hold.
     pub(super) state: Vec<f64>,
     low: Vec<f64>,
-    /// Coefficients around the present time, `order + 1` for every state.
+    /// Coefficients around the present time: all of order 0, then those of order 1, up to the order.
     now: Vec<f64>,
     next: Vec<f64>,
     next_state: Vec<f64>,
     next_low: Vec<f64>,
-    /// A number for each component.
+    /// c₁ + c₂h + … of each component at the end of the step that is tried, and c₁ + 2c₂h + …, its slope.
     sums: Vec<f64>,
+    slopes: Vec<f64>,
+    /// How far the slopes are from the rates at the end of the step.
+    defects: Vec<f64>,
     scale: Vec<f64>,
     top: Vec<f64>,
     last_step: f64,
@@ -115,10 +123,12 @@ struct Trial {
 
 /// A finished step, as far as its owner wants to keep it.
 pub(super) struct Step<'w> {
-    /// Coefficients around the time before the step.
+    /// Coefficients around the time before the step, order by order.
     pub(super) coefficients: &'w [f64],
     /// Low parts of the zeroth coefficients.
     pub(super) low: &'w [f64],
+    /// How far the slopes of the polynomials are from the rates at the end of the step.
+    pub(super) defects: &'w [f64],
 }
 
 impl Flow {
@@ -136,8 +146,52 @@ impl Flow {
             .collect();
         let driven = tape.instructions().iter().any(|i| i.a == 0 || i.b == 0);
         let (dimension, group_count, edges) = (states.len(), kinds.len(), Edges::default());
-        let flow = Flow { tape, dimension, names, groups, group_count, edges, driven };
-        Flow { edges: Edges::of(&flow), ..flow }
+        let (recurrences, still, polynomial) = (Recurrences::default(), Vec::new(), false);
+        let flow = Flow { tape, dimension, names, groups, group_count, edges, driven, recurrences, still, polynomial };
+        let moves = flow.moving(true);
+        let steps = flow.tape.instructions();
+        let rates = (0..dimension).map(|i| flow.tape.output_slot(i)).collect();
+        let recurrences = Recurrences::new(steps, &moves, rates);
+        let still = steps.iter().copied().filter(|step| !moves[step.out as usize]).collect();
+        let polynomial = Narrow::hides_nothing(&flow.tape, &moves);
+        Flow { edges: Edges::of(&flow), recurrences, still, polynomial, ..flow }
+    }
+
+    /// Whether the right sides are polynomials, by nothing but the states: a motion has nothing between the ends of a step that
+    /// its series does not tell.
+    pub(super) fn is_plain(&self) -> bool {
+        self.polynomial && !self.driven && self.edges.is_empty()
+    }
+
+    /// The size of every state on a step of length h, from its series, order by order: what states of one kind have in common.
+    pub(super) fn reach(&self, series: &[f64], h: f64, out: &mut [f64]) {
+        let n = self.dimension;
+        let mut most = vec![0.0_f64; self.group_count];
+        for (i, &g) in self.groups.iter().enumerate() {
+            let of = series[i].abs().max((series[n + i] * h).abs()).max((series[2 * n + i] * h * h).abs());
+            most[g] = most[g].max(of);
+        }
+        for (out, &g) in out.iter_mut().zip(&self.groups) {
+            *out = most[g];
+        }
+    }
+
+    /// Sets the constants of a lane.
+    pub(super) fn enter<const N: usize>(&self, growth: &mut Growth<N>, lane: usize, constants: &[f64]) {
+        for (slot, x) in self.still(constants).into_iter().enumerate() {
+            growth.start_mut(slot).0[lane] = x;
+        }
+    }
+
+    /// What every slot that does not move holds, for some constants; NaN where it has no value. What moves is 0.
+    fn still(&self, constants: &[f64]) -> Vec<f64> {
+        let mut slots = self.tape.slots::<f64>(&());
+        for (i, &c) in constants.iter().enumerate() {
+            slots.set(1 + self.dimension + i, Ok(c));
+        }
+        self.tape.run_some(&(), &mut slots, &self.still);
+        let value = |slot: usize| if slots.missing(slot).is_some() { f64::NAN } else { *slots.value(slot) };
+        (0..self.tape.slot_count()).map(value).collect()
     }
 
     /// Slots for series up to `order`, with constants in place.
@@ -225,11 +279,13 @@ impl<'a> Walker<'a> {
             next_state: state.to_vec(),
             next_low: vec![0.0; n],
             sums: vec![0.0; n],
+            slopes: vec![0.0; n],
+            defects: vec![0.0; n],
             scale: vec![0.0; flow.group_count],
             top: vec![0.0; flow.group_count],
             last_step: 0.0,
             kinks: Kinks::default(),
-            narrow: Narrow::new(&flow.tape, &flow.moving(true), flow.dimension, |order| {
+            narrow: Narrow::new(flow.polynomial, flow.dimension, |order| {
                 let constants: Vec<Interval> = constants.iter().map(|&c| Interval::point(c)).collect();
                 flow.slots(order, &constants)
             }),
@@ -261,14 +317,14 @@ impl<'a> Walker<'a> {
         self.control.order
     }
 
-    /// Where a series is wanted: time and state; with room for it, `order + 1` coefficients for every state.
+    /// Where a series is wanted: time and state; with room for it, the coefficients of all states order by order.
     pub(super) fn asks(&mut self) -> (f64, &[f64], &mut [f64]) {
         (self.trial.target, &self.next_state, &mut self.next)
     }
 
     /// The last step that was made.
     pub(super) fn made(&self) -> Step<'_> {
-        Step { coefficients: &self.next, low: &self.next_low }
+        Step { coefficients: &self.next, low: &self.next_low, defects: &self.defects }
     }
 
     /// Takes the series at the initial time.
@@ -335,11 +391,10 @@ impl<'a> Walker<'a> {
         let direction = if self.end > self.time { 1.0 } else { -1.0 };
         let target = if size >= remaining { self.end } else { self.time + direction * size };
         let h = target - self.time;
-        let row = self.control.order + 1;
-        sums(&self.now, row, h, |_| 1.0, &mut self.sums);
-        for (i, c) in self.now.chunks_exact(row).enumerate() {
+        let n = self.flow.dimension;
+        sums(&self.now, h, &mut self.sums, &mut self.slopes);
+        for (i, &x) in self.now[..n].iter().enumerate() {
             let y = self.low[i] + h * self.sums[i];
-            let x = c[0];
             let s = x + y;
             let virtual_part = s - x;
             self.next_state[i] = s;
@@ -371,7 +426,7 @@ impl<'a> Walker<'a> {
                 }
                 return self.aim().map(|()| false);
             }
-            if self.jumps_over(h) || self.flow.edges.is_near_steep(series, NEAR * self.length) {
+            if self.jumps_over() || self.flow.edges.is_near_steep(series, NEAR * self.length) {
                 if at <= 16.0 * smallest {
                     return Err(Stop::Undetermined);
                 }
@@ -386,7 +441,7 @@ impl<'a> Walker<'a> {
             // Behind a kink the slope may be another one.
             Ok(()) if kink.is_some() || self.continues(target, h) => {
                 if let Some((at, _)) = kink {
-                    self.add_late(h, (size - at).abs() + smallest);
+                    self.add_late((size - at).abs() + smallest);
                 }
                 self.kinks.keep(self.flow, series, self.control.order);
                 std::mem::swap(&mut self.now, &mut self.next);
@@ -402,22 +457,15 @@ impl<'a> Walker<'a> {
         self.aim().map(|()| false)
     }
 
-    /// c₁ + 2c₂h + … of each component: the slopes of the polynomials, in `sums`.
-    fn slopes(&mut self, h: f64) {
-        sums(&self.now, self.control.order + 1, h, |k| k as f64, &mut self.sums);
-    }
-
     /// Whether a rate is another one behind a kink than before it.
-    fn jumps_over(&mut self, h: f64) -> bool {
-        let row = self.control.order + 1;
-        self.slopes(h);
-        (0..self.flow.dimension).any(|i| {
-            let c = &self.now[i * row..(i + 1) * row];
-            let before = self.sums[i];
-            let behind = self.next[i * row + 1];
+    fn jumps_over(&self) -> bool {
+        let n = self.flow.dimension;
+        (0..n).any(|i| {
+            let before = self.slopes[i];
+            let behind = self.next[n + i];
             // A rate that vanishes at the kink is compared with what moves the state as far as its size.
             let usual = self.scale[self.flow.groups[i]].max(self.next_state[i].abs()) / self.length;
-            (before - behind).abs() > JUMP * before.abs().max(behind.abs()).max(c[1].abs()).max(usual)
+            (before - behind).abs() > JUMP * before.abs().max(behind.abs()).max(self.now[n + i].abs()).max(usual)
         })
     }
 
@@ -438,36 +486,38 @@ impl<'a> Walker<'a> {
     }
 
     /// The step went on for a time behind a kink, at the rates before it.
-    fn add_late(&mut self, h: f64, behind: f64) {
-        let row = self.control.order + 1;
-        self.slopes(h);
+    fn add_late(&mut self, behind: f64) {
+        let n = self.flow.dimension;
         for (i, late) in self.late.iter_mut().enumerate() {
-            *late += (self.sums[i] - self.next[i * row + 1]).abs() * behind;
+            *late += (self.slopes[i] - self.next[n + i]).abs() * behind;
         }
     }
 
     /// Whether the polynomial of this step arrives with the slope that the field has there: a guard against series whose
-    /// last terms are small by accident. What the rounding of the rates explains is no difference: a state that rests moves
-    /// by that alone, and no step is short enough to follow it.
+    /// last terms are small by accident. What the rounding of the states and of the rates explains is no difference: a state
+    /// that rests moves by that alone, and no step is short enough to follow it.
     fn continues(&mut self, target: f64, h: f64) -> bool {
-        let row = self.control.order + 1;
+        let n = self.flow.dimension;
         let mut rounding: Option<Vec<f64>> = None;
-        self.slopes(h);
-        (0..self.flow.dimension).all(|i| {
-            let slope = self.sums[i];
-            let found = self.next[i * row + 1];
+        for (defect, (slope, found)) in self.defects.iter_mut().zip(self.slopes.iter().zip(&self.next[n..])) {
+            *defect = (slope - found).abs();
+        }
+        (0..n).all(|i| {
+            let found = self.next[n + i];
             let scale = self.scale[self.flow.groups[i]].max(self.next_state[i].abs());
-            let off = (slope - found).abs();
+            let off = self.defects[i];
             off * h.abs() <= 1e-11 * scale + 1e-12 * found.abs() * h.abs() + f64::MIN_POSITIVE
                 || off <= ROUNDING * rounding.get_or_insert_with(|| self.rounding(target))[i]
         })
     }
 
-    /// How far the rates at the next state may be off by their rounding; 0 where it is not known.
+    /// How far the rates at the next state may be off by its rounding and their own; 0 where it is not known.
     fn rounding(&self, time: f64) -> Vec<f64> {
         let n = self.flow.dimension;
         let constants: Vec<Bounded> = self.constants.iter().map(|&c| Bounded::exact(c)).collect();
-        let state: Vec<Bounded> = self.next_state.iter().map(|&x| Bounded::exact(x)).collect();
+        // Where states nearly cancel, as masses between springs at rest do, their rounding is all that a rate shows.
+        let rounded = |&x: &f64| Bounded { value: x, error: 0.5 * f64::EPSILON * x.abs() };
+        let state: Vec<Bounded> = self.next_state.iter().map(rounded).collect();
         let mut rates = vec![Bounded::exact(0.0); 2 * n];
         let mut slots = self.flow.slots(1, &constants);
         match self.flow.expand(&mut slots, 1, Bounded::exact(time), &state, &mut rates) {
@@ -479,14 +529,14 @@ impl<'a> Walker<'a> {
     /// The step that Jorba & Zou propose, infinite when the series ends.
     fn step_size(&mut self) -> f64 {
         let p = self.control.order;
-        let row = p + 1;
+        let n = self.flow.dimension;
         let factor = self.control.caution * pxfm::f_exp(-2.0 - 0.7 / (p as f64 - 1.0));
         let mut guess = if self.last_step > 0.0 { self.last_step } else { self.length };
         // The scale of a state near 0 is what it becomes within the step, so the guess is improved once or twice.
         for _ in 0..if self.last_step > 0.0 { 1 } else { 3 } {
             self.scale.fill(0.0);
             for (i, &g) in self.flow.groups.iter().enumerate() {
-                let c = &self.now[i * row..i * row + 3];
+                let c = [self.now[i], self.now[n + i], self.now[2 * n + i]];
                 let reach = c[0].abs().max((c[1] * guess).abs()).max((c[2] * guess * guess).abs());
                 self.scale[g] = self.scale[g].max(reach);
             }
@@ -494,8 +544,8 @@ impl<'a> Walker<'a> {
             let mut seen = 0;
             for k in (p / 2..=p).rev() {
                 self.top.fill(0.0);
-                for (i, &g) in self.flow.groups.iter().enumerate() {
-                    self.top[g] = self.top[g].max(self.now[i * row + k].abs());
+                for (&c, &g) in self.now[k * n..].iter().zip(&self.flow.groups) {
+                    self.top[g] = self.top[g].max(c.abs());
                 }
                 let mut any = false;
                 for (&top, &scale) in self.top.iter().zip(&self.scale) {
@@ -524,25 +574,16 @@ pub(super) fn horner(c: &[f64], h: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, &x| sum * h + x)
 }
 
-/// w₁c₁ + w₂c₂h + … for each of the rows c₀, c₁, … Four are summed side by side, each in the order of [`horner`], so that none
-/// waits for its own last product.
-fn sums(rows: &[f64], row: usize, h: f64, weight: impl Fn(usize) -> f64, out: &mut [f64]) {
-    for (some, out) in rows.chunks(4 * row).zip(out.chunks_mut(4)) {
-        if let ([a, b, c, d], true) = (&mut *out, some.len() == 4 * row) {
-            let (first, last) = some.split_at(2 * row);
-            let ((first, second), (third, fourth)) = (first.split_at(row), last.split_at(row));
-            [*a, *b, *c, *d] = [0.0; 4];
-            for k in (1..row).rev() {
-                let w = weight(k);
-                *a = *a * h + first[k] * w;
-                *b = *b * h + second[k] * w;
-                *c = *c * h + third[k] * w;
-                *d = *d * h + fourth[k] * w;
-            }
-        } else {
-            for (sum, c) in out.iter_mut().zip(some.chunks(row)) {
-                *sum = (1..row).rev().fold(0.0, |sum, k| sum * h + c[k] * weight(k));
-            }
+/// c₁ + c₂h + … of each component, and c₁ + 2c₂h + …, from the coefficients order by order.
+fn sums(orders: &[f64], h: f64, sums: &mut [f64], slopes: &mut [f64]) {
+    let n = sums.len();
+    sums.fill(0.0);
+    slopes.fill(0.0);
+    for (k, c) in orders.chunks_exact(n.max(1)).enumerate().skip(1).rev() {
+        let k = k as f64;
+        for ((sum, slope), &c) in sums.iter_mut().zip(&mut *slopes).zip(c) {
+            *sum = *sum * h + c;
+            *slope = *slope * h + c * k;
         }
     }
 }

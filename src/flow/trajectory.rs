@@ -1,14 +1,16 @@
 //! A trajectory: the Taylor polynomials of all steps, and how far they may be from the truth.
 //!
-//! **Error estimate.** The motion is integrated again, with another order and another sequence of steps; and where initial
+//! **Error estimate.** Where right sides are polynomials, differences are carried along the steps that were made: see the module
+//! `estimate`. Elsewhere the motion is integrated again, with another order and another sequence of steps; and where initial
 //! values or constants are only known within a bound, twice more from opposite ends of it. At every step end of these
 //! companions the difference is compared; the largest so far, times a safety factor, plus a floor for rounding, is the
-//! error. The companions go side by side with the motion (see the module `abreast`). It is an estimate, not an enclosure: it
-//! sees truncation, rounding and the growth of both, because rounding takes another course in every companion.
+//! error. The companions go side by side with the motion (see the module `abreast`). Both are estimates, no enclosures: they
+//! see truncation, rounding and the growth of both.
 
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
-use super::taylor::{Control, Flow, Step, Stop, Walker, horner};
+use super::estimate::Estimate;
+use super::taylor::{Control, Flow, Step, Stop, Walker};
 use number::{Bounded, NoValue};
 
 /// What the differences between independent integrations are multiplied with.
@@ -20,13 +22,15 @@ pub(super) const ORDER: usize = 20;
 
 /// Polynomials and errors from the initial time in one direction.
 #[derive(Clone, Debug, Default)]
-struct Branch {
+pub(super) struct Branch {
     /// Step boundaries, from the initial time on; one more than steps.
-    times: Vec<f64>,
-    /// `ORDER + 1` coefficients for every state of every step.
-    coefficients: Vec<f64>,
+    pub(super) times: Vec<f64>,
+    /// For every step the coefficients of all states, order by order.
+    pub(super) coefficients: Vec<f64>,
     /// What the zeroth coefficients leave out, for every state of every step.
-    low: Vec<f64>,
+    pub(super) low: Vec<f64>,
+    /// While it is not known how far it may be off: how far the slopes are from the rates at the end of every step.
+    pub(super) defects: Vec<f64>,
     /// Error of every state up to the end of every step; never decreasing.
     error: Vec<f64>,
     problem: Option<Problem>,
@@ -91,10 +95,11 @@ impl Trajectory {
         plans: &[Plan],
     ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
         let ends = |plan: &Plan| [plan.span.1, plan.span.0];
+        let mut estimate = Estimate::new(flow);
         let mut runs: Vec<Run> = Vec::new();
         for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
             runs.push(Run::Whole(Whole::new(flow, plan, end)));
-            if end != plan.initial_time {
+            if end != plan.initial_time && estimate.is_none() {
                 runs.extend(Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end))));
             }
         }
@@ -111,11 +116,30 @@ impl Trajectory {
                 Some(Run::Ends(ends)) => Some(ends),
                 Some(Run::Whole(_)) | None => None,
             });
-            let checks: Vec<Ends> = checks.collect();
-            match whole {
-                Ok(whole) => whole.checked(&run, flow, plan, checks).map(Ok),
-                Err(singular) => Some(Err(singular)),
+            let mut checks: Vec<Ends> = checks.collect();
+            let mut whole = match whole {
+                Ok(whole) => whole,
+                Err(singular) => return Some(Err(singular)),
+            };
+            if let Some(estimate) = &mut estimate
+                && whole.times.len() > 1
+            {
+                if let Some(errors) = estimate.of(plan, &whole) {
+                    whole.raise(flow.dimension, &errors);
+                    return Some(Ok(whole));
+                }
+                let end = whole.times.last().copied().unwrap_or(plan.initial_time);
+                let again = Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end)));
+                let mut again: Vec<Run> = again.collect();
+                if !run(flow, &mut again) {
+                    return None;
+                }
+                checks.extend(again.into_iter().filter_map(|run| match run {
+                    Run::Ends(ends) => Some(ends),
+                    Run::Whole(_) => None,
+                }));
             }
+            whole.checked(&run, flow, plan, checks).map(Ok)
         };
         let trajectory = |plan: &Plan| {
             let (forward, backward) = (branch(plan)?, branch(plan)?);
@@ -169,41 +193,39 @@ impl Trajectory {
         Place { backward, step, since: t - branch.times.get(step).copied().unwrap_or(t) }
     }
 
+    /// The place of a time at the end of a step of the forward part.
+    #[cfg(test)]
+    pub(super) fn place_before(&self, t: f64, step: usize) -> Place {
+        Place { backward: false, step, since: t - self.forward.times[step] }
+    }
+
     fn branch(&self, backward: bool) -> &Branch {
         if backward { &self.backward } else { &self.forward }
     }
 
     /// The value of a state.
     pub(super) fn value(&self, place: Place, state: usize) -> f64 {
-        let branch = self.branch(place.backward);
-        let at = place.step * self.dimension + state;
-        match branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)) {
-            Some(c) => c[0] + (branch.low[at] + place.since * horner(&c[1..], place.since)),
-            None => f64::NAN,
-        }
+        let [value] = self.values(&[place], state);
+        value
     }
 
     /// The values of a state at several times at once: the same operations, time by time, none of which waits for those of
     /// another time.
     pub(super) fn values<const N: usize>(&self, places: &[Place; N], state: usize) -> [f64; N] {
-        let mut steps = [(&[0.0; ORDER + 1], 0.0); N];
+        let n = self.dimension;
+        let mut steps: [(&[f64], f64); N] = [(&[], f64::NAN); N];
         for (step, place) in steps.iter_mut().zip(places) {
-            let branch = self.branch(place.backward);
-            let at = place.step * self.dimension + state;
-            // Of a known length, so that the loop below need not look at it.
-            match branch.coefficients.get(at * (ORDER + 1)..).and_then(<[f64]>::first_chunk) {
-                Some(c) => *step = (c, branch.low[at]),
-                None => return places.map(|place| self.value(place, state)),
-            }
+            *step = self.branch(place.backward).polynomial(n, place.step, state);
         }
         let since = places.map(|place| place.since);
         let mut sums = [0.0; N];
         for k in (1..=ORDER).rev() {
             for i in 0..N {
-                sums[i] = sums[i] * since[i] + steps[i].0[k];
+                sums[i] = sums[i] * since[i] + steps[i].0.get(k * n).copied().unwrap_or(f64::NAN);
             }
         }
-        std::array::from_fn(|i| steps[i].0[0] + (steps[i].1 + since[i] * sums[i]))
+        let first = |i: usize| steps[i].0.first().copied().unwrap_or(f64::NAN);
+        std::array::from_fn(|i| first(i) + (steps[i].1 + since[i] * sums[i]))
     }
 
     /// The polynomial of a state around another time of its step: the first coefficients.
@@ -211,31 +233,20 @@ impl Trajectory {
     /// This is the polynomial of the step, written anew; a series that is grown at that time is the same up to the error of
     /// the trajectory, and takes ten times as long.
     pub(super) fn around(&self, place: Place, state: usize, out: &mut [f64]) {
-        let branch = self.branch(place.backward);
-        let at = place.step * self.dimension + state;
-        let mut c = [f64::NAN; ORDER + 1];
-        if let Some(stored) = branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)) {
-            c.copy_from_slice(stored);
-            for lowest in 0..ORDER.min(out.len()) {
-                for k in (lowest..ORDER).rev() {
-                    c[k] += place.since * c[k + 1];
-                }
-            }
-            c[0] = self.value(place, state);
-        }
-        for (to, from) in out.iter_mut().zip(c) {
+        let mut found = [[f64::NAN]; ORDER + 1];
+        self.around_lanes(&[place], state, &mut found);
+        for (to, [from]) in out.iter_mut().zip(found) {
             *to = from;
         }
     }
 
     /// The same around several times at once: the same operations, time by time.
     pub(super) fn around_lanes<const N: usize>(&self, places: &[Place; N], state: usize, out: &mut [[f64; N]]) {
+        let n = self.dimension;
         let mut c = [[f64::NAN; N]; ORDER + 1];
         for (i, place) in places.iter().enumerate() {
-            let branch = self.branch(place.backward);
-            let at = place.step * self.dimension + state;
-            let stored = branch.coefficients.get(at * (ORDER + 1)..(at + 1) * (ORDER + 1)).unwrap_or_default();
-            c.iter_mut().zip(stored).for_each(|(c, &x)| c[i] = x);
+            let (stored, _) = self.branch(place.backward).polynomial(n, place.step, state);
+            c.iter_mut().zip(stored.iter().step_by(n)).for_each(|(c, &x)| c[i] = x);
         }
         let since = places.map(|place| place.since);
         for lowest in 0..ORDER.min(out.len()) {
@@ -342,9 +353,10 @@ impl<'a> Runner<'a> for Whole<'a> {
         match event {
             Event::Started => self.started = true,
             Event::Stepped => {
-                let Step { coefficients, low } = walker.made();
+                let Step { coefficients, low, defects } = walker.made();
                 out.coefficients.extend_from_slice(coefficients);
                 out.low.extend_from_slice(low);
+                out.defects.extend_from_slice(defects);
                 out.times.push(walker.time);
                 for (i, l) in self.largest.iter_mut().enumerate() {
                     *l = l.max(walker.state[i].abs());
@@ -489,6 +501,17 @@ impl<'a> Runner<'a> for Run<'a> {
 }
 
 impl Branch {
+    /// The polynomial of a state on a step: its coefficients, one in `n`, and what the zeroth leaves out. Nothing where there is no
+    /// such step.
+    fn polynomial(&self, n: usize, step: usize, state: usize) -> (&[f64], f64) {
+        let row = n * (ORDER + 1);
+        let all = self.coefficients.get(step * row..(step + 1) * row).and_then(|all| all.get(state..));
+        match (all, self.low.get(step * n + state)) {
+            (Some(all), Some(&low)) => (all, low),
+            (Some(_) | None, _) => (&[], f64::NAN),
+        }
+    }
+
     /// With its errors, from companions that were integrated beside it; `None` if `run` was stopped.
     fn checked(
         mut self,
@@ -519,12 +542,18 @@ impl Branch {
         Some(self)
     }
 
+    /// Raises the errors to what was found, and makes them monotone.
+    fn raise(&mut self, n: usize, errors: &[f64]) {
+        self.error.iter_mut().zip(errors).for_each(|(error, found)| *error += found);
+        self.settle(n);
+    }
+
     /// Raises the errors where a companion differs; ends the branch where the companion ends.
     fn compare(&mut self, companion: &Ends) {
         let n = companion.walker.state.len();
         let (Some(&start), Some(&end)) = (self.times.first(), self.times.last()) else { return };
         let forward = end > start;
-        let mut here = 0;
+        let (mut here, row, mut sums) = (0, n * (ORDER + 1), vec![0.0; n]);
         for (&time, state) in companion.times.iter().zip(companion.states.chunks(n.max(1))) {
             // What is found at the end of the companion's step counts from the step in which it began.
             let first = here;
@@ -533,10 +562,13 @@ impl Branch {
                 here += 1;
             }
             let since = time - self.times[here];
+            sums.fill(0.0);
+            for c in self.coefficients[here * row..(here + 1) * row].chunks_exact(n).skip(1).rev() {
+                sums.iter_mut().zip(c).for_each(|(sum, &c)| *sum = *sum * since + c);
+            }
             for (i, &x) in state.iter().enumerate() {
-                let at = here * n + i;
-                let c = &self.coefficients[at * (ORDER + 1)..(at + 1) * (ORDER + 1)];
-                let difference = ((c[0] - x) + (self.low[at] + since * horner(&c[1..], since))).abs() * SAFETY;
+                let (value, low) = (self.coefficients[here * row + i], self.low[here * n + i]);
+                let difference = ((value - x) + (low + since * sums[i])).abs() * SAFETY;
                 for step in first..=here {
                     let error = &mut self.error[step * n + i];
                     *error = error.max(difference + FLOOR * x.abs());
@@ -569,6 +601,7 @@ impl Branch {
 
     /// Makes the errors monotone.
     fn settle(&mut self, n: usize) {
+        self.defects = Vec::new();
         for i in n..self.error.len() {
             self.error[i] = self.error[i].max(self.error[i - n]);
         }

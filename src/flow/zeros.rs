@@ -7,6 +7,7 @@
 
 use super::core::Core;
 use super::cover::{Explorer, Piece, Stretch, tail};
+use super::incomplete::Incomplete;
 use super::program::Program;
 use super::taylor::horner;
 use number::{Bounded, NoValue};
@@ -36,45 +37,6 @@ pub struct Zeros {
     pub peaks: Vec<f64>,
     /// The stretches on which nothing could be decided, in their order.
     pub incomplete: Vec<Incomplete>,
-}
-
-/// Why zeros on a stretch of time are not known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Incomplete {
-    /// The expression has no value there.
-    NoValue {
-        /// From when.
-        start: f64,
-        /// To when.
-        end: f64,
-        /// Why.
-        reason: NoValue,
-    },
-    /// The expression stays within its error of 0 there.
-    Vanishing {
-        /// From when.
-        start: f64,
-        /// To when.
-        end: f64,
-    },
-    /// The expression is not resolved by polynomials there.
-    Unresolved {
-        /// From when.
-        start: f64,
-        /// To when.
-        end: f64,
-    },
-}
-
-impl Incomplete {
-    /// From when to when.
-    pub fn stretch(&self) -> (f64, f64) {
-        match *self {
-            Incomplete::NoValue { start, end, .. }
-            | Incomplete::Vanishing { start, end }
-            | Incomplete::Unresolved { start, end } => (start, end),
-        }
-    }
 }
 
 /// Where an expression comes closest to 0.
@@ -481,7 +443,11 @@ pub(super) fn zeros(core: &Core, program: &Program) -> Zeros {
     }
     out.touching.sort_by(f64::total_cmp);
     out.incomplete.sort_by(|a, b| a.stretch().0.total_cmp(&b.stretch().0));
-    out.incomplete.dedup();
+    // Poles so near to each other cannot be told apart.
+    let is_one = |a: f64, b: f64| (a - b).abs() <= 64.0 * f64::EPSILON * a.abs();
+    out.incomplete.dedup_by(|b, a| {
+        a == b || *a == pole(a.stretch().0) && *b == pole(b.stretch().0) && is_one(a.stretch().0, b.stretch().0)
+    });
     out
 }
 

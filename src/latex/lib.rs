@@ -21,66 +21,20 @@ mod parse;
 mod printed;
 mod refusal;
 mod scope;
+mod statement;
 pub mod syntax;
 mod tensor;
 mod write;
 
-use std::ops::Range;
-
 pub use parse::whole_part;
 pub use printed::printed;
 pub use scope::{Declaration, DeclareError, Logarithm, Role, Scope, Signature};
+pub use statement::{Limit, LimitPoint, Relation, Statement};
 pub use syntax::RelationKind;
 
 use diag::Problem;
 use elaborate::Elaborator;
-use expr::{Expr, Graph, Tensor};
-
-/// Where a limit goes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LimitPoint {
-    /// To a time.
-    Finite(Expr),
-    /// To +∞.
-    PlusInfinity,
-    /// To −∞.
-    MinusInfinity,
-}
-
-/// A limit along the time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Limit {
-    /// Where the time goes.
-    pub approaches: LimitPoint,
-}
-
-/// Two sides and what is claimed of them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Relation {
-    /// What is claimed.
-    pub kind: RelationKind,
-    /// The left side; what the limit is taken of, where there is one.
-    pub left: Tensor,
-    /// The right side, of the same shape.
-    pub right: Tensor,
-    /// The left side is a limit.
-    pub limit: Option<Limit>,
-    /// Names of the free indices, one for each axis; empty for index-free notation.
-    pub indices: Vec<String>,
-    /// Whether ± occurs: then the sides depend on [`Scope::branch_sign`].
-    pub has_branches: bool,
-    /// Its bytes.
-    pub span: Range<usize>,
-}
-
-/// A chain of relations, `a = b = c`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Statement {
-    /// One relation for each sign of the chain.
-    pub relations: Vec<Relation>,
-    /// Its bytes.
-    pub span: Range<usize>,
-}
+use expr::{Graph, Tensor};
 
 /// Reads relations; several may stand in one text, separated by commas, `\\` or `\cr`.
 ///

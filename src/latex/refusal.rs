@@ -22,3 +22,13 @@ pub(super) fn refuse<T>(
     let hint = hint.into();
     Err(Box::new(Problem { code, message: message.into(), span, hint: (!hint.is_empty()).then_some(hint) }))
 }
+
+/// [`refuse`] at a place that is used again.
+pub(super) fn refuse_at<T>(
+    code: &'static str,
+    message: impl Into<String>,
+    span: &Range<usize>,
+    hint: impl Into<String>,
+) -> Parsed<T> {
+    refuse(code, message, span.clone(), hint)
+}

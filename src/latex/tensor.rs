@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::complex::Pair;
-use super::elaborate::refuse;
+use super::refusal::refuse_at as refuse;
 use diag::Problem;
 use expr::{Expr, Graph, Leaf, Part, Shape, Tensor};
 

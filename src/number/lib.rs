@@ -18,6 +18,7 @@ mod bounded_lanes;
 mod double_double;
 mod dual;
 mod finite;
+mod growth;
 mod interval;
 mod jet;
 mod lanes;
@@ -34,6 +35,7 @@ pub use bounded_lanes::BoundedLanes;
 pub use dashu_ratio::RBig as Rational;
 pub use double_double::DoubleDouble;
 pub use finite::{Finite, FiniteField, is_prime};
+pub use growth::{Growth, Recurrences};
 #[cfg(any(test, debug_assertions))]
 pub use interval::faults as interval_faults;
 pub use interval::{Continuity, Decorated, Interval, Limit, NODES, Precise, PreciseModel, Tail, TaylorModel};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::mark::{Mark, marks, parts};
 use super::token::tokens;
 use super::{Equation, Paper, Part};
-use derivation::{Claim, Derivation, Form, SymbolEntry};
+use derivation::{Derivation, Form, SymbolEntry};
 use diag::Source;
 
 /// A formula that is not what the paper prints under its label.
@@ -241,7 +241,9 @@ fn formulas(derivation: &Derivation) -> Vec<Formula<'_>> {
     for claim in &derivation.claims {
         let owner = claim.name();
         let label = claim.label.as_deref().filter(|_| claim.printed);
-        out.extend(written(claim).into_iter().map(|(text, span)| Formula::new(&owner, label, text, span)));
+        out.extend(
+            claim.forms.iter().flat_map(Form::written).map(|(text, span)| Formula::new(&owner, label, text, span)),
+        );
         // What a claim assumes may be printed somewhere, but not under its label.
         out.extend(claim.assuming.iter().map(|w| Formula::new(&owner, None, &w.text, w.span.clone()).unsaid()));
         out.extend(claim.symbols.iter().filter_map(definition));
@@ -254,27 +256,6 @@ fn formulas(derivation: &Derivation) -> Vec<Formula<'_>> {
 fn definition(symbol: &SymbolEntry) -> Option<Formula<'_>> {
     let text = format!("{}={}", symbol.name, symbol.formula.as_ref()?);
     Some(Formula::new(&symbol.name, None, &text, symbol.span.clone()).unsaid())
-}
-
-/// The formulas of a claim, each with its place.
-fn written(claim: &Claim) -> Vec<(&str, Range<usize>)> {
-    let mut out = Vec::new();
-    for form in &claim.forms {
-        match form {
-            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => out.push((w.text.as_str(), w.span.clone())),
-            Form::FirstIntegral(w) | Form::Defined(w) => out.push((w.text.as_str(), w.span.clone())),
-            Form::Independent { functions, .. } => {
-                out.extend(functions.iter().map(|w| (w.text.as_str(), w.span.clone())));
-            }
-            Form::Exists { such_that, .. } => out.extend(such_that.iter().map(|w| (w.text.as_str(), w.span.clone()))),
-            Form::Across(across) => {
-                let both = std::iter::once(&across.of).chain(&across.value);
-                out.extend(both.map(|w| (w.text.as_str(), w.span.clone())));
-            }
-            Form::Solves { .. } | Form::SameMotion { .. } => {}
-        }
-    }
-    out
 }
 
 /// The most parts of an equation of which runs are tried.

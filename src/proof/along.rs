@@ -82,6 +82,8 @@ pub enum Along {
 
 /// Times that are looked at.
 const TIMES: u32 = 64;
+/// Times at which it is seen first whether the sides differ: then nobody need ask whether they are an identity.
+const FIRST_TIMES: u32 = 3;
 
 /// Decides an equation along a motion that is given by formulas.
 pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along {
@@ -91,15 +93,10 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     if graph.leaves(all.chain(guards)).iter().any(|&l| l != time) {
         return Along::Open;
     }
-    let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
-    let agrees = match left == right {
-        _ if question.refuted != Refuted::Apart => None,
-        true => Some(Vec::new()),
-        false => match identity_test_after(memory, graph, &[(left, right)], &Premises::default(), &options) {
-            Identity::Proved(proof) => Some(proof.conditions),
-            Identity::Refuted(_) | Identity::Undecided(_) => None,
-        },
-    };
+    let mut formulas = question.needs.clone();
+    formulas.extend([left, right]);
+    let domain: Vec<(Expr, Sign)> =
+        graph.needs_below(formulas.iter().copied()).into_iter().map(|n| (n.value, n.sign)).collect();
     let place = |at: u32| {
         let (from, to) = question.span;
         // The ends, the middle, and what is no simple fraction of the span.
@@ -109,13 +106,33 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
             _ => from + (to - from) * ((f64::from(at) * 0.618_033_988_749_894_9).fract()),
         }
     };
+    // The sides at a time at which, for certain, everything has a value: a ball that reaches out of a domain has values only
+    // where it does not.
+    let sides_for_certain = |graph: &Graph, t: f64| {
+        let sides = sides_at(graph, question, time, t)?;
+        are_met(graph, &domain, time, t).then_some(sides)
+    };
+    let differ = |graph: &Graph| {
+        (0..FIRST_TIMES).map(place).any(|t| {
+            let sides = sides_for_certain(graph, t);
+            sides.is_some_and(|(l, r)| lie_apart(l.value - r.value, l.error + r.error))
+        })
+    };
+    let options = Options { attempts: 1, wanted: Wanted::Proof, ..Options::default() };
+    let agrees = match left == right {
+        _ if question.refuted != Refuted::Apart => None,
+        false if differ(graph) => None,
+        true => Some(Vec::new()),
+        false => match identity_test_after(memory, graph, &[(left, right)], &Premises::default(), &options) {
+            Identity::Proved(proof) => Some(proof.conditions),
+            Identity::Refuted(_) | Identity::Undecided(_) => None,
+        },
+    };
     if let Some(conditions) = agrees {
         let seen = (0..TIMES).map(place).find_map(|t| {
             let (l, r) = sides_at(graph, question, time, t)?;
             Some((t, if l.error < r.error { l } else { r }))
         });
-        let mut formulas = question.needs.clone();
-        formulas.extend([left, right]);
         let everywhere = conditions.is_empty() && super::domains(graph, &formulas).is_empty();
         return Along::Agree { everywhere, seen };
     }
@@ -135,19 +152,11 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
     if let Some(exact) = exact {
         return Along::Differ(exact);
     }
-    let mut formulas = question.needs.clone();
-    formulas.extend([left, right]);
-    let domain: Vec<(Expr, Sign)> = graph.needs_below(formulas).into_iter().map(|n| (n.value, n.sign)).collect();
     let expanded = expanded(graph, left, right);
     let apart = (0..TIMES).map(place).find_map(|t| {
-        let (l, r) = sides_at(graph, question, time, t)?;
-        // A ball that reaches out of a domain has values only where it does not.
-        if !are_met(graph, &domain, time, t) {
-            return None;
-        }
+        let (l, r) = sides_for_certain(graph, t)?;
         let refutes = |difference: f64, error: f64| {
-            let certain = difference.is_finite() && error.is_finite() && difference.abs() > 2.0 * error;
-            certain
+            lie_apart(difference, error)
                 && match question.refuted {
                     Refuted::Apart => true,
                     Refuted::Above => difference > 0.0,
@@ -166,6 +175,11 @@ pub fn along(memory: &mut Memory, graph: &mut Graph, question: &InTime) -> Along
         refutes(rest.value, rest.error).then_some(Apart { time: t, left, right: r.value, bound: rest.error * unit })
     });
     apart.map_or(Along::Open, Along::Differ)
+}
+
+/// Whether a difference with this error is not 0.
+fn lie_apart(difference: f64, error: f64) -> bool {
+    difference.is_finite() && error.is_finite() && difference.abs() > 2.0 * error
 }
 
 /// Both sides at a time that counts, at which everything has a value; `None` otherwise.

@@ -431,6 +431,9 @@ impl<'g> Lowering<'g> {
 
     /// (cos, sin) of qπ for multiples of π/60, and for halves and quarters of them; `None` for others.
     fn part_of_pi(&mut self, q: &Rational) -> Option<(Expr, Expr)> {
+        // Without whole turns, however many.
+        let two = Rational::from(2);
+        let q = &(q - Rational::from((q / &two).floor()) * &two);
         let sixtieths = i64::try_from(q * Rational::from(60)).ok();
         if let Some(n) = sixtieths {
             // n/60 = a/12 + b/5 with n = 5a + 12b: 12·3 = 36 = 1 modulo 5.

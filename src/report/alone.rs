@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::check::Account;
+use findings::Account;
 
 /// For `report.json`: one entry for each motion.
 pub(super) fn json(account: &Account) -> Value {

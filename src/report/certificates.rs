@@ -4,9 +4,9 @@
 //! those that were verified; nothing is computed here.
 
 use super::tally::name;
-use crate::check::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 use crate::derivation::Derivation;
 use diag::shown::in_one_line;
+use findings::{Account, Certificate, ClaimAccount, IdentityAccount, Origin};
 
 /// The folder of the certificates in that of a report, and the endings of their names.
 pub const CERTIFICATES: (&str, &[&str]) = ("certificates", &["py", "lean"]);

@@ -6,10 +6,8 @@ use super::markdown::{math, prose};
 use super::numbers::count;
 use super::tally::name;
 use super::text::{Paint, paragraph};
-use crate::check::Account;
-use crate::check::separation::{
-    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Need, Rival, Separation,
-};
+use findings::Account;
+use findings::conditions::{AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Need, Rival, Separation};
 
 /// Most trajectories that are named in one line.
 const NAMED: usize = 4;

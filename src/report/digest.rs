@@ -11,9 +11,9 @@
 use super::graph::{DerivationGraph, ProofStanding};
 use super::numbers::count;
 use super::tally::{Standing, declared};
-use crate::check::separation::{ConditionName, Explanation, Join};
-use crate::check::{Account, ClaimAccount, Outcome, Strength};
 use crate::derivation::{ClaimRole, Derivation};
+use findings::conditions::{ConditionName, Explanation, Join};
+use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -270,8 +270,8 @@ impl Reading<'_> {
         if self.claim.region.is_some() {
             return Basis::Ranges;
         }
-        let holds = |p: &&crate::check::PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
-        let sampled = |p: &crate::check::PairAccount| p.verdict.outcome() == Outcome::Holds(Strength::Sampled);
+        let holds = |p: &&findings::PairAccount| matches!(p.verdict.outcome(), Outcome::Holds(_));
+        let sampled = |p: &findings::PairAccount| p.verdict.outcome() == Outcome::Holds(Strength::Sampled);
         let n = self.claim.results.iter().filter(holds).count();
         let members: usize = self.claim.families.iter().map(|f| super::family::with(f, "holds")).sum();
         let n = n + members;
@@ -509,9 +509,9 @@ pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
     use ClaimRole::{Added, Against, Choice, Lemma, MayMean, Needs, Says};
     use Standing::{Fails, Holds, Mixed, Nowhere, Open};
+    use findings::sample;
 
     fn fate(readings: &[(ClaimRole, Standing)]) -> Fate {
         let account = sample::account();

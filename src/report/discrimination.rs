@@ -7,7 +7,7 @@ use super::markdown::{math, prose};
 use super::numbers::count;
 use super::tally::name;
 use super::text::{Paint, paragraph};
-use crate::check::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, SEED, VariantAccount};
+use findings::{Account, ClaimAccount, Correction, EditClass, Erratum, Outcome, PairAccount, SEED, VariantAccount};
 
 /// The discrimination of a pair; survivors by their numbers in the list of the claim, in ranges.
 pub(super) fn pair_json(pair: &PairAccount) -> Value {

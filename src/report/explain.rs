@@ -6,8 +6,8 @@ use super::summary::sides;
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::one_line;
-use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 use crate::derivation::{Claim, Derivation, SymbolEntry};
+use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
 /// Everything that is known about every pair of some claims of the account, with escape codes if `colour`. The others are there
 /// because proofs rest on them.
@@ -181,7 +181,7 @@ fn would_change(outcome: Outcome) -> &'static str {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn everything_is_said() {

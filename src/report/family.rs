@@ -2,9 +2,9 @@
 
 use super::conditions::explanation_in_words;
 use super::numbers::{count, size, time, value};
-use crate::check::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount};
-use crate::check::{FamilyAccount, MemberAccount};
 use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
+use findings::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount};
+use findings::{FamilyAccount, MemberAccount};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
 /// `None` for a claim that does not compare members.

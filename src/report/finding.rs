@@ -11,10 +11,10 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
-use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount};
 use crate::derivation::{Derivation, Form};
 use crate::diag::{Diagnostic, Source};
 use diag::shown::{in_one_line, shown};
+use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
 
 /// How serious a finding is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -224,7 +224,7 @@ pub(super) fn on_family(of: &FamilyAccount) -> String {
 
 /// The only formula of a claim, or its id.
 fn place_of_claim(derivation: &Derivation, claim: &ClaimAccount) -> Range<usize> {
-    declared(derivation, claim).map_or(0..0, |d| match d.forms.iter().flat_map(written_in).collect::<Vec<_>>()[..] {
+    declared(derivation, claim).map_or(0..0, |d| match d.forms.iter().flat_map(Form::written).collect::<Vec<_>>()[..] {
         [(_, ref span)] => span.clone(),
         _ => d.span.clone(),
     })
@@ -300,28 +300,13 @@ pub(super) fn told(pair: &PairAccount) -> Option<String> {
 /// Where a verdict belongs: the formula of the witness, the only formula, or the id of the claim.
 fn place_of(derivation: &Derivation, claim: &ClaimAccount, pair: &PairAccount) -> Range<usize> {
     let Some(declared) = declared(derivation, claim) else { return 0..0 };
-    let written: Vec<(&str, Range<usize>)> = declared.forms.iter().flat_map(written_in).collect();
+    let written: Vec<(&str, Range<usize>)> = declared.forms.iter().flat_map(Form::written).collect();
     let shown = pair.verdict.evidence().witness.as_ref().map(|w| w.formula.trim());
     let named = written.iter().find(|(text, _)| shown == Some(*text));
     match (named, written.as_slice()) {
         (Some((_, span)), _) => span.clone(),
         (None, [(_, span)]) => span.clone(),
         _ => declared.span.clone(),
-    }
-}
-
-/// The formulas of a form, each with its place.
-fn written_in(form: &Form) -> Vec<(&str, Range<usize>)> {
-    match form {
-        Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![(w.text.as_str(), w.span.clone())],
-        Form::FirstIntegral(w) | Form::Defined(w) => vec![(w.text.as_str(), w.span.clone())],
-        Form::Independent { functions, .. } => functions.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
-        Form::Exists { such_that, .. } => such_that.iter().map(|w| (w.text.as_str(), w.span.clone())).collect(),
-        Form::Across(across) => {
-            let both = std::iter::once(&across.of).chain(&across.value);
-            both.map(|w| (w.text.as_str(), w.span.clone())).collect()
-        }
-        Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
     }
 }
 
@@ -369,8 +354,8 @@ pub fn rule_says(rule: &str) -> &'static str {
 #[cfg(all(test, debug_assertions))]
 mod tests {
     use super::*;
-    use crate::check::sample::account;
     use crate::tests::derivation;
+    use findings::sample::account;
 
     #[test]
     fn what_is_not_as_expected_and_what_is_open_is_found_and_nothing_else() {

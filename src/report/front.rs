@@ -13,8 +13,8 @@ use super::digest::{self, Basis, Fate, Whole};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{Paint, WIDTH, paragraph};
-use crate::check::{Account, ClaimAccount};
 use crate::derivation::{ClaimRole, Derivation};
+use findings::{Account, ClaimAccount};
 
 /// Most claims that are told; the rest is counted.
 const MOST: usize = 14;
@@ -461,7 +461,7 @@ pub(super) fn json(derivation: &Derivation, account: &Account) -> Value {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn the_first_page_of_a_small_account() {

@@ -11,9 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::{Value, json};
 
 use super::tally::name;
-use crate::check::standing::Decision;
-use crate::check::{Account, ClaimAccount, IdentityAccount};
 use crate::derivation::Derivation;
+use findings::standing::Decision;
+use findings::{Account, ClaimAccount, IdentityAccount};
 
 /// What a node is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,13 +7,13 @@ use super::discrimination;
 use super::graph::DerivationGraph;
 use super::paper::paper_data;
 use super::tally::declared;
-use crate::check::family::{
-    Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount,
-};
-use crate::check::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
 use diag::shown::in_json;
+use findings::family::{
+    Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount,
+};
+use findings::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 
 /// The contract, as text: stable order, one line for each pair of claim and trajectory.
 pub fn json(derivation: &Derivation, account: &Account) -> String {
@@ -228,7 +228,7 @@ pub(super) fn write(value: &Value, depth: usize, out: &mut String) {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn the_contract_is_kept() {

@@ -4,7 +4,7 @@
 
 use super::discrimination;
 use super::tally::{glyph, name};
-use crate::check::{Account, ClaimAccount};
+use findings::{Account, ClaimAccount};
 
 /// What the letters mean.
 pub(super) const LEGEND: &str =

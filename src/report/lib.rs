@@ -1,9 +1,9 @@
 //! Verdicts as people and programs read them.
 //!
-//! **In:** an [`Account`](crate::check::Account) and the [`Derivation`](derivation::Derivation) that it is of.
+//! **In:** an [`Account`](findings::Account) and the [`Derivation`](derivation::Derivation) that it is of.
 //! **Out:** [`summary`] for a terminal, [`json`] (the contract), [`markdown`] (for a forge), [`explain`] (one verdict);
 //! [`page`] (for a browser); [`tex`] (for an appendix); [`junit`], [`sarif`] and [`github`] for machines, the last two drawn
-//! from [`findings`]; [`part_text`] for the machine that joins the parts of a family, [`member_line`] for programs that
+//! from [`findings()`]; [`part_text`] for the machine that joins the parts of a family, [`member_line`] for programs that
 //! read its members.
 //!
 //! **Guaranteed:** the same account gives the same bytes; no clock, no machine, no path outside the project. Nothing is
@@ -11,7 +11,7 @@
 
 #![forbid(unsafe_code)]
 
-use ::{check, derivation, diag, expr, latex};
+use ::{derivation, diag, expr, latex};
 
 mod alone;
 mod certificates;
@@ -82,9 +82,9 @@ fn project_path(path: &str) -> String {
 
 #[cfg(all(test, debug_assertions))]
 mod tests {
-    use crate::check::sample;
     use crate::diag::{Source, render};
     use derivation::{Derivation, parse};
+    use findings::sample;
 
     /// The derivation that the handmade account is of.
     pub(super) fn derivation() -> Derivation {

@@ -7,8 +7,8 @@ pub(super) use super::marked::{code, fenced, math, prose, table};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name};
 use super::{discrimination, family};
-use crate::check::{Account, ClaimAccount, Measurement, PairAccount};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
+use findings::{Account, ClaimAccount, Measurement, PairAccount};
 
 /// The report.
 pub fn markdown(derivation: &Derivation, account: &Account) -> String {
@@ -420,7 +420,7 @@ fn repeat(derivation: &Derivation) -> String {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn the_report_of_a_small_account() {

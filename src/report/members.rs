@@ -4,8 +4,8 @@
 //! of what varies, the verdict of each claim, and the values of each measure, several of them with spaces between. **Guaranteed:**
 //! numbers are read back to the last bit; a line needs nothing but its member, so memory does not grow with how many there are.
 
-use crate::check::family::Row;
 use derivation::{Derivation, Family};
+use findings::family::Row;
 
 /// A cell with a text.
 fn cell(text: &str) -> String {

@@ -8,8 +8,8 @@ use super::front::Front;
 use super::markdown::{link_to, prose, table};
 use super::numbers::count;
 use super::tally::{Standing, name};
-use crate::check::{Account, ClaimAccount};
 use crate::derivation::{ClaimRole, Derivation};
+use findings::{Account, ClaimAccount};
 
 /// The section.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> String {

@@ -10,8 +10,8 @@
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use check::family::{Counts, Distribution, Part, Ranked, Slopes, Swept, SweptClaim, SweptMeasure, Tally};
 use derivation::Derivation;
+use findings::family::{Counts, Distribution, Part, Ranked, Slopes, Swept, SweptClaim, SweptMeasure, Tally};
 
 /// A hash in hexadecimal digits.
 fn digits(hash: Sha256) -> String {

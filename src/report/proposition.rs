@@ -5,8 +5,8 @@ use serde_json::{Map, Value, json};
 use super::certificates::{certificate_text, is_certified};
 use super::json::{number, trials, write};
 use super::text::{Paint, paragraph};
-use crate::check::standing::Decision;
-use crate::check::{Counterexample, IdentityAccount, Place, Proposition, Trials};
+use findings::standing::Decision;
+use findings::{Counterexample, IdentityAccount, Place, Proposition, Trials};
 
 /// The answer for a person; with `certificate`, followed by the exact proof as a program. `colour`: with escape codes.
 pub fn proposition_text(

@@ -8,9 +8,9 @@ use super::numbers::value;
 use super::tally::{glyph, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::unit;
-use crate::check::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
-use crate::check::{Account, ClaimAccount};
 use crate::derivation::{Derivation, FormKind};
+use findings::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
+use findings::{Account, ClaimAccount};
 
 /// What is said of the formulas of a claim over ranges, for the heading of a list of them.
 pub(super) fn heading(kind: FormKind, region: &RegionAccount) -> String {
@@ -203,7 +203,7 @@ fn letter(part: Part) -> &'static str {
 
 fn map_json(map: &RegionMap) -> Value {
     let patch =
-        |p: &crate::check::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
+        |p: &findings::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
     json!({
         "across": map.axes.0,
         "up": map.axes.1,

@@ -4,8 +4,8 @@ use super::numbers::{count, size, time, value};
 use super::tally::{Group, glyph, groups, name, says};
 use super::text::{Paint, WIDTH, fitted, paragraph, wrapped};
 use super::{discrimination, family, region};
-use crate::check::{Account, ClaimAccount, FamilyAccount, PairAccount, Witness};
 use crate::derivation::Derivation;
+use findings::{Account, ClaimAccount, FamilyAccount, PairAccount, Witness};
 
 /// Widest name of a claim in the matrix.
 const NAME_WIDTH: usize = 60;
@@ -363,7 +363,7 @@ fn counts(account: &Account, paint: Paint) -> String {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn the_summary_of_a_small_account() {
@@ -385,7 +385,7 @@ mod tests {
         account.claims[1].results.clear();
         for i in 0..131 {
             let id = format!("trajectory-{i}");
-            account.trajectories.push(crate::check::TrajectoryAccount { id: id.clone(), ..first.clone() });
+            account.trajectories.push(findings::TrajectoryAccount { id: id.clone(), ..first.clone() });
             account.claims[1].results.push(PairAccount { trajectory: id, ..result.clone() });
         }
         let text = summary(&derivation(), &account, false, true);

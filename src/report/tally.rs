@@ -1,7 +1,7 @@
 //! What a row of verdicts amounts to, in words.
 
-use crate::check::{ClaimAccount, Outcome, PairAccount};
 use crate::derivation::{Claim, Derivation};
+use findings::{ClaimAccount, Outcome, PairAccount};
 
 /// How a claim fares as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

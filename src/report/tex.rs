@@ -13,9 +13,9 @@ use super::graph::DerivationGraph;
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name, says};
 use super::wording::{self, Part};
-use crate::check::Account;
 use crate::derivation::{Derivation, FormKind};
 use crate::latex::{self, Scope, syntax};
+use findings::Account;
 
 const PREAMBLE: &str = r"\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -531,7 +531,7 @@ fn sign(c: char) -> String {
 mod tests {
     use super::super::tests::derivation;
     use super::*;
-    use crate::check::sample;
+    use findings::sample;
 
     #[test]
     fn no_text_is_a_command() {

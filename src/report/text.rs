@@ -1,6 +1,6 @@
 //! Text for a terminal: layout and colour. Everything is readable without colour.
 
-use crate::check::Outcome;
+use findings::Outcome;
 
 /// Widest line of a summary.
 pub(super) const WIDTH: usize = 100;

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::markdown::{math, prose};
 use super::numbers::count;
 use super::text::{Paint, paragraph};
-use crate::check::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
+use ::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 
 /// For the terminal: formulas whose units do not agree, and those that were expected and are not there.
 pub(super) fn terminal(units: &UnitsAccount, paint: Paint) -> String {

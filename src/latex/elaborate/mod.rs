@@ -24,18 +24,9 @@ use diag::Problem;
 use expr::{Expr, FastMap, Graph, Shape, Symbol, Tensor};
 use value::Value;
 
-type Elaborated<T> = Result<T, Box<Problem>>;
+pub(super) use super::refusal::refuse_at as refuse;
 
-pub(super) fn refuse<T>(
-    code: &'static str,
-    message: impl Into<String>,
-    span: &Range<usize>,
-    hint: impl Into<String>,
-) -> Elaborated<T> {
-    let hint = hint.into();
-    let hint = (!hint.is_empty()).then_some(hint);
-    Err(Box::new(Problem { code, message: message.into(), span: span.clone(), hint }))
-}
+type Elaborated<T> = Result<T, Box<Problem>>;
 
 /// Most components of a relation.
 const MOST_COMPONENTS: usize = 4096;

@@ -51,12 +51,12 @@ pub fn whole_part(function: &str) -> Option<[&'static str; 2]> {
 }
 
 /// A function as a formula writes it.
-pub(in super::super) fn spelled(name: &str) -> String {
+pub(crate) fn spelled(name: &str) -> String {
     if FUNCTIONS.contains(&name) { format!(r"\{name}") } else { format!(r"\operatorname{{{name}}}") }
 }
 
 /// Whether the function may stand before its argument without parentheses.
-pub(in super::super) fn takes_bare_argument(name: &str) -> bool {
+pub(crate) fn takes_bare_argument(name: &str) -> bool {
     FUNCTIONS.contains(&name) || NAMED.contains(&name) || name == "tr"
 }
 

@@ -10,7 +10,7 @@ use super::{Parsed, Parser, decimal, refuse};
 use diag::Problem;
 
 /// The name of a symbol taken apart.
-pub(in super::super) struct WrittenName {
+pub(crate) struct WrittenName {
     /// Base, style and primes.
     pub name: Name,
     /// Its subscript.
@@ -20,7 +20,7 @@ pub(in super::super) struct WrittenName {
 }
 
 /// Reads a text that is nothing but a name; `None` where it is something else.
-pub(in super::super) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>, Problem> {
+pub(crate) fn read_name(text: &str, scope: &Scope) -> Result<Option<WrittenName>, Problem> {
     let mut parser = Parser::new(text, scope).map_err(|mut p| p.swap_remove(0))?;
     parser.whole_name().map_err(|p| *p)
 }

@@ -43,7 +43,7 @@ impl Scope {
 
     /// The pairs of canonical variables, each a coordinate and its momentum. Those that another declaration hides are among
     /// them: formulas that were read before still mean them.
-    pub(in super::super) fn canonical_pairs(&self, graph: &Graph) -> Vec<(Leaf, Leaf)> {
+    pub(crate) fn canonical_pairs(&self, graph: &Graph) -> Vec<(Leaf, Leaf)> {
         let components = |symbol: Symbol| 0..graph.component_count(symbol) as u16;
         let pairs = self.pairs.iter();
         pairs.flat_map(|&(q, p)| components(q).map(move |c| (Leaf::now(q, c), Leaf::now(p, c)))).collect()
@@ -55,7 +55,7 @@ impl Scope {
     }
 
     /// Whether a symbol stands in a pair of canonical variables.
-    pub(in super::super) fn is_canonical(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_canonical(&self, symbol: Symbol) -> bool {
         self.pairs.iter().any(|&(q, p)| q == symbol || p == symbol)
     }
 }

@@ -98,7 +98,7 @@ impl Scope {
     }
 
     /// The scale factors of the coordinates of space, 1 unless another is declared; `None` where all are Cartesian.
-    pub(in super::super) fn scale_factors(&self, graph: &mut Graph) -> Option<Vec<Expr>> {
+    pub(crate) fn scale_factors(&self, graph: &mut Graph) -> Option<Vec<Expr>> {
         let one = graph.integer(1);
         let space = || self.entries.iter().filter(|e| self.is_place(e));
         let factors = space().flat_map(|e| vec![e.scale.unwrap_or(one); graph.component_count(e.symbol)]).collect();
@@ -106,7 +106,7 @@ impl Scope {
     }
 
     /// The coordinates of space: all but the time, but `t`, and but momenta.
-    pub(in super::super) fn space(&self, graph: &Graph) -> Vec<Leaf> {
+    pub(crate) fn space(&self, graph: &Graph) -> Vec<Leaf> {
         let symbols = self.entries.iter().filter(|e| self.is_place(e)).map(|e| e.symbol);
         symbols.flat_map(|s| (0..graph.component_count(s) as u16).map(move |c| Leaf::now(s, c))).collect()
     }
@@ -125,7 +125,7 @@ impl Scope {
     }
 
     /// The velocity that is declared, unless another declaration hides it.
-    pub(in super::super) fn velocity(&self) -> Option<Symbol> {
+    pub(crate) fn velocity(&self) -> Option<Symbol> {
         self.velocity.filter(|symbol| self.by_name(*symbol))
     }
 
@@ -134,14 +134,14 @@ impl Scope {
     }
 
     /// The coordinate of this name, if it is one number.
-    pub(in super::super) fn coordinate(&self, letter: &str) -> Option<Leaf> {
+    pub(crate) fn coordinate(&self, letter: &str) -> Option<Leaf> {
         let is_it = |e: &&Filed| e.name == letter && e.sub.is_empty() && e.rank == 0;
         let entry = self.entries.iter().rev().find(is_it)?;
         matches!(entry.role, Role::Coordinate | Role::Time).then(|| Leaf::now(entry.symbol, 0))
     }
 
     /// Whether there are coordinates of space.
-    pub(in super::super) fn has_space(&self) -> bool {
+    pub(crate) fn has_space(&self) -> bool {
         self.entries.iter().any(|e| self.is_place(e))
     }
 
@@ -151,7 +151,7 @@ impl Scope {
     }
 
     /// Whether a symbol, as it is written, is a field of one coordinate: its derivative is written with primes.
-    pub(in super::super) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
+    pub(crate) fn is_of_one_coordinate(&self, name: &str, sub: Option<&[SubItem]>) -> bool {
         self.find(name, sub, None).is_some_and(|f| f.coordinates.len() == 1)
     }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::text::{plain, unit};
-use crate::check::region::RangeAccount;
+use findings::region::RangeAccount;
 
 /// The board in units of the picture: left, top, and the length of a side.
 pub(super) const BOARD: (f64, f64, f64) = (84.0, 12.0, 384.0);

@@ -12,9 +12,9 @@ use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
 use super::{family, region, support};
-use crate::check::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 use crate::derivation::{DEFAULT_PRECISION, Derivation};
 use crate::latex::Scope;
+use findings::{Account, ClaimAccount, IdentityAccount, PairAccount, Witness};
 
 /// All claims.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {

@@ -15,9 +15,9 @@ use super::claims::assigned;
 use super::packed::{DIGITS, digit};
 use super::text::{formula, label_parts};
 use super::tight::tight;
-use crate::check::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 use crate::derivation::{Claim, Derivation, Event};
 use crate::latex::Scope;
+use findings::{Account, ClaimAccount, PairAccount, ResidualPoint, Residuals};
 
 /// Values of the second character.
 const FINE: usize = 12;
@@ -143,7 +143,7 @@ fn packed<'a>(
     let span = account.trajectories.iter().find(|t| t.id == pair.trajectory).map(|t| t.span).filter(|_| at_events);
     let drawn = evidence.series.as_deref().filter(|s| s.points.len() > usize::from(!at_events));
     // What holds is the same line twice: fewer samples say it.
-    let holds = matches!(pair.verdict.outcome(), crate::check::Outcome::Holds(_));
+    let holds = matches!(pair.verdict.outcome(), findings::Outcome::Holds(_));
     let thin = if holds && !at_events { THIN } else { 1 };
     let curves = drawn.map(|s| curves(s, span, texts.of(&s.formula), thin));
     let worst = evidence.residual.as_ref().map(|r| json!([short(r.at), short(r.max), short(r.bound)]));

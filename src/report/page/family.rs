@@ -8,9 +8,10 @@ use super::super::plot::{Words, plane};
 use super::super::tally::name;
 use super::map;
 use super::text::{plain, prose};
-use crate::check::family::{SlopeAccount, SlopeCell};
-use crate::check::{ClaimAccount, Line, LineKind};
 use crate::latex::Scope;
+use findings::ClaimAccount;
+use findings::family::{SlopeAccount, SlopeCell};
+use findings::{Line, LineKind};
 
 /// The slopes of a scaling law: those of single pairs, that of all, and how far the claimed power may be off.
 fn slopes(of: &SlopeAccount, claim: &str, scope: &Scope) -> Markup {

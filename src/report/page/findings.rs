@@ -8,9 +8,9 @@ use super::super::graph::ProofStanding;
 use super::super::numbers::count;
 use super::super::tally::{Standing, name};
 use super::text::prose;
-use crate::check::{Account, ClaimAccount, Summary};
 use crate::derivation::Derivation;
 use crate::latex::Scope;
+use findings::{Account, ClaimAccount, Summary};
 
 /// The summary in words, the counts, and every claim with its fate.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {

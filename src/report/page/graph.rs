@@ -9,8 +9,8 @@ use maud::{Markup, html};
 
 use super::super::consequence::Consequences;
 use super::super::digest::{self, Fate, Whole};
-use crate::check::Account;
 use crate::derivation::Derivation;
+use findings::Account;
 
 /// Width and height of a box, and what lies between two.
 const BOX: (usize, usize) = (136, 20);

@@ -10,8 +10,8 @@ use maud::{Markup, html};
 
 use super::super::numbers::value;
 use super::text::{plain, prose};
-use crate::check::family::{Axis, Boundary, FamilyMap};
 use crate::latex::Scope;
+use findings::family::{Axis, Boundary, FamilyMap};
 
 /// The board in units of the picture: left, top, and the length of its longer side.
 const BOARD: (f64, f64, f64) = (84.0, 12.0, 384.0);

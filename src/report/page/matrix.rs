@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::super::discrimination::is_weak;
 use super::super::tally::name;
-use crate::check::{Account, ClaimAccount, Outcome, PairAccount, Strength};
+use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
 /// The class of a pair: its verdict, and `s`, `e`, `p` for the strength of one that holds or fails.
 pub(super) fn class(pair: &PairAccount) -> &'static str {

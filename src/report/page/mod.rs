@@ -33,8 +33,8 @@ mod tight;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::numbers::{size, time};
-use crate::check::Account;
 use crate::derivation::Derivation;
+use ::findings::Account;
 use text::{formula, prose, unit};
 
 const STYLE: &str = include_str!("style.css");

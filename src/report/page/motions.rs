@@ -6,9 +6,9 @@ use super::super::numbers::{count, size, time, value};
 use super::super::plot;
 use super::super::tally::{declared, name};
 use super::text::{self, formula, plain, prose, unit};
-use crate::check::{Account, PictureAccount, TrajectoryAccount};
 use crate::derivation::{Derivation, FormKind, Motion, Picture, PictureKind, Written};
 use crate::expr::Expr;
+use findings::{Account, PictureAccount, TrajectoryAccount};
 
 /// All trajectories.
 pub(super) fn section(derivation: &Derivation, account: &Account) -> Markup {
@@ -140,7 +140,7 @@ fn article(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) ->
 
 /// How well the declared first integrals are kept, which tells of the integration and of the claim alike.
 fn integrals(derivation: &Derivation, account: &Account, t: &TrajectoryAccount) -> Markup {
-    let kept: Vec<(String, &crate::check::Residual)> = account
+    let kept: Vec<(String, &findings::Residual)> = account
         .claims
         .iter()
         .filter(|c| {

@@ -11,9 +11,9 @@ use super::super::tally::name;
 use super::board::{BOARD, axes, label, tick};
 use super::portrait;
 use super::text::prose;
-use crate::check::ClaimAccount;
-use crate::check::region::{Part, RegionAccount, RegionMap};
 use crate::latex::Scope;
+use findings::ClaimAccount;
+use findings::region::{Part, RegionAccount, RegionMap};
 
 /// The block of a claim.
 pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {

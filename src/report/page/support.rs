@@ -12,10 +12,10 @@ use super::super::graph::{DerivationGraph, unproved};
 use super::super::numbers::count;
 use super::super::tally::name;
 use super::text::{bare, condition, formula, identifier, plain, prose, unit};
-use crate::check::separation::Need;
-use crate::check::units::{UnitAccount, UnitVerdict};
-use crate::check::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
 use crate::latex::Scope;
+use ::units::{UnitAccount, UnitVerdict};
+use findings::conditions::Need;
+use findings::{Account, ClaimAccount, Correction, Erratum, IdentityAccount};
 
 /// Most altered formulas that are typeset for a claim.
 const SHOWN: usize = 1;

@@ -11,7 +11,7 @@ use plotters::prelude::*;
 
 use super::mathml::escaped;
 use super::numbers;
-use crate::check::{Line, LineKind};
+use findings::{Line, LineKind};
 
 /// Width and height of a picture with axes, in units of its canvas.
 const SIZE: (u32, u32) = (1400, 830);

@@ -1,0 +1,182 @@
+//! What follows from what: motions that refute a step, and verdicts that a proof lends its strength.
+//!
+//! **In:** the verdicts on motions, and what was proved for all values. **Out:** a motion on which everything holds that a claim is said
+//! to follow from, and the claim fails; or the same verdicts, some of them *proved*.
+//!
+//! **Guaranteed:** a verdict gets the strength of a proof only on a motion on which all holds that the proof rests on.
+
+use std::collections::HashMap;
+
+use claim::comparison;
+use claim::limits::Limits;
+use derivation::{Claim, Derivation, Premise};
+use findings::ClaimAccount;
+use proved::step::Step;
+use verdict::{Outcome, Proof, Strength, Verdict, Witness};
+
+/// What was found on one motion: a verdict for every claim that is tried on it.
+pub(super) type Column = Vec<Option<Verdict>>;
+
+/// A motion on which everything holds that a claim is said to follow from, and the claim fails.
+pub(super) fn counterexample<'a>(
+    derivation: &Derivation,
+    claim: &Claim,
+    k: usize,
+    claimed: &[usize],
+    known: &[ClaimAccount],
+    tried: &[usize],
+    columns: &'a [Column],
+) -> Option<(usize, &'a Witness)> {
+    let given = Step::given(derivation, claim);
+    columns.iter().zip(tried).find_map(|(verdicts, &t)| {
+        let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
+        let holds = |name: &String| match derivation.premise(name) {
+            Premise::System(system) => is_integrated_from(derivation, t, system),
+            Premise::Claim(premise) => {
+                let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
+                let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
+                // Where a premise was left out, nothing is given.
+                verdict.and_then(Verdict::is_met) == Some(true)
+            }
+            Premise::Definition => true,
+        };
+        if given.iter().all(holds) { Some((t, verdict.evidence().witness.as_ref()?)) } else { None }
+    })
+}
+
+/// The verdict on a claim, by its position, that is known from before.
+fn known_verdict<'a>(
+    derivation: &Derivation,
+    known: &'a [ClaimAccount],
+    claim: usize,
+    trajectory: usize,
+) -> Option<&'a Verdict> {
+    let (claim, trajectory) = (derivation.claims.get(claim)?, derivation.trajectories.get(trajectory)?);
+    let account = known.iter().find(|k| k.id == claim.id && k.reading == claim.reading)?;
+    account.results.iter().find(|r| r.trajectory == trajectory.id).map(|r| &r.verdict)
+}
+
+/// Whether a trajectory was integrated from a system: then its equations hold on it.
+fn is_integrated_from(derivation: &Derivation, trajectory: usize, system: usize) -> bool {
+    let motion = &derivation.trajectories[trajectory].motion;
+    matches!(motion, derivation::Motion::Integrated { system: of, .. } if *of == system)
+}
+
+/// Whether the states of a motion may leap, as formulas may: a proof that goes from one time to others, or to rates, takes them
+/// to be smooth.
+fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
+    let leaps = |of: &[(expr::Symbol, derivation::Written<Vec<expr::Expr>>)]| {
+        let analytic = |&e: &_| derivation.scope.time().is_some_and(|time| derivation.graph.is_analytic_in(e, time));
+        !of.iter().flat_map(|(_, w)| &w.value).all(analytic)
+    };
+    match &derivation.trajectories[trajectory].motion {
+        derivation::Motion::Integrated { .. } => false,
+        derivation::Motion::Formula { states } => leaps(states),
+        derivation::Motion::Derived { from, map } => {
+            let mapped = map.iter().flat_map(|(_, w)| &w.value);
+            may_leap(derivation, *from) || mapped.into_iter().any(|&e| comparison::may_leap(&derivation.graph, e))
+        }
+    }
+}
+
+/// Gives verdicts the strength of the proofs behind them. Motions that are given by formulas come first, see [`by_formula`](proved::by_formula).
+///
+/// What a claim says is proved on a motion when it follows for all values from systems that the trajectory was integrated from, or
+/// from claims that are themselves `proved` on it. What it presupposes is not proved by that.
+pub(super) fn strengthen(
+    derivation: &Derivation,
+    claims: &mut [ClaimAccount],
+    claimed: &[usize],
+    known: &[ClaimAccount],
+    tried: &[usize],
+    limits: &Limits,
+) {
+    proved::conditional::conditional(derivation, claims, known);
+    for (claim, &at) in claims.iter_mut().zip(claimed) {
+        let declared = &derivation.claims[at];
+        if let Some(region) = declared.region.as_ref().filter(|_| declared.is_of_fields()) {
+            claim.region = Some(boxes::of_step(declared, region, claim.identity.as_ref()));
+        }
+    }
+    proved::by_formula::settle(derivation, claims, claimed, tried, limits);
+    let motion: HashMap<&str, usize> = tried.iter().map(|&t| (derivation.trajectories[t].id.as_str(), t)).collect();
+    // The motions of the results of each claim.
+    let on: Vec<HashMap<usize, usize>> = claims
+        .iter()
+        .map(|c| {
+            c.results.iter().enumerate().filter_map(|(at, p)| Some((*motion.get(p.trajectory.as_str())?, at))).collect()
+        })
+        .collect();
+    let here = |premise: usize| claimed.binary_search(&premise).ok();
+    for k in premises_first(derivation, claimed, claims) {
+        let Some(identity) = claims[k].identity.as_ref().filter(|i| i.lends_strength()) else { continue };
+        // Where the sign that is proved has no value, the other one may be false.
+        if !identity.conditions.is_empty()
+            && derivation.claims[claimed[k]].forms.iter().any(derivation::Form::has_branches)
+        {
+            continue;
+        }
+        let mut ready: Vec<usize> = Vec::new();
+        for (at, pair) in claims[k].results.iter().enumerate() {
+            let Some(&t) = motion.get(pair.trajectory.as_str()) else { continue };
+            let declared = &derivation.claims[claimed[k]];
+            if !(identity.from.is_empty() && declared.assuming.is_empty()) && may_leap(derivation, t) {
+                continue;
+            }
+            let given = |name: &String| match derivation.premise(name) {
+                Premise::System(system) => is_integrated_from(derivation, t, system),
+                Premise::Claim(premise) => {
+                    let here = here(premise).and_then(|k| Some(&claims[k].results[*on[k].get(&t)?].verdict));
+                    let verdict = here.or_else(|| known_verdict(derivation, known, premise, t));
+                    verdict.is_some_and(|v| v.outcome() == Outcome::Holds(Strength::Proved))
+                }
+                Premise::Definition => true,
+            };
+            // Where something special is left out, only what is seen to hold is given the strength of the proof.
+            let open = match pair.verdict.outcome() {
+                Outcome::Holds(strength) => strength < Strength::Proved,
+                Outcome::Undecided | Outcome::Fails(_) => identity.exceptions.is_empty(),
+                Outcome::NotApplicable(_) => false,
+            };
+            if open && identity.from.iter().all(given) {
+                ready.push(at);
+            }
+        }
+        let proof = Proof { from: identity.from.clone(), conditions: Vec::new() };
+        for at in ready {
+            claims[k].results[at].verdict.prove_claim(&proof);
+        }
+    }
+}
+
+/// The claims, each after those that it follows from: there are no circles.
+fn premises_first(derivation: &Derivation, claimed: &[usize], claims: &[ClaimAccount]) -> Vec<usize> {
+    let premises = |k: usize| {
+        let of = |name: &String| match derivation.premise(name) {
+            Premise::Claim(premise) => claimed.binary_search(&premise).ok(),
+            Premise::System(_) | Premise::Definition => None,
+        };
+        let proved = claims[k].identity.iter().flat_map(|i| &i.from);
+        derivation.claims[claimed[k]].follows_from.iter().chain(proved).filter_map(of).collect::<Vec<usize>>()
+    };
+    let mut out = Vec::with_capacity(claimed.len());
+    let mut seen = vec![false; claimed.len()];
+    for first in 0..claimed.len() {
+        // What is open, with its premises that are still to be seen.
+        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+        if !std::mem::replace(&mut seen[first], true) {
+            open.push((first, premises(first)));
+        }
+        while let Some((k, left)) = open.last_mut() {
+            match left.pop() {
+                Some(next) if !std::mem::replace(&mut seen[next], true) => open.push((next, premises(next))),
+                Some(_) => {}
+                None => {
+                    out.push(*k);
+                    open.pop();
+                }
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,22 @@
+//! A claim, compiled: the proposition that it denotes, as comparisons that can be measured at points, and what may be spent on it.
+//!
+//! **In:** a claim of a derivation, and what its user asks for. **Out:** a [`Program`](program::Program): parts, each of them a group of
+//! [comparisons](comparison), measured at points of whatever kind: of a motion, of a box, of an altered formula.
+//!
+//! **Guaranteed:** forms of claims are read for their meaning in [`denote`] and nowhere else; no motion is known here, and no verdict is
+//! made.
+
+#![forbid(unsafe_code)]
+
+use ::{derivation, expr, flow, latex, number, verdict};
+
+mod block;
+pub mod comparison;
+pub mod denote;
+pub mod error;
+pub mod limits;
+pub mod measured;
+pub mod mute;
+pub mod options;
+pub mod program;
+pub mod system;

@@ -1,0 +1,204 @@
+//! The forms of claims: what can be said of a motion, of a box, of a family.
+//!
+//! What a form *means* is the business of whoever compiles it; here is what it is called, and which formulas it has.
+
+use std::ops::Range;
+
+use super::dependence::{Dependence, NoOther};
+use super::written::{Ranged, Written};
+use expr::{Expr, Leaf, Symbol, Tensor};
+use latex::Statement;
+
+/// What a formula of a claim is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum FormKind {
+    /// The relation holds at every time.
+    Always,
+    /// The relation holds at no time.
+    Never,
+    /// The relation holds at some time.
+    Eventually,
+    /// The expression is constant along the motion.
+    FirstIntegral,
+    /// The expression has a real value at every time.
+    Defined,
+    /// The motion solves a system.
+    Solves,
+    /// Two motions are the same.
+    SameMotion,
+    /// Functions are independent.
+    Independent,
+    /// Equations have a solution.
+    Exists,
+    /// A quantity has the same value for members of a family that differ in a symbol.
+    IndependentOf,
+    /// It is a power of the symbol.
+    ScalesAs,
+    /// It grows with the symbol, or falls.
+    Monotone,
+    /// It is largest, or smallest, at a value of the symbol.
+    Extremum,
+    /// It tends to a value as the symbol does.
+    Limit,
+}
+
+impl FormKind {
+    /// The key of the derivation file.
+    pub fn key(self) -> &'static str {
+        match self {
+            FormKind::Always => "always",
+            FormKind::Never => "never",
+            FormKind::Eventually => "eventually",
+            FormKind::FirstIntegral => "first-integral",
+            FormKind::Defined => "defined",
+            FormKind::Solves => "solves",
+            FormKind::SameMotion => "same-motion",
+            FormKind::Independent => "independent",
+            FormKind::Exists => "exists",
+            FormKind::IndependentOf => "independent-of",
+            FormKind::ScalesAs => "scales-as",
+            FormKind::Monotone => "monotone",
+            FormKind::Extremum => "extremum",
+            FormKind::Limit => "limit",
+        }
+    }
+}
+
+/// One thing that a claim says of a motion.
+#[derive(Clone, Debug)]
+pub enum Form {
+    /// The statement holds at every time.
+    Always(Written<Statement>),
+    /// The statement holds at no time.
+    Never(Written<Statement>),
+    /// The statement holds at some time.
+    Eventually(Written<Statement>),
+    /// Every component is constant along the motion.
+    FirstIntegral(Written<Tensor>),
+    /// Every component has a real value at every time.
+    Defined(Written<Tensor>),
+    /// The states of the motion satisfy the equations of a system.
+    Solves {
+        /// Position in [`Derivation::systems`](super::Derivation::systems).
+        system: usize,
+    },
+    /// The states of the motion are, at every time, those of another.
+    SameMotion {
+        /// Position in [`Derivation::trajectories`](super::Derivation::trajectories).
+        other: usize,
+        /// The states that are compared.
+        of: Vec<Symbol>,
+    },
+    /// The functions (of the states at one time) are independent where the constraints hold.
+    Independent {
+        /// The functions.
+        functions: Vec<Written<Tensor>>,
+        /// Relations between the variables that hold anyway.
+        subject_to: Vec<Written<Statement>>,
+    },
+    /// Equations have a solution in a box.
+    Exists {
+        /// The unknowns: each a component with the range in which it is looked for.
+        unknowns: Vec<Ranged>,
+        /// As many equations as unknowns, and any number of other relations, which a solution must satisfy, too.
+        such_that: Vec<Written<Statement>>,
+        /// Whether there is one only.
+        unique: bool,
+    },
+    /// How a quantity depends on what a family varies.
+    Across(Box<Across>),
+}
+
+/// What a claim says of members that differ in one symbol.
+#[derive(Clone, Debug)]
+pub struct Across {
+    /// The quantity.
+    pub of: Written<Tensor>,
+    /// The symbol that varies, as the families have it.
+    pub with: Leaf,
+    /// Its name.
+    pub name: String,
+    /// How the quantity depends on it.
+    pub dependence: Dependence,
+    /// Where the extremum lies, or what the symbol tends to: an expression without leaves; nothing where there is no such number.
+    pub point: Option<Written<Expr>>,
+    /// The limit.
+    pub value: Option<Written<Tensor>>,
+    /// Where a member is tried: the trajectories that it is compared with, by their positions.
+    pub others: Vec<usize>,
+    /// Where a member is tried: its value of what varies, and those of the others; or why there is none.
+    pub values: Result<Vec<f64>, NoOther>,
+}
+
+impl Form {
+    /// Whether ± stands in what it says of a statement.
+    pub fn has_branches(&self) -> bool {
+        self.statement().is_some_and(|w| w.value.relations.iter().any(|r| r.has_branches))
+    }
+
+    /// What it is.
+    pub fn kind(&self) -> FormKind {
+        match self {
+            Form::Always(_) => FormKind::Always,
+            Form::Never(_) => FormKind::Never,
+            Form::Eventually(_) => FormKind::Eventually,
+            Form::FirstIntegral(_) => FormKind::FirstIntegral,
+            Form::Defined(_) => FormKind::Defined,
+            Form::Solves { .. } => FormKind::Solves,
+            Form::SameMotion { .. } => FormKind::SameMotion,
+            Form::Independent { .. } => FormKind::Independent,
+            Form::Exists { .. } => FormKind::Exists,
+            Form::Across(across) => match across.dependence {
+                Dependence::Independent => FormKind::IndependentOf,
+                Dependence::Increasing | Dependence::Decreasing => FormKind::Monotone,
+                Dependence::Power { .. } => FormKind::ScalesAs,
+                Dependence::Extremum { .. } => FormKind::Extremum,
+                Dependence::Limit { .. } => FormKind::Limit,
+            },
+        }
+    }
+
+    /// The statement that is true at every, at no, or at some time.
+    pub fn statement(&self) -> Option<&Written<Statement>> {
+        match self {
+            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => Some(w),
+            Form::FirstIntegral(_)
+            | Form::Defined(_)
+            | Form::Solves { .. }
+            | Form::SameMotion { .. }
+            | Form::Independent { .. }
+            | Form::Exists { .. }
+            | Form::Across(_) => None,
+        }
+    }
+
+    /// The quantity of which it says something at each time by itself.
+    pub fn quantity(&self) -> Option<&Written<Tensor>> {
+        match self {
+            Form::FirstIntegral(w) | Form::Defined(w) => Some(w),
+            Form::Always(_)
+            | Form::Never(_)
+            | Form::Eventually(_)
+            | Form::Solves { .. }
+            | Form::SameMotion { .. }
+            | Form::Independent { .. }
+            | Form::Exists { .. }
+            | Form::Across(_) => None,
+        }
+    }
+
+    /// Its formulas, each with its place.
+    pub fn written(&self) -> Vec<(&str, Range<usize>)> {
+        fn shown<T>(w: &Written<T>) -> (&str, Range<usize>) {
+            (w.text.as_str(), w.span.clone())
+        }
+        match self {
+            Form::Always(w) | Form::Never(w) | Form::Eventually(w) => vec![shown(w)],
+            Form::FirstIntegral(w) | Form::Defined(w) => vec![shown(w)],
+            Form::Independent { functions, .. } => functions.iter().map(shown).collect(),
+            Form::Exists { such_that, .. } => such_that.iter().map(shown).collect(),
+            Form::Across(across) => std::iter::once(&across.of).chain(&across.value).map(shown).collect(),
+            Form::Solves { .. } | Form::SameMotion { .. } => Vec::new(),
+        }
+    }
+}

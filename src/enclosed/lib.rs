@@ -1,0 +1,159 @@
+//! Verdicts for every time of a span, with rounding accounted for.
+//!
+//! **In:** the verdicts that samples gave, and the derivation. **Out:** the same verdicts, of which some are stronger:
+//! `holds` becomes *enclosed*, `fails` becomes *certified*, and `undecided` is decided where only an enclosure could. A verdict
+//! that stays as it was says why.
+//!
+//! **Guaranteed.** The motion is enclosed by validated integration, with the numbers of the file as they are written (not
+//! rounded). What is then shown is:
+//!
+//! | comparison | *enclosed* means: at every time of the span that counts |
+//! |---|---|
+//! | left = right | \|left − right\| ≤ precision · scale, and no stretch of time is found on which left ≠ right for certain |
+//! | <, >, ≠ | the relation holds |
+//! | ≤, ≥ | the relation holds, or is missed by at most precision · scale |
+//! | has a value | every operation has a value |
+//!
+//! The allowances count only where equations are claimed of every time: not under `eventually`, in selectors, at what must not be.
+//! `scale` is the median size of the terms along the motion. Hypotheses are enclosed as claims are.
+//! *Certified* means that there is a time, in the span, at which the assumptions hold and the relation does not.
+//!
+//! An enclosure may find what lies between samples, and refute what held on all of them. Where the two contradict each other
+//! at one and the same time, the enclosure stands: the sampled motion is withdrawn for all claims, and that is said.
+
+#![forbid(unsafe_code)]
+
+use ::{derivation, expr, findings, flow, latex, number, verdict};
+
+mod cover;
+mod event;
+mod integral;
+mod limit;
+mod pair;
+mod rank;
+mod ready;
+mod request;
+mod same;
+mod span;
+#[cfg(test)]
+mod tests;
+
+use crate::derivation::Motion as Given;
+use crate::expr::{Expr, Graph, Leaf};
+use crate::findings::ClaimAccount;
+use crate::flow::{Enclosure, Motion, Source};
+use crate::verdict::Verdict;
+use claim::comparison::Comparison;
+use cover::Along;
+use rayon::prelude::*;
+pub use request::Request;
+use sampled::prepared::Prepared;
+use sampled::setup::setup;
+
+/// A verdict that is stronger now, or says why it is not: claim, position among its results, verdict.
+type Change = (usize, usize, Verdict);
+
+/// Strengthens the verdicts that are not proved.
+pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
+    let mut graph = request.derivation.graph.clone();
+    let integrals = integral::of_systems(request, &mut graph);
+    let known = (&graph, integrals.as_slice());
+    // Long motions first: what is left at the end is short.
+    let mut order = request.tried.to_vec();
+    order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
+    let changes: Vec<Vec<Change>> =
+        order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
+    for (k, at, verdict) in changes.into_iter().flatten() {
+        claims[k].results[at].verdict = verdict;
+    }
+}
+
+/// The enclosure of a motion, and of those that it comes from; beside it the parameters and initial states as they are given.
+fn enclosure(
+    request: &Request,
+    integrals: &[Vec<Expr>],
+    graph: &mut Graph,
+    t: usize,
+) -> Result<(Enclosure, Vec<(Leaf, Expr)>), String> {
+    let trajectory = &request.derivation.trajectories[t];
+    let (from, source) = match trajectory.motion {
+        Given::Derived { from, .. } => {
+            (Some(enclosure(request, integrals, graph, from)?.0), request.stage.source(from))
+        }
+        _ => (None, None),
+    };
+    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);
+    let mut start = setup.parameters.clone();
+    if let Source::Integrated { initial, .. } = &setup.source {
+        start.extend(initial);
+    }
+    let mut enclosed = Enclosure::new(graph, &setup, from.as_ref()).map_err(|e| e.to_string())?;
+    if let Given::Integrated { system, .. } = trajectory.motion {
+        enclosed.conserve(graph, &integrals[system]);
+    }
+    Ok((enclosed, start))
+}
+
+/// What the systems conserve, in a graph that knows it.
+type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
+
+fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Vec<Change> {
+    let trajectory = &request.derivation.trajectories[t];
+    let mut changes: Vec<Change> = Vec::new();
+    for (k, claim) in claims.iter().enumerate() {
+        let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
+        changes.extend(
+            here.filter(|(_, r)| !pair::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
+        );
+    }
+    if changes.is_empty() {
+        return changes;
+    }
+    if let Some(reached) = request.limits.reached() {
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, reached));
+        return changes;
+    }
+    let (mut graph, integrals) = (known.0.clone(), known.1);
+    let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
+        Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
+        Err(reason) => {
+            changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
+            return changes;
+        }
+    };
+    let program = |k: usize| &request.prepared[k][request.start_of[t]];
+    let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
+    let mut parts = Vec::new();
+    for (k, ..) in &changes {
+        let Prepared { claim, program, gradients } = program(*k);
+        let asked = pair::Asked { claim, program, gradients: gradients.as_ref(), start: &start, other: &other };
+        parts.push(pair::prepare(&asked, &mut along));
+    }
+    if let Err(reason) = along.compile() {
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
+        return changes;
+    }
+    let mut withdrawn = None;
+    for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
+        if let Some(reached) = request.limits.reached() {
+            pair::remark(verdict, reached);
+            continue;
+        }
+        let prepared = program(*k);
+        let program = &prepared.program;
+        let sampled = |comparison: &Comparison, time: f64| {
+            let at = program.position(comparison)?;
+            let values = request.stage.values(t, time);
+            program.measure((&[values].into_iter().collect(), 1), 1.0).get(at)?.difference(0).ok()
+        };
+        if let Err(contradiction) = pair::strengthen(program, parts, &mut along, &sampled, verdict) {
+            withdrawn.get_or_insert(contradiction);
+        }
+    }
+    // What is rigorous stands; the sampled motion is not what its error bounds say.
+    if let Some(contradiction) = withdrawn {
+        let reason = format!("the sampled motion is withdrawn: {contradiction}");
+        changes.iter_mut().for_each(|(_, _, verdict)| verdict.withdraw_samples(&reason));
+    }
+    changes
+}

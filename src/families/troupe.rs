@@ -1,0 +1,633 @@
+//! The families of a derivation, each with the claims that are tried on it: made once, for all members.
+//!
+//! **In:** a derivation as it was read, its families, claims and measures. **Out:** what is counted of each over a run of numbers, members
+//! tried again, and the boundaries on the maps. **Guaranteed:** a member is the trajectory that its text says, alone with these
+//! claims: nothing that another member left behind changes it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
+
+use rayon::prelude::*;
+
+use super::account::{Counted, Otherwise, Spreading};
+use super::beside::{Beside, compared_with};
+use super::boundary::{self, Found, Width};
+use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
+use super::map::Scale;
+use super::member::{Law, MOST_DRAWS, Member, Members};
+use super::separate::{Checker, separations};
+use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
+use crate::diag::Diagnostic;
+use crate::expr::{Leaf, Rational};
+use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
+use crate::findings::{ClaimAccount, Measurement, PairAccount};
+use crate::flow::Motion;
+use crate::verdict::Verdict;
+use claim::error::{CANCELLED, CheckError};
+use claim::limits::Limits;
+use claim::options::Options;
+use claim::program::Program;
+use proved::by_formula;
+use sampled::course::Trial;
+use sampled::independence::Gradients;
+use sampled::measure::Compiled;
+use sampled::prepared::Prepared;
+use sampled::stage::{Requests, Stage};
+use sampled::systems::Fields;
+use sampled::{measure, same_motion, trial, witness};
+
+/// Whether a claim is tried on a family in this run.
+fn is_chosen(options: &Options, claim: &Claim, id: &str) -> bool {
+    let in_list = |list: &[String], id: &str| list.is_empty() || list.iter().any(|x| x == id);
+    in_list(&options.claims, &claim.id) && in_list(&options.trajectories, id)
+}
+
+/// What is measured on the members of a family in this run. As on trajectories, nothing is where only some claims are asked for.
+pub fn measured<'d>(derivation: &'d Derivation, at: usize, options: &Options) -> Vec<&'d Measure> {
+    let of_family = derivation.measures.iter().filter(|m| m.families.contains(&at));
+    let is_asked = || {
+        let id = &derivation.families[at].id;
+        options.claims.is_empty() && (options.trajectories.is_empty() || options.trajectories.contains(id))
+    };
+    of_family.filter(|_| is_asked()).collect()
+}
+
+/// A derivation whose claims name families, as it was read: what is found of the motions of the file is not in its graph yet.
+pub struct Families {
+    pub derivation: Derivation,
+    pub(crate) members: Vec<Option<Members>>,
+}
+
+impl Families {
+    /// The families of a derivation; `None` where no claim is tried on one.
+    ///
+    /// # Errors
+    /// What is wrong with their numbers; a family without members.
+    pub fn of(derivation: &Derivation, options: &Options) -> Result<Option<Families>, CheckError> {
+        let mut problems = Vec::new();
+        let mut members = Vec::new();
+        for (at, family) in derivation.families.iter().enumerate() {
+            let asked = |c: &Claim| c.families.contains(&at) && is_chosen(options, c, &family.id);
+            if !derivation.claims.iter().any(asked) && measured(derivation, at, options).is_empty() {
+                members.push(None);
+                continue;
+            }
+            match Members::new(derivation, family) {
+                Ok(of) => {
+                    // What is drawn shows at once whether there is anything to draw.
+                    if let Member::TooRare = of.member(1) {
+                        problems.push(too_rare(derivation, &of, 1));
+                    }
+                    members.push(Some(of));
+                }
+                Err(found) => problems.extend(found),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(CheckError::Problems(problems));
+        }
+        let any = members.iter().any(Option::is_some);
+        Ok(any.then(|| Families { derivation: derivation.clone(), members }))
+    }
+
+    /// Tries the claims, and puts what is found into their accounts; returns what is measured. What was counted elsewhere is not tried
+    /// here.
+    ///
+    /// # Errors
+    /// Members that cannot be built, families without members, and defects of the program.
+    pub fn try_all(
+        &self,
+        checker: &dyn Checker,
+        options: &Options,
+        claims: &mut [ClaimAccount],
+        joined: Option<&Joined>,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Vec<MeasureAccount>, CheckError> {
+        let mut out = Vec::new();
+        let mut budget = Budget::default();
+        let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let all = self.members.iter().flatten().fold(0, |sum: u64, m| sum.saturating_add(m.family.size()));
+        let mut before = 0u64;
+        for (at, members) in self.members.iter().enumerate() {
+            let Some(members) = members else { continue };
+            // Members of all families are counted as one list.
+            let so_far = told(before);
+            let progress = |done: usize, _: usize| progress(so_far.saturating_add(done), told(all));
+            before = before.saturating_add(members.family.size());
+            let derivation = &self.derivation;
+            let position = |a: &ClaimAccount| {
+                let is_it = |c: &&Claim| c.id == a.id && c.reading == a.reading;
+                derivation.claims.iter().find(is_it).filter(|c| c.families.contains(&at))
+            };
+            let of = |a: &ClaimAccount| position(a).filter(|c| is_chosen(options, c, &members.family.id));
+            let (mut asked, mut places) = (Vec::new(), Vec::new());
+            for (place, account) in claims.iter().enumerate() {
+                if let Some(claim) = of(account) {
+                    asked.push(claim);
+                    places.push(place);
+                }
+            }
+            let measures = measured(derivation, at, options);
+            if asked.is_empty() && measures.is_empty() {
+                continue;
+            }
+            let troupe = Troupe::new(derivation, members, &asked, &measures)?;
+            let fits =
+                |j: &&Joined| j.sums.tallies.len() == asked.len() && j.sums.distributions.len() == measures.len();
+            let joined = joined.filter(|j| j.family == at).filter(fits);
+            let (sums, stopped) = match joined {
+                Some(joined) => (joined.sums.clone(), None),
+                None => troupe.try_all(1..=members.family.size(), options, &mut budget, &progress, &mut |_| {})?,
+            };
+            let tallies = &sums.tallies;
+            if sums.is_empty() && stopped.is_none() {
+                return Err(CheckError::Problems(vec![troupe.empty()]));
+            }
+            let scales = members.scales();
+            let boundaries = troupe.boundaries(tallies, scales.as_ref(), options)?;
+            // What was not tried might separate them otherwise.
+            let separations = match stopped {
+                Some(_) => vec![None; asked.len()],
+                None => separations(checker, derivation, members, &asked, tallies, options)?,
+            };
+            let again = troupe.again(sums.kept())?;
+            for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
+                let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
+                let (size, precision) = (members.family.size(), claim.precision);
+                let law = members.law(claim);
+                // A map of another size is none of this family.
+                let sizes = (scales.as_ref().map_or(0, cells), law.as_ref().map_or(0, |l| l.scale.axis.cells.len()));
+                if (tally.map.len(), tally.slopes.cells.len()) != sizes {
+                    return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
+                }
+                let scales = scales.as_ref();
+                let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
+                let separation = separations[n].as_ref();
+                let law = law.as_ref().map(|law| (&law.scale, law.power, law.to));
+                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation, law };
+                let member = |number: u64| {
+                    let one: &One = again.get(&number)?;
+                    Some((one.values.as_deref()?, one.verdicts.get(n)?))
+                };
+                let account = counted.account(derivation, &members.family, expected, &member);
+                claims[place].families.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
+            }
+            for (n, (measure, distribution)) in measures.iter().zip(&sums.distributions).enumerate() {
+                let of = Spreading { measure, distribution, stopped: stopped.as_deref() };
+                let member = |number: u64| {
+                    let one: &One = again.get(&number)?;
+                    Some((one.values.as_deref()?, one.measured.get(n)?.values.as_slice()))
+                };
+                let account = of.account(derivation, &members.family, &member);
+                out.push(account.map_err(|other| troupe.otherwise(other, joined.is_some()))?);
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// A family with the claims that are tried on it, compiled once for all members.
+pub struct Troupe<'a> {
+    members: &'a Members,
+    /// The derivation with these claims alone, and one more trajectory: the member.
+    derivation: Derivation,
+    fields: Fields,
+    programs: Vec<Vec<Program>>,
+    /// What is measured on each member.
+    measures: Vec<Compiled>,
+    gradients: Vec<Option<Result<Gradients, String>>>,
+    wanted: Vec<Leaf>,
+    start_of: Vec<usize>,
+    /// The position of the member among the trajectories.
+    slot: usize,
+    /// The motions that it is compared with, which follow it: the position of what varies, and which.
+    beside: Vec<(usize, Beside)>,
+}
+
+/// What one number gave.
+#[derive(Clone, Debug, Default)]
+pub struct One {
+    pub values: Option<Vec<f64>>,
+    rejected: u64,
+    steps: u64,
+    pub verdicts: Vec<Verdict>,
+    /// What was measured, in the order of the measures.
+    pub measured: Vec<Measurement>,
+}
+
+impl<'a> Troupe<'a> {
+    pub fn new(
+        derivation: &Derivation,
+        members: &'a Members,
+        asked: &[&Claim],
+        measured: &[&Measure],
+    ) -> Result<Troupe<'a>, CheckError> {
+        let base = derivation.trajectories[members.family.of].clone();
+        let slot = derivation.trajectories.len();
+        // What no member needs would be copied for each of them.
+        let mut derivation = derivation.clone();
+        derivation.families.clear();
+        let here = |m: &&Measure| Measure { trajectories: vec![slot], families: Vec::new(), ..(*m).clone() };
+        derivation.measures = measured.iter().map(here).collect();
+        derivation.conditions.clear();
+        derivation.given.clear();
+        derivation.pictures.clear();
+        let start = Rational::try_from(base.initial_time).unwrap_or(Rational::ZERO);
+        derivation.trajectories.push(base.clone());
+        let mut beside: Vec<(usize, Beside)> = Vec::new();
+        let compared = compared_with(&derivation, members, asked)?;
+        let here = |claim: &&Claim| Claim { trajectories: vec![slot], expect: vec![None], ..(*claim).clone() };
+        derivation.claims = asked.iter().map(here).collect();
+        for (claim, compared) in derivation.claims.iter_mut().zip(compared) {
+            let Some(Form::Across(across)) = claim.forms.first_mut() else { continue };
+            for which in compared {
+                let at = beside.iter().position(|b| *b == which).unwrap_or_else(|| {
+                    beside.push(which);
+                    beside.len() - 1
+                });
+                across.others.push(slot + 1 + at);
+                claim.trajectories.push(slot + 1 + at);
+                claim.expect.push(None);
+            }
+        }
+        derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
+        // As in the file with the member pasted into it: the motions share the memory.
+        let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
+        let count = derivation.claims.len();
+        let mut programs: Vec<Vec<Program>> =
+            (0..count).map(|c| vec![Program::new(&mut derivation, c, &start)]).collect();
+        let gradients: Vec<_> = (0..count).map(|c| Gradients::of_claim(&mut derivation, c, &fields)).collect();
+        let measures = measure::compile(&mut derivation, true);
+        let graph = &derivation.graph;
+        let mut wanted: Vec<Leaf> = programs.iter().flatten().flat_map(|p| p.leaves(graph)).collect();
+        wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(graph)));
+        wanted.extend(measures.iter().flat_map(|m| m.leaves(graph)));
+        wanted.extend(same_motion::leaves(&derivation));
+        wanted.sort_unstable();
+        wanted.dedup();
+        for program in programs.iter_mut().flatten() {
+            if let Err(leaf) = program.compile(&mut derivation.graph, &wanted) {
+                let name = derivation.graph.leaf_latex(leaf);
+                return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
+            }
+        }
+        let measures = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+        let start_of = vec![0; derivation.trajectories.len()];
+        Ok(Troupe { members, derivation, fields, programs, measures, gradients, wanted, start_of, slot, beside })
+    }
+
+    /// The claims with what is compiled for them.
+    fn prepared(&self) -> Vec<Vec<Prepared<'_>>> {
+        let compiled = self.programs.iter().zip(&self.gradients);
+        let each = self.derivation.claims.iter().zip(compiled).map(|(claim, (programs, gradients))| {
+            let one = |program: &Program| Prepared { claim, program: program.clone(), gradients: gradients.clone() };
+            programs.iter().map(one).collect()
+        });
+        each.collect()
+    }
+
+    /// Tries the members with some numbers, as far as the limits allow: what was counted of each claim, and why it stopped before
+    /// the last. `each` is handed every member, in the order of their numbers.
+    pub fn try_all(
+        &self,
+        numbers: RangeInclusive<u64>,
+        options: &Options,
+        budget: &mut Budget,
+        progress: &(dyn Fn(usize, usize) + Sync),
+        each: &mut dyn FnMut(&Row),
+    ) -> Result<(Sums, Option<String>), CheckError> {
+        let prepared = self.prepared();
+        let claims = &self.derivation.claims;
+        let scales = self.members.scales();
+        let laws: Vec<Option<Law>> = claims.iter().map(|claim| self.members.law(claim)).collect();
+        let map = vec![[0; 4]; scales.as_ref().map_or(0, cells)];
+        let empty = |law: &Option<Law>| Tally {
+            map: map.clone(),
+            slopes: Slopes::empty(law.as_ref().map_or(0, |law| law.scale.axis.cells.len())),
+            ..Tally::default()
+        };
+        let distributions = vec![Distribution::default(); self.derivation.measures.len()];
+        let mut sums = Sums { tallies: laws.iter().map(empty).collect(), distributions };
+        let (first, last) = numbers.into_inner();
+        let mut next = first;
+        while next <= last {
+            let stopped = options.limits.reached().or_else(|| budget.reached());
+            if options.limits.is_cancelled() {
+                return Err(CheckError::Defect(CANCELLED.to_owned()));
+            }
+            if let Some(reason) = stopped {
+                return Ok((sums, Some(reason.to_owned())));
+            }
+            let end = (next + WAVE.min(budget.members)).min(last + 1);
+            let numbers: Vec<u64> = (next..end).collect();
+            // Those that are integrated together, whatever the number of threads.
+            let some = numbers.par_chunks(TOGETHER).with_max_len(1);
+            let found = some.flat_map_iter(|some| self.some(some, &prepared, &options.limits)).collect::<Vec<_>>();
+            let mut late = false;
+            for (number, one) in numbers.into_iter().zip(found) {
+                let Some(One { values, rejected, steps, verdicts, measured }) = one? else {
+                    late = true;
+                    break;
+                };
+                budget.numbers = budget.numbers.saturating_sub(rejected);
+                budget.steps = budget.steps.saturating_sub(steps);
+                sums.tallies.iter_mut().for_each(|t| t.counts.rejected += rejected);
+                sums.distributions.iter_mut().for_each(|d| d.rejected += rejected);
+                if let Some(values) = values {
+                    let cell = scales.as_ref().and_then(|scales| self.members.cell(scales, number, &values));
+                    budget.members = budget.members.saturating_sub(1);
+                    for (distribution, of) in sums.distributions.iter_mut().zip(&measured) {
+                        let found = of.values.iter().map(|(_, value, bound)| (*value, *bound));
+                        distribution.count(number, found, of.reason.is_some());
+                    }
+                    each(&Row { number, values: &values, verdicts: &verdicts, measured: &measured });
+                    let of_claims = sums.tallies.iter_mut().zip(claims).zip(&laws).zip(&verdicts);
+                    for (((tally, claim), law), verdict) in of_claims {
+                        tally.count(number, verdict, claim.precision);
+                        cell.iter().for_each(|cell| tally.locate(*cell, verdict));
+                        if let (Some(law), Some(rise)) = (law, &verdict.evidence().rise) {
+                            let cell = self.members.place(&law.scale, law.varied, number, &values);
+                            cell.iter().for_each(|cell| tally.slopes.count(*cell, rise));
+                        }
+                    }
+                }
+            }
+            if late {
+                // The time is over, which the next look tells.
+                continue;
+            }
+            next = end;
+            let told = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+            progress(told(next - first), told(last + 1 - first));
+        }
+        Ok((sums, None))
+    }
+
+    /// For each claim the edge of where it holds, where the family asks for that.
+    pub fn boundaries(
+        &self,
+        tallies: &[Tally],
+        scales: Option<&[Scale; 2]>,
+        options: &Options,
+    ) -> Result<Vec<Option<Boundary>>, CheckError> {
+        let family = &self.members.family;
+        let (Some(scales), Some(map)) = (scales, family.map) else { return Ok(vec![None; tallies.len()]) };
+        if family.boundary.is_empty() {
+            return Ok(vec![None; tallies.len()]);
+        }
+        let widths = map.map(|n| {
+            let width = family.boundary.iter().find(|(at, _)| *at == n)?.1;
+            let logarithmic = matches!(family.vary[n].spread, Spread::Grid { logarithmic: true, .. });
+            Some(Width { width, logarithmic })
+        });
+        let prepared = self.prepared();
+        let mut left = Budget { members: MOST_BETWEEN, ..Budget::default() };
+        let mut one = |(n, tally): (usize, &Tally)| {
+            // Members that are compared with one another are those of the family alone.
+            if self.derivation.claims[n].forms.iter().any(|f| matches!(f, Form::Across(_))) {
+                return Ok(None);
+            }
+            let mut tried = |points: &[[f64; 2]]| -> Result<Found, CheckError> {
+                let mut out = Vec::new();
+                for wave in points.chunks(WAVE as usize) {
+                    if options.limits.is_cancelled() {
+                        return Err(CheckError::Defect(CANCELLED.to_owned()));
+                    }
+                    let stopped = (left.members == 0 || left.steps == 0)
+                        .then_some("work limit: as many motions were tried to find it as may be");
+                    if let Some(reason) = options.limits.reached().or(stopped) {
+                        return Ok(Err(reason.to_owned()));
+                    }
+                    let members: Vec<Member> = wave.iter().map(|point| self.members.at(*point)).collect();
+                    let some = members.par_chunks(TOGETHER).with_max_len(1);
+                    let some = some.flat_map_iter(|some| {
+                        let some = some.iter().map(|member| (1, member.clone())).collect();
+                        self.tried(some, &prepared, &options.limits)
+                    });
+                    for one in some.collect::<Vec<_>>() {
+                        let Some(One { steps, verdicts, .. }) = one? else {
+                            let reason = options.limits.reached().unwrap_or("the run was ended");
+                            return Ok(Err(reason.to_owned()));
+                        };
+                        left.steps = left.steps.saturating_sub(steps);
+                        let found = verdicts.get(n).filter(|v| v.defect().is_none());
+                        out.push(found.and_then(|v| v.outcome().truth()));
+                    }
+                    left.members = left.members.saturating_sub(wave.len() as u64);
+                }
+                Ok(Ok(out))
+            };
+            boundary::find(&tally.map, [&scales[0].axis, &scales[1].axis], widths, &mut tried).map(Some)
+        };
+        tallies.iter().enumerate().map(&mut one).collect()
+    }
+
+    /// Members that were counted, once more: their values and their verdicts.
+    pub fn again(&self, numbers: BTreeSet<u64>) -> Result<BTreeMap<u64, One>, CheckError> {
+        let prepared = self.prepared();
+        let numbers: Vec<u64> = numbers.into_iter().collect();
+        let found: Vec<Result<One, CheckError>> =
+            numbers.par_iter().with_max_len(1).map(|number| self.one(*number, &prepared)).collect();
+        numbers.into_iter().zip(found).map(|(number, one)| Ok((number, one?))).collect()
+    }
+
+    /// That a member is not what it was counted as: of what this program counted itself, that is a defect.
+    pub fn otherwise(&self, Otherwise(number): Otherwise, elsewhere: bool) -> CheckError {
+        let family = &self.members.family;
+        if !elsewhere {
+            let message = format!("member {number} of {} has another verdict when it is tried again", family.id);
+            return CheckError::Defect(message);
+        }
+        let message =
+            format!("member {number} of the family `{}` has another verdict here than its part says", family.id);
+        let problem = Diagnostic::at(&self.derivation.file, "sweep::foreign-part", family.span.clone(), message);
+        CheckError::Problems(vec![problem.hint("parts are made by the program that joins them: make them again")])
+    }
+
+    /// That no number gives a member.
+    pub fn empty(&self) -> Diagnostic {
+        let family = &self.members.family;
+        let place = family.where_span.clone().unwrap_or(family.span.clone());
+        let message = format!("the family `{}` has no members: all {} are rejected", family.id, family.size());
+        Diagnostic::at(&self.derivation.file, "derivation::bad-family", place, message)
+            .hint("a member satisfies every constraint under `where`, and what is declared positive is positive")
+    }
+
+    /// Some numbers: the member of each, if it gives one, and the verdicts on it; nothing for those that a limit of the run leaves
+    /// out. Every member begins with the same graph: what others left behind cannot change it.
+    fn some(
+        &self,
+        numbers: &[u64],
+        prepared: &[Vec<Prepared>],
+        limits: &Limits,
+    ) -> Vec<Result<Option<One>, CheckError>> {
+        let members = numbers.iter().map(|number| (*number, self.members.member(*number))).collect();
+        self.tried(members, prepared, limits)
+    }
+
+    /// The same for members at hand.
+    fn tried(
+        &self,
+        members: Vec<(u64, Member)>,
+        prepared: &[Vec<Prepared>],
+        limits: &Limits,
+    ) -> Vec<Result<Option<One>, CheckError>> {
+        let slot = self.slot;
+        let mut found = Vec::new();
+        let mut derivations = Vec::new();
+        for (number, member) in members {
+            found.push(match member {
+                Member::Rejected => Ok(Some(One { rejected: 1, ..One::default() })),
+                Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
+                Member::Found(values, rejected) => self.with_member(number, &values).map(|derivation| {
+                    derivations.push(derivation);
+                    Some(One { values: Some(values), rejected, ..One::default() })
+                }),
+            });
+        }
+        let tried: Vec<usize> = (slot..=slot + self.beside.len()).collect();
+        let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
+        let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
+        let requests = Requests {
+            part: false,
+            wanted: &self.wanted,
+            tried: &tried,
+            claims: &claims,
+            programs: &programs,
+            start_of: &self.start_of,
+            measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
+            limits,
+        };
+        let stages = Stage::build_each(&derivations, &self.fields, &requests);
+        let mut stages = derivations.iter().zip(stages);
+        let with_verdicts = |one: Result<Option<One>, CheckError>| {
+            let Some(one) = one? else { return Ok(None) };
+            let Some(values) = &one.values else { return Ok(Some(one)) };
+            let Some((derivation, stage)) = stages.next() else { return Ok(None) };
+            let Some(stage) = stage.map_err(|error| self.not_built(error, values))? else { return Ok(None) };
+            let (verdicts, measured) = self.verdicts(derivation, &stage, prepared, limits)?;
+            let steps = tried.iter().filter_map(|t| stage.motion(*t)).map(Motion::steps).sum::<usize>() as u64;
+            Ok(Some(One { verdicts, measured, steps, ..one }))
+        };
+        found.into_iter().map(with_verdicts).collect()
+    }
+
+    /// One number, without limits.
+    fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
+        let found = self.some(&[number], prepared, &Limits::default()).into_iter().next();
+        let missing = || CheckError::Defect(format!("member {number} was not built"));
+        found.and_then(Result::transpose).unwrap_or_else(|| Err(missing()))
+    }
+
+    /// The derivation with a member, and with those that it is compared with: the same member again where there is none.
+    fn with_member(&self, number: u64, values: &[f64]) -> Result<Derivation, CheckError> {
+        let (slot, family) = (self.slot, &self.members.family);
+        let mut derivation = self.derivation.clone();
+        let made = |derivation: &mut Derivation, values: &[f64]| {
+            let member = family.member(&mut derivation.graph, &self.derivation.trajectories[slot], number, values);
+            let defect =
+                || CheckError::Defect(format!("the values of member {number} of {} are no numbers", family.id));
+            member.ok_or_else(defect)
+        };
+        let member = made(&mut derivation, values)?;
+        let id = member.id.clone();
+        derivation.trajectories[slot] = member.clone();
+        // Of each motion beside it the value of what varies, or why there is none.
+        let mut others: Vec<Result<f64, NoOther>> = Vec::new();
+        for (n, &(varied, which)) in self.beside.iter().enumerate() {
+            let other = self.members.beside(number, values, varied, which);
+            let motion = match &other {
+                Ok(other) => made(&mut derivation, other)?,
+                Err(_) => member.clone(),
+            };
+            derivation.trajectories[slot + 1 + n] = Trajectory { id: format!("{id}-other-{n}"), ..motion };
+            others.push(other.map(|other| other[varied]));
+        }
+        for form in derivation.claims.iter_mut().flat_map(|c| &mut c.forms) {
+            let Form::Across(across) = form else { continue };
+            let Some(&(varied, _)) = across.others.first().and_then(|at| self.beside.get(at - slot - 1)) else {
+                continue;
+            };
+            let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
+            // Beside the place of an extremum there need be none.
+            let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
+                other.is_ok() || !matches!(which, Beside::Edge { .. })
+            };
+            let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
+                across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
+            let found: Result<Vec<f64>, NoOther> = std::iter::once(Ok(values[varied])).chain(found).collect();
+            across.others = if found.is_ok() { at } else { Vec::new() };
+            across.values = found;
+        }
+        Ok(derivation)
+    }
+
+    /// The verdicts of all claims on a member, and what is measured.
+    fn verdicts(
+        &self,
+        derivation: &Derivation,
+        stage: &Stage,
+        prepared: &[Vec<Prepared>],
+        limits: &Limits,
+    ) -> Result<(Vec<Verdict>, Vec<Measurement>), CheckError> {
+        let slot = self.slot;
+        let (course, contradiction) =
+            stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
+        let mut accounts: Vec<ClaimAccount> = Vec::new();
+        for of in prepared {
+            let Prepared { claim, program, gradients } = &of[0];
+            let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+            let mut verdict = trial::try_claim(derivation, &trial, gradients.as_ref());
+            if let Some(contradiction) = &contradiction {
+                verdict.contradict(contradiction.clone());
+            }
+            let trajectory = derivation.trajectories[slot].id.clone();
+            let pair = PairAccount { trajectory, verdict, expected: None, discrimination: None };
+            accounts.push(ClaimAccount::of(claim, vec![pair]));
+        }
+        let claimed: Vec<usize> = (0..accounts.len()).collect();
+        by_formula::settle(derivation, &mut accounts, &claimed, &[slot], limits);
+        let points = witness::Points {
+            derivation,
+            stage,
+            prepared,
+            start_of: &self.start_of,
+            tried: &[slot],
+            wanted: &self.wanted,
+        };
+        witness::complete(&points, &mut accounts);
+        let measured = self.measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+        Ok((accounts.into_iter().flat_map(|a| a.results).map(|pair| pair.verdict).collect(), measured))
+    }
+
+    /// Problems of a member have the place of its family: nobody wrote it.
+    fn not_built(&self, error: CheckError, values: &[f64]) -> CheckError {
+        let CheckError::Problems(found) = error else { return error };
+        let family = &self.members.family;
+        let given: Vec<String> = family.vary.iter().zip(values).map(|(v, x)| format!("{} = {x:?}", v.name)).collect();
+        let told = |d: Diagnostic| {
+            let message =
+                format!("a member of the family `{}` is no motion, {}: {}", family.id, given.join(", "), d.message);
+            Diagnostic::at(&self.derivation.file, d.code, family.span.clone(), message)
+                .hint("exclude such members by `where`")
+        };
+        CheckError::Problems(found.into_iter().take(1).map(told).collect())
+    }
+}
+
+/// How many cells a map has.
+pub fn cells([across, up]: &[Scale; 2]) -> usize {
+    across.axis.cells.len() * up.axis.cells.len()
+}
+
+/// That hardly any draw satisfies the constraints.
+pub fn too_rare(derivation: &Derivation, members: &Members, number: u64) -> Diagnostic {
+    let family = &members.family;
+    let place = family.where_span.clone().unwrap_or(family.span.clone());
+    let message = format!(
+        "work limit: of {MOST_DRAWS} draws for member {number} of the family `{}` none satisfies its constraints",
+        family.id
+    );
+    Diagnostic::at(&derivation.file, "derivation::bad-family", place, message)
+        .hint("draw from narrower ranges: the constraints leave hardly anything of these")
+}

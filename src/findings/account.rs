@@ -1,0 +1,383 @@
+//! What a check hands to the reports: every number that a report shows, computed.
+
+use crate::conditions::ConditionsAccount;
+use crate::family::{FamilyAccount, MeasureAccount};
+use crate::identity::IdentityEvidence;
+use crate::picture::PictureAccount;
+use crate::region::RegionAccount;
+use crate::standing::{Decision, Exception, Finding, Given};
+use crate::variant::{Discrimination, VariantAccount};
+use derivation::Claim;
+use units::UnitsAccount;
+use verdict::{Outcome, Strength, Verdict};
+
+/// A trajectory as it was computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrajectoryAccount {
+    /// Its id in the derivation file.
+    pub id: String,
+    /// Its title; the id where none is given.
+    pub title: String,
+    /// First and last time.
+    pub span: (f64, f64),
+    /// `integrated`, `formula` or `derived`.
+    pub source: &'static str,
+    /// Parameters and initial values: LaTeX name, values in order of components.
+    pub given: Vec<(String, Vec<f64>)>,
+    /// Steps of the integrator, 0 for closed formulas.
+    pub steps: usize,
+    /// Largest error estimate of a state component over the span.
+    pub error: f64,
+    /// Why the trajectory ends early or could not be computed.
+    pub problem: Option<String>,
+}
+
+/// A measured quantity on one trajectory: one entry for each time at which it was taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Id of the measure.
+    pub measure: String,
+    /// Id of the trajectory.
+    pub trajectory: String,
+    /// (time, value, error bound).
+    pub values: Vec<(f64, f64, f64)>,
+    /// Why there is none, or not all.
+    pub reason: Option<String>,
+}
+
+/// One claim on one trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairAccount {
+    /// Id of the trajectory.
+    pub trajectory: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The word that the derivation file expects, if it expects one.
+    pub expected: Option<&'static str>,
+    /// How many altered formulas the same evidence rejects, where the claim holds.
+    pub discrimination: Option<Discrimination>,
+}
+
+impl PairAccount {
+    /// Whether the verdict differs from what the file expects; without an expectation, whether the claim fails. Where the
+    /// file expects that samples leave it open, an enclosure may decide.
+    pub fn is_unexpected(&self) -> bool {
+        let enclosed =
+            matches!(self.verdict.outcome(), Outcome::Holds(s) | Outcome::Fails(s) if s == Strength::Enclosed);
+        match self.expected {
+            Some("undecided") if enclosed => false,
+            Some(word) => word != self.verdict.outcome().word(),
+            None => matches!(self.verdict.outcome(), Outcome::Fails(_)),
+        }
+    }
+}
+
+impl RegionAccount {
+    /// Whether the verdict differs from what the file expects; without an expectation, whether the claim fails.
+    pub fn is_unexpected(&self) -> bool {
+        match self.expected {
+            Some(word) => word != self.verdict.outcome().word(),
+            None => matches!(self.verdict.outcome(), Outcome::Fails(_)),
+        }
+    }
+}
+
+/// One verdict on a claim: on a trajectory, on the members of a family, or over its ranges.
+#[derive(Clone, Copy, Debug)]
+pub struct Judged<'a> {
+    /// Id of the trajectory; `None` for a family and for ranges.
+    pub trajectory: Option<&'a str>,
+    /// The family.
+    pub family: Option<&'a FamilyAccount>,
+    /// The verdict.
+    pub verdict: &'a Verdict,
+    /// The word that the derivation file expects, if it expects one.
+    pub expected: Option<&'static str>,
+    /// Whether it differs from what is expected.
+    pub unexpected: bool,
+}
+
+impl Judged<'_> {
+    /// What it was tried on, in a word.
+    pub fn on(&self) -> &str {
+        self.trajectory.or(self.family.map(|f| f.family.as_str())).unwrap_or("its ranges")
+    }
+}
+
+impl ClaimAccount {
+    /// Every verdict on the claim: those on trajectories and families, or the one over its ranges.
+    pub fn verdicts(&self) -> impl Iterator<Item = Judged<'_>> {
+        let pairs = self.results.iter().map(|p| Judged {
+            trajectory: Some(&p.trajectory),
+            family: None,
+            verdict: &p.verdict,
+            expected: p.expected,
+            unexpected: p.is_unexpected(),
+        });
+        let families = self.families.iter().map(|f| Judged {
+            trajectory: None,
+            family: Some(f),
+            verdict: &f.verdict,
+            expected: f.expected,
+            unexpected: f.is_unexpected(),
+        });
+        pairs.chain(families).chain(self.region.iter().map(|r| Judged {
+            trajectory: None,
+            family: None,
+            verdict: &r.verdict,
+            expected: r.expected,
+            unexpected: r.is_unexpected(),
+        }))
+    }
+}
+
+/// Which assumptions of a claim its proof uses.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AssumptionsUsed {
+    /// Without these it fails, or leaves something out.
+    pub used: Vec<String>,
+    /// It holds without these.
+    pub unused: Vec<String>,
+}
+
+/// A claim as a step of the derivation: whether it holds for every value of every symbol, given what it follows from.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct IdentityAccount {
+    /// What was decided, and of what: only `Finding::weigh` makes one.
+    pub finding: Finding,
+    /// Claims that it follows from, through all steps, which are not proved themselves; assumptions of those that it does not
+    /// make. What is proved is proved given these.
+    pub conditional_on: Vec<Given>,
+    /// log₂ of the bound for the probability that a proof is wrong.
+    pub log2_error: Option<f64>,
+    /// What was given beside definitions and assumptions: ids of claims and systems.
+    pub from: Vec<String>,
+    /// What has to hold for the formulas to have values.
+    pub conditions: Vec<String>,
+    /// What the proof does not reach: special cases, and what it takes for granted of motions.
+    pub exceptions: Vec<String>,
+    /// Where alone what is given can hold, special cases aside.
+    pub given_only_where: Vec<String>,
+    /// Of the claim's assumptions, those that the proof uses; `None` where that was not looked at.
+    pub assumptions: Option<AssumptionsUsed>,
+    /// Assumptions of what is given, which this claim does not make itself.
+    pub presupposed: Vec<String>,
+    /// Whether the proof leaves out special cases of what is given.
+    pub generic: bool,
+    /// Whether what is given has values at fewer times than what is claimed: it says nothing of the others.
+    pub narrower: bool,
+    /// Why undecided; a remark on a proof.
+    pub reason: Option<String>,
+    /// A point at which everything given holds and the claim does not.
+    pub witness: Option<String>,
+    /// What the verdict rests on: trials, certificates, numbers.
+    pub evidence: IdentityEvidence,
+}
+
+impl IdentityAccount {
+    /// The word of the report contract: `proved`, `refuted` or `undecided`. A proof that leaves a case out is `proved` here: see
+    /// [`IdentityAccount::standing`].
+    pub fn verdict(&self) -> &'static str {
+        self.finding.decision().contract_word()
+    }
+
+    /// Whether it is proved for all values: no case is left out, and nothing that it follows from is open.
+    pub fn is_proved(&self) -> bool {
+        self.finding.decision() == Decision::Proved && self.conditional_on.is_empty()
+    }
+
+    /// Whether the claim holds on every motion on which what it follows from holds exactly. What is said of poles and of
+    /// denominators is no exception on integrated motions, which are analytic.
+    pub fn lends_strength(&self) -> bool {
+        let analytic = |e: &Exception| matches!(e, Exception::Divides(_));
+        let finding = &self.finding;
+        finding.is_proved_in_part()
+            && finding.exceptions().iter().all(analytic)
+            && self.presupposed.is_empty()
+            && !self.narrower
+    }
+
+    /// The verdict in full: `proved`, `proved except`, `proved given`, `refuted`, `undecided`.
+    pub fn standing(&self) -> &'static str {
+        match self.finding.decision() {
+            Decision::Proved if !self.conditional_on.is_empty() => "proved given",
+            decision => decision.word(),
+        }
+    }
+
+    /// What a proof needs and leaves out: a heading for each list that is not empty.
+    pub fn terms(&self) -> Vec<(&'static str, Vec<String>)> {
+        let mut out = vec![
+            ("It holds where", self.conditions.clone()),
+            ("The proof does not reach", self.exceptions.clone()),
+            ("What is given holds, special cases aside, only where", self.given_only_where.clone()),
+            ("What is given assumes", self.presupposed.clone()),
+        ];
+        if let Some(AssumptionsUsed { used, unused }) = &self.assumptions {
+            out.push(("Of the assumptions it uses", used.clone()));
+            out.push(("Of the assumptions it does not use", unused.clone()));
+        }
+        out.retain(|(_, lines)| !lines.is_empty());
+        out
+    }
+
+    /// What it is proved given, in words; empty where nothing is open.
+    pub fn conditional_in_words(&self) -> String {
+        let one = |g: &Given| match g.standing {
+            None => format!("`{}`, which is not decided for all values", g.name),
+            Some(word) => format!("`{}`, which is {word}", g.name),
+        };
+        self.conditional_on.iter().map(one).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The verdict in one sentence.
+    pub fn sentence(&self) -> String {
+        let given = if self.from.is_empty() {
+            "the definitions and assumptions".to_owned()
+        } else {
+            format!("the definitions, the assumptions and {}", self.from.join(", "))
+        };
+        let reason = self.reason.as_deref().unwrap_or("no reason is known");
+        let open = self.conditional_in_words();
+        let decision = self.finding.decision();
+        match (decision, self.log2_error) {
+            (Decision::Proved | Decision::ProvedExcept, bound) => {
+                let how = match bound {
+                    Some(_) if self.evidence.trials.is_none() => {
+                        "both sides are algebraic numbers, compared exactly".to_owned()
+                    }
+                    Some(bound) => {
+                        format!("proved by random evaluation, with an error probability of at most 2^{}", bound.ceil())
+                    }
+                    None => "proved by signs, for every order of the sizes".to_owned(),
+                };
+                let head = match (decision, open.is_empty(), bound) {
+                    (Decision::ProvedExcept, true, _) => format!("Proved except in special cases, given {given}"),
+                    (Decision::ProvedExcept, false, _) => {
+                        format!("Proved except in special cases, and only given {open}, from {given}")
+                    }
+                    (_, false, _) => format!("Proved only given {open}, from {given}"),
+                    (_, true, Some(_)) => format!("An identity, given {given}"),
+                    (_, true, None) => format!("True for all values, given {given}"),
+                };
+                format!("{head}: {how}.")
+            }
+            (Decision::Refuted, _) => format!("Not an identity, given {given}: a point refutes it."),
+            (Decision::Undecided, _) => format!("Whether it is an identity, given {given}, is undecided: {reason}."),
+        }
+    }
+}
+
+/// One claim, or one reading of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClaimAccount {
+    /// Id of the claim.
+    pub id: String,
+    /// Id of the reading, for claims that have several.
+    pub reading: Option<String>,
+    /// What it says, in the file's words.
+    pub says: String,
+    /// Where it stands in the paper.
+    pub place: Option<String>,
+    /// Its formulas as written.
+    pub formulas: Vec<String>,
+    /// Its assumptions as written.
+    pub assumptions: Vec<String>,
+    /// The remark of the file on it: what a reader should know.
+    pub remark: Option<String>,
+    /// Whether it holds for all values, where it is a claim of that kind.
+    pub identity: Option<IdentityAccount>,
+    /// Under which condition it holds, and which of its assumptions it needs.
+    pub conditions: ConditionsAccount,
+    /// One entry per trajectory, in the order of the file.
+    pub results: Vec<PairAccount>,
+    /// One entry for each family on which it is tried, in the order of the file.
+    pub families: Vec<FamilyAccount>,
+    /// For a claim over ranges, which has no trajectories: its verdict.
+    pub region: Option<RegionAccount>,
+    /// What single edits of its formulas say of the evidence, where they were tried.
+    pub variants: Option<VariantAccount>,
+}
+
+/// Everything that was found for one derivation file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Account {
+    /// The trajectories, in the order of the file.
+    pub trajectories: Vec<TrajectoryAccount>,
+    /// Claims and readings, in the order of the file.
+    pub claims: Vec<ClaimAccount>,
+    /// Measurements, in the order of the file.
+    pub measurements: Vec<Measurement>,
+    /// What was measured over families, family by family.
+    pub distributions: Vec<MeasureAccount>,
+    /// Whether the formulas are consistent in their units.
+    pub units: UnitsAccount,
+    /// Pictures, in the order of the file: for each, those of the trajectories.
+    pub pictures: Vec<PictureAccount>,
+}
+
+/// Counts over all pairs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// Pairs that hold.
+    pub holds: usize,
+    /// Pairs that fail.
+    pub fails: usize,
+    /// Pairs to which the claim does not apply.
+    pub not_applicable: usize,
+    /// Pairs that stay undecided.
+    pub undecided: usize,
+    /// Pairs that stay undecided although the file does not say so: it expects nothing of them.
+    pub open: usize,
+    /// Pairs that differ from what the file expects.
+    pub unexpected: usize,
+}
+
+impl Account {
+    /// The claims that have no verdict because the program contradicts itself: name, what it was tried on, why.
+    pub fn defects(&self) -> impl Iterator<Item = (String, String, &str)> {
+        self.claims.iter().flat_map(|claim| {
+            let name = claim.reading.as_ref().map_or(claim.id.clone(), |r| format!("{}/{r}", claim.id));
+            claim.verdicts().filter_map(move |j| Some((name.clone(), j.on().to_owned(), j.verdict.defect()?)))
+        })
+    }
+
+    /// The counts.
+    pub fn summary(&self) -> Summary {
+        let mut s = Summary::default();
+        for pair in self.claims.iter().flat_map(ClaimAccount::verdicts) {
+            match pair.verdict.outcome() {
+                Outcome::Holds(_) => s.holds += 1,
+                Outcome::Fails(_) => s.fails += 1,
+                Outcome::NotApplicable(_) => s.not_applicable += 1,
+                Outcome::Undecided => {
+                    s.undecided += 1;
+                    s.open += usize::from(pair.expected.is_none());
+                }
+            }
+            s.unexpected += usize::from(pair.unexpected);
+        }
+        s
+    }
+}
+
+impl ClaimAccount {
+    /// What a file says of a claim, with its verdicts on trajectories.
+    pub fn of(claim: &Claim, results: Vec<PairAccount>) -> ClaimAccount {
+        ClaimAccount {
+            id: claim.id.clone(),
+            reading: claim.reading.clone(),
+            says: claim.says.clone(),
+            place: claim.place.clone(),
+            formulas: claim.formulas.iter().map(|f| f.text.clone()).collect(),
+            assumptions: claim.assuming.iter().map(|w| w.text.clone()).collect(),
+            remark: claim.remark.clone(),
+            identity: None,
+            conditions: Default::default(),
+            results,
+            families: Vec::new(),
+            region: None,
+            variants: None,
+        }
+    }
+}

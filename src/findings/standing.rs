@@ -1,0 +1,219 @@
+//! What a step is worth: the only room that says *proved*.
+//!
+//! **In:** the answer of an identity test, and what the step knows of its circumstances. **Out:** [`Finding`]: the decision, with what it
+//! leaves out, as data; words are made from it elsewhere.
+//!
+//! | decision | means |
+//! |---|---|
+//! | *proved* | no case is left out, and a real point was found at which it says something |
+//! | *proved except* | the cases listed are open |
+//! | *refuted* | a motion, or real constants, satisfy everything given, and not the claim |
+//! | *undecided* | else |
+//!
+//! **Guaranteed.** The fields are private, and `Finding::weigh` is the only way to a decision other than *undecided*, beside `Finding::of_motion`
+//! and `Finding::of_signs`, which take what decides. Whether all that a proof follows from is proved itself is seen in the graph of the
+//! derivation, see `conditional`.
+
+use expr::{Expr, Graph, Rational};
+use proof::{Condition, Identity, Reason, order};
+use verdict::Witness;
+
+/// What was decided of a step, taken by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Decision {
+    /// For all values.
+    Proved,
+    /// For all values but those of the exceptions.
+    ProvedExcept,
+    /// Not so.
+    Refuted,
+    /// Neither.
+    #[default]
+    Undecided,
+}
+
+impl Decision {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Decision::Proved => "proved",
+            Decision::ProvedExcept => "proved except",
+            Decision::Refuted => "refuted",
+            Decision::Undecided => "undecided",
+        }
+    }
+
+    /// The word of schema 1 of the report, which does not tell exceptions.
+    pub fn contract_word(self) -> &'static str {
+        match self {
+            Decision::Proved | Decision::ProvedExcept => "proved",
+            Decision::Refuted => "refuted",
+            Decision::Undecided => "undecided",
+        }
+    }
+}
+
+/// What a proof does not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exception {
+    /// That this vanishes.
+    Vanishes(Expr),
+    /// What lies beyond a time at which this leaps.
+    Leaps(Expr),
+    /// What lies beyond a time at which this vanishes, under something.
+    Divides(Expr),
+    /// Where a part has no value with the sign of ± that is proved, and another is false with the other.
+    OneSign,
+}
+
+/// Why a proof is none after all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Void {
+    /// A formula has no value under what is given.
+    NoValue,
+    /// It was proved outside of special cases, and no point was found outside of them.
+    OnlySpecial,
+    /// No real point was found at which what is given holds and the claim has a value: perhaps it says nothing.
+    Unseen,
+    /// It was refuted without something given that could not be used.
+    Incomplete,
+}
+
+/// The decision on a step, and what it rests on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Finding {
+    decision: Decision,
+    exceptions: Vec<Exception>,
+    void: Option<Void>,
+}
+
+impl Finding {
+    /// Weighs an answer. `complete`: everything given could be used; `along`: what a proof along motions does not reach.
+    pub fn weigh(graph: &Graph, identity: &Identity, complete: bool, along: Vec<Exception>) -> Finding {
+        let undecided = |void| Finding { void, ..Finding::default() };
+        match identity {
+            Identity::Proved(proof) => {
+                let mut exceptions: Vec<Exception> = Vec::new();
+                for condition in &proof.conditions {
+                    if let Condition::Pivot(e) = *condition {
+                        exceptions.push(Exception::Vanishes(e));
+                    }
+                }
+                if proof.conditions.iter().any(|c| is_impossible(graph, c)) {
+                    return undecided(Some(Void::NoValue));
+                }
+                if proof.example.is_none() {
+                    return undecided(Some(if exceptions.is_empty() { Void::Unseen } else { Void::OnlySpecial }));
+                }
+                exceptions.extend(along);
+                let decision = if exceptions.is_empty() { Decision::Proved } else { Decision::ProvedExcept };
+                Finding { decision, exceptions, void: None }
+            }
+            Identity::Refuted(_) if complete => Finding { decision: Decision::Refuted, ..Finding::default() },
+            Identity::Refuted(_) => undecided(Some(Void::Incomplete)),
+            Identity::Undecided(_) => undecided(None),
+        }
+    }
+
+    /// A motion on which everything given holds, and the claim does not.
+    pub fn of_motion(_: &Witness) -> Finding {
+        Finding { decision: Decision::Refuted, ..Finding::default() }
+    }
+
+    /// The signs of everything, for every order of size of positive parameters.
+    pub fn of_signs(found: &order::Orders) -> Finding {
+        let decision = match (found.is_proved(), found.refuting()) {
+            (true, _) => Decision::Proved,
+            (false, Some(_)) => Decision::Refuted,
+            (false, None) => Decision::Undecided,
+        };
+        Finding { decision, ..Finding::default() }
+    }
+
+    /// Both findings: of a claim that must follow in two cases.
+    pub fn and(self, other: Finding) -> Finding {
+        let rank = |d: Decision| match d {
+            Decision::Refuted => 3,
+            Decision::Undecided => 2,
+            Decision::ProvedExcept => 1,
+            Decision::Proved => 0,
+        };
+        let decision = if rank(self.decision) >= rank(other.decision) { self.decision } else { other.decision };
+        let mut exceptions = self.exceptions;
+        exceptions.extend(other.exceptions);
+        exceptions.dedup();
+        Finding { decision, exceptions, void: self.void.or(other.void) }
+    }
+
+    /// What was decided.
+    pub fn decision(&self) -> Decision {
+        self.decision
+    }
+
+    /// Whether it is proved, and no case is left out.
+    pub fn is_proved(&self) -> bool {
+        self.decision == Decision::Proved
+    }
+
+    /// Whether it is proved, perhaps with exceptions.
+    pub fn is_proved_in_part(&self) -> bool {
+        matches!(self.decision, Decision::Proved | Decision::ProvedExcept)
+    }
+
+    /// What a proof does not reach.
+    pub fn exceptions(&self) -> &[Exception] {
+        &self.exceptions
+    }
+
+    /// Why a proof or a refutation is none after all.
+    pub fn void(&self) -> Option<Void> {
+        self.void
+    }
+}
+
+/// Whether a condition is a false statement about a number.
+fn is_impossible(graph: &Graph, condition: &Condition) -> bool {
+    let number = |e: Expr| graph.as_constant(e).cloned();
+    let (zero, one) = (Rational::ZERO, Rational::ONE);
+    match condition {
+        Condition::Denominator(e) | Condition::Pivot(e) => number(*e).is_some_and(|r| r == zero),
+        Condition::Radicand(e) | Condition::Discriminant(e) => number(*e).is_some_and(|r| r < zero),
+        Condition::Positive(e) => number(*e).is_some_and(|r| r <= zero),
+        Condition::Unit(e) => number(*e).is_some_and(|r| r > one || r < -one),
+    }
+}
+
+/// Whether an answer says that what is given contradicts itself, or that it leaves the claim without a value.
+pub fn is_empty(identity: &Identity) -> bool {
+    matches!(identity, Identity::Undecided(Reason::Contradiction | Reason::NoValue))
+}
+
+/// Something that a proof is given, and that is not proved itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// Name of the claim.
+    pub name: String,
+    /// What its own step came to; `None` where it is no question for all values, or was not asked.
+    pub standing: Option<&'static str>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_two_findings_the_worse_counts() {
+        let of = |decision| Finding { decision, ..Finding::default() };
+        use Decision::{Proved, ProvedExcept, Refuted, Undecided};
+        for (a, b, both) in [
+            (Proved, Proved, Proved),
+            (Proved, ProvedExcept, ProvedExcept),
+            (ProvedExcept, Undecided, Undecided),
+            (Undecided, Refuted, Refuted),
+        ] {
+            assert_eq!(of(a).and(of(b)).decision(), both);
+            assert_eq!(of(b).and(of(a)).decision(), both);
+        }
+        assert_eq!(Finding::default().decision(), Undecided);
+    }
+}

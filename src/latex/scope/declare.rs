@@ -1,0 +1,221 @@
+//! Declarations: a symbol under its name as LaTeX writes it, with what it is defined by.
+//!
+//! **In:** a key and what is said of it. **Out:** the scope with one more symbol, or why not, with its place. **Guaranteed:** a name that
+//! could be read in two ways is refused.
+
+use std::sync::Arc;
+
+use super::super::elaborate::Elaborator;
+use super::super::parse::{WrittenName, read_name};
+use super::super::syntax::{Name, SubItem};
+use super::super::{name, tensor};
+use super::{
+    Arguments, Declaration, DeclareError, Entry, Filed, Pattern, Role, Scope, bad_key, digest, same_kind, too_many,
+};
+use diag::Problem;
+use expr::{Graph, Shape, Symbol};
+
+/// Takes a key apart.
+fn read_key(key: &str, scope: &Scope) -> Result<WrittenName, DeclareError> {
+    let hint = r"a name is one letter or Greek letter, perhaps styled, primed, with a label: `R`, `\Omega`, `{\bf m}`, `\psi_0`";
+    match read_name(key, scope) {
+        Ok(Some(name)) => Ok(name),
+        Ok(None) => Err(bad_key(format!("`{key}` is not the name of a symbol"), key, hint)),
+        Err(problem) => Err(DeclareError::Key(problem)),
+    }
+}
+
+impl Scope {
+    /// Declares a symbol under its name as LaTeX writes it.
+    ///
+    /// Keys: `R`, `\Omega`, `{\bf m}`, `I'`; with a label, `\psi_0`; with index places, `I_{(n-k)}`, where the letters are
+    /// indices of the formula; with declared symbols in parentheses, `\Omega({\bf m})`; with formal arguments, `Z(\alpha)`.
+    ///
+    /// # Errors
+    /// [`DeclareError`], with the place in the key or in the formula.
+    pub fn declare(&mut self, graph: &mut Graph, key: &str, d: Declaration<'_>) -> Result<Symbol, DeclareError> {
+        let WrittenName { name, sub, arguments } = read_key(key, self)?;
+        let letters = name.trim_end_matches('\'').to_owned();
+        let spelled = letters.len() > 1 && letters.bytes().all(|b| b.is_ascii_alphabetic());
+        if spelled && letters.chars().all(|c| self.declares(&c.to_string())) {
+            let message = format!("`{key}` would also be a product of the declared letters");
+            return Err(bad_key(message, key, r"write `\mathrm{…}` around the name"));
+        }
+        if d.role == Role::Time && self.entries.iter().any(|e| e.role == Role::Time) {
+            return Err(bad_key("there is a time already", key, ""));
+        }
+        // Formal arguments are symbols of an inner scope.
+        let mut inner = self.clone();
+        let mut formal = Vec::new();
+        for argument in d.arguments {
+            let declaration = Declaration {
+                role: Role::Argument,
+                shape: None,
+                diagonal: false,
+                formula: None,
+                arguments: &[],
+                complex: false,
+                angle: false,
+            };
+            let symbol = inner.declare(graph, argument, declaration)?;
+            formal.push((symbol, Shape::scalar()));
+        }
+        let coordinates = match d.role {
+            Role::Field => self.coordinates_of(graph, key, arguments.as_deref())?,
+            Role::Coordinate if d.complex || arguments.is_some() => {
+                return Err(bad_key("a coordinate is a real number, and nothing else", key, ""));
+            }
+            _ => Vec::new(),
+        };
+        let mut pattern: Vec<Pattern> = sub.iter().cloned().map(Pattern::Literal).collect();
+        let mut definition = None;
+        let declared = d.shape.as_ref().map(|s| if d.complex { s.complexified() } else { s.clone() });
+        let scale = match (d.role, d.formula) {
+            (Role::Coordinate, Some(text)) => Some(self.scale_factor(graph, &name, (d.shape.as_ref(), text))?),
+            _ => None,
+        };
+        if let Some(text) = d.formula.filter(|_| scale.is_none()) {
+            let letters: Vec<Name> =
+                sub.iter().filter_map(|i| if let SubItem::Name(n) = i { Some(n.clone()) } else { None }).collect();
+            let elaborator = Elaborator::new(&inner, graph);
+            let (tensor, placed) = elaborator.definition(text, &letters).map_err(DeclareError::Formula)?;
+            if placed {
+                for p in &mut pattern {
+                    if matches!(p, Pattern::Literal(SubItem::Name(_))) {
+                        *p = Pattern::Index;
+                    }
+                }
+            }
+            let tensor = match d.complex && !tensor.shape.is_complex() {
+                true => tensor::complexified(graph, &tensor),
+                false => tensor,
+            };
+            if tensor.shape.is_complex() && !d.complex {
+                let message = "the formula is complex, the symbol is not declared so";
+                let (span, hint) = (0..text.len(), Some("declare it with `complex = true`".to_owned()));
+                return Err(DeclareError::Formula(vec![Problem {
+                    code: "latex::shape",
+                    message: message.into(),
+                    span,
+                    hint,
+                }]));
+            }
+            if let Some(shape) = &declared
+                && *shape != tensor.shape
+            {
+                let message = format!("the formula is a {}, the symbol is declared as a {shape}", tensor.shape);
+                let span = 0..text.len();
+                return Err(DeclareError::Formula(vec![Problem { code: "latex::shape", message, span, hint: None }]));
+            }
+            if d.role == Role::Field {
+                self.depends_on(graph, &tensor, &coordinates, text)?;
+            }
+            definition = Some(tensor);
+        }
+        let shape = definition.as_ref().map(|t| t.shape.clone()).or(declared);
+        let shape = shape.unwrap_or_else(|| if d.complex { Shape::scalar().complexified() } else { Shape::scalar() });
+        self.no_clash(key, &name, &pattern, &shape)?;
+        let arguments = match (arguments, formal.is_empty()) {
+            (Some(text), _) if d.role == Role::Field => Arguments::Coordinates(text, coordinates),
+            (None, true) => Arguments::None,
+            (Some(_), false) => Arguments::Formal(formal),
+            (Some(text), true) => Arguments::Literal(text),
+            (None, false) => {
+                return Err(bad_key("a function's name shows its arguments", key, r"for instance `Z(\alpha)`"));
+            }
+        };
+        let moving = match d.role {
+            Role::Time | Role::State | Role::Observable => true,
+            Role::Parameter | Role::Argument | Role::Coordinate | Role::Field => false,
+            Role::Abbreviation => definition.as_ref().is_some_and(|t| self.depends_on_time(graph, t)),
+        };
+        let rank = shape.real_extents().len();
+        // `L_i` with a formula in i is a vector; its components are written like those of any other.
+        let indexed = !pattern.is_empty() && pattern.iter().all(|p| *p == Pattern::Index);
+        let printed = if indexed { name::to_latex(&name) } else { key.to_owned() };
+        let symbol = graph.declare(&printed, shape, d.diagonal && definition.is_none());
+        if d.role == Role::Coordinate {
+            for component in 0..graph.component_count(symbol) as u16 {
+                graph.add_coordinate(symbol, component).ok_or_else(|| too_many(key))?;
+            }
+        }
+        if let Arguments::Coordinates(_, coordinates) = &arguments {
+            for &leaf in coordinates {
+                // The time is a coordinate where a field depends on it.
+                let at = graph.add_coordinate(leaf.symbol, leaf.component).ok_or_else(|| too_many(key))?;
+                if definition.is_none() {
+                    graph.set_arguments(symbol, &[at]);
+                }
+            }
+        }
+        if spelled && !self.words.contains(&letters) {
+            self.words.push(letters);
+            self.words.sort_by_key(|w| std::cmp::Reverse(w.len()));
+        }
+        let key = key.to_owned();
+        let entry = Entry {
+            key,
+            name,
+            sub: pattern,
+            arguments,
+            symbol,
+            role: d.role,
+            definition,
+            moving,
+            rank,
+            complex: d.complex,
+            angle: d.angle,
+            scale,
+        };
+        // The same name again hides the earlier one.
+        let same =
+            |e: &mut Filed| e.name == entry.name && e.sub == entry.sub && same_kind(&e.arguments, &entry.arguments);
+        let hidden: Vec<Filed> = self.entries.extract_if(.., same).collect();
+        self.hidden.extend(hidden);
+        self.entries.push(Filed { digest: digest(&[&entry.name]), symbol, entry: Arc::new(entry) });
+        Ok(symbol)
+    }
+
+    /// Refuses a name that would have two meanings: `x_1` or `x_i` beside a vector `x`.
+    fn no_clash(&self, key: &str, name: &str, pattern: &[Pattern], shape: &Shape) -> Result<(), DeclareError> {
+        let unmarked = |n: &str| match name::split(n) {
+            (Some(style), bare) if name::marks_tensor(style) => bare.to_owned(),
+            _ => n.to_owned(),
+        };
+        let like_indices = |sub: &[Pattern]| {
+            !sub.is_empty()
+                && sub.iter().all(|p| match p {
+                    Pattern::Literal(SubItem::Digit(_)) => true,
+                    Pattern::Literal(SubItem::Name(letter)) => name::is_index(letter),
+                    Pattern::Literal(SubItem::Other(_)) | Pattern::Index => false,
+                })
+        };
+        let clash = self.entries.iter().find(|e| {
+            let labelled_beside = |sub: &[Pattern], rank: usize| like_indices(sub) && sub.len() == rank;
+            unmarked(&e.name) == unmarked(name)
+                && ((e.sub.is_empty() && labelled_beside(pattern, e.rank))
+                    || (pattern.is_empty() && labelled_beside(&e.sub, shape.real_extents().len())))
+        });
+        match clash {
+            None => Ok(()),
+            Some(clash) => {
+                let message = format!("`{key}` would also be a component of, or have the component, `{}`", clash.key);
+                Err(bad_key(message, key, "rename one of the two"))
+            }
+        }
+    }
+
+    /// The symbol declared under a key, in any spelling of it.
+    pub fn symbol(&self, key: &str) -> Option<Symbol> {
+        let wanted = read_key(key, self).ok()?;
+        let sub: Vec<Pattern> = wanted.sub.iter().cloned().map(Pattern::Literal).collect();
+        let entry = self.entries.iter().rev().find(|e| {
+            e.key == key
+                || (e.name == wanted.name
+                    && e.sub == sub
+                    && wanted.arguments.is_none()
+                    && matches!(e.arguments, Arguments::None | Arguments::Coordinates(..)))
+        });
+        entry.map(|e| e.symbol)
+    }
+}

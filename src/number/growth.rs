@@ -1,0 +1,541 @@
+//! Taylor series of the solutions of a system, several motions side by side.
+//!
+//! **In:** the steps of a program that computes the rates of states, and which of its slots move; then times, states and
+//! constants, one in each lane. **Out:** the series of all slots. **Guaranteed:** a lane is, bit for bit, what it is alone, in
+//! however many lanes and on every processor: the same operations of IEEE 754 in the same order, no fused ones. What is not
+//! finite becomes NaN in its lane and stays so.
+//!
+//! **Why this way:** nearly all work is sums of products, Σ aⱼ·bₖ₋ⱼ, one for each product of two series and each order. Products
+//! with a factor in common are summed in one loop, which reads that factor once, and whose sums do not wait for each other.
+//! What kind of step comes next is asked once for all steps of a kind and an order, and all orders are one call into the code
+//! for the registers of this processor. Operations without a loop of their own are carried out on [`Jet`]s.
+
+use super::{Instruction, Jet, Lanes, Op, Orders, Scalar};
+use pulp::{Arch, Simd, WithSimd};
+
+/// How the coefficients of a result are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// A multiple, by a constant.
+    Multiple,
+    /// A part, by a constant.
+    Share,
+    Negative,
+    Sum,
+    Difference,
+    /// A product of two series. All of a row have the first factor in common.
+    Product,
+    Quotient,
+    Root,
+    /// On jets.
+    Other,
+}
+
+/// Steps of one kind that do not need each other.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    kind: Kind,
+    /// First argument, second argument, result; of what is done on jets the number of the instruction in place of the first.
+    steps: Vec<[usize; 3]>,
+}
+
+/// How the series of a system are grown. The inputs are the time, the states, and what does not move.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recurrences {
+    slots: usize,
+    rows: Vec<Row>,
+    /// The steps that are carried out on jets.
+    others: Vec<Instruction>,
+    /// The slots of the rates of the states.
+    rates: Vec<usize>,
+}
+
+/// Most products in one loop: as many sums as fill the registers, two for each product.
+const TOGETHER: usize = 6;
+
+/// How a step is carried out where its arguments move or do not.
+fn kind(step: &Instruction, moves: &[bool]) -> Kind {
+    let (a, b) = (moves[step.a as usize], moves[step.b as usize]);
+    match step.op {
+        Op::Neg => Kind::Negative,
+        Op::Add => Kind::Sum,
+        Op::Sub => Kind::Difference,
+        Op::Mul if a && b => Kind::Product,
+        Op::Powi(2) => Kind::Product,
+        Op::Mul => Kind::Multiple,
+        Op::Div if b => Kind::Quotient,
+        Op::Div => Kind::Share,
+        Op::Sqrt => Kind::Root,
+        Op::Exp
+        | Op::Ln
+        | Op::Sin
+        | Op::Cos
+        | Op::Tan
+        | Op::Arcsin
+        | Op::Arccos
+        | Op::Arctan
+        | Op::Sinh
+        | Op::Cosh
+        | Op::Tanh
+        | Op::Abs
+        | Op::Pow
+        | Op::Arctan2
+        | Op::Agm
+        | Op::Powi(_)
+        | Op::Restrict => Kind::Other,
+    }
+}
+
+impl Recurrences {
+    /// For a program whose slot 0 is the time, followed by as many states as there are `rates`, the slots of their rates.
+    /// `moves` says of every slot whether it depends on time or state.
+    pub fn new(steps: &[Instruction], moves: &[bool], rates: Vec<usize>) -> Recurrences {
+        let mut depth = vec![0_usize; moves.len()];
+        let mut others = Vec::new();
+        let mut ordered: Vec<(usize, Kind, [usize; 3])> = Vec::new();
+        for step in steps.iter().filter(|step| moves[step.out as usize]) {
+            let [mut a, mut b, out] = [step.a as usize, step.b as usize, step.out as usize];
+            let kind = kind(step, moves);
+            depth[out] = 1 + depth[a].max(depth[b]);
+            match kind {
+                // The constant first.
+                Kind::Multiple if moves[a] => std::mem::swap(&mut a, &mut b),
+                Kind::Other => {
+                    a = others.len();
+                    others.push(*step);
+                }
+                Kind::Multiple
+                | Kind::Share
+                | Kind::Negative
+                | Kind::Sum
+                | Kind::Difference
+                | Kind::Product
+                | Kind::Quotient
+                | Kind::Root => {}
+            }
+            ordered.push((depth[out], kind, [a, b, out]));
+        }
+        ordered.sort_by_key(|(depth, kind, _)| (*depth, *kind));
+        let mut rows = Vec::new();
+        for level in ordered.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
+            let kind = level[0].1;
+            let steps: Vec<[usize; 3]> = level.iter().map(|(_, _, step)| *step).collect();
+            match kind {
+                Kind::Product => rows.extend(with_common_factors(steps)),
+                _ => rows.push(Row { kind, steps }),
+            }
+        }
+        Recurrences { slots: moves.len(), rows, others, rates }
+    }
+}
+
+/// Products, each row with a factor in common: first the factor that most of them have.
+fn with_common_factors(mut left: Vec<[usize; 3]>) -> Vec<Row> {
+    let mut rows = Vec::new();
+    while !left.is_empty() {
+        let count = |slot: usize| left.iter().filter(|[a, b, _]| *a == slot || *b == slot).count();
+        let factors = left.iter().flat_map(|[a, b, _]| [*a, *b]);
+        // Of factors that occur equally often the first.
+        let Some(common) = factors.min_by_key(|&slot| (usize::MAX - count(slot), slot)) else { break };
+        let (with, without): (Vec<_>, Vec<_>) = left.into_iter().partition(|[a, b, _]| *a == common || *b == common);
+        left = without;
+        let turned = with.into_iter().map(|[a, b, out]| if a == common { [a, b, out] } else { [b, a, out] });
+        let turned: Vec<[usize; 3]> = turned.collect();
+        rows.extend(turned.chunks(TOGETHER).map(|some| Row { kind: Kind::Product, steps: some.to_vec() }));
+    }
+    rows
+}
+
+/// An operation that is carried out on jets: its arguments and its result.
+#[derive(Clone, Debug)]
+struct OnJets<const N: usize> {
+    a: Jet<Lanes<N>>,
+    b: Jet<Lanes<N>>,
+    out: Jet<Lanes<N>>,
+}
+
+/// The series of the slots of a program in several lanes.
+#[derive(Clone, Debug)]
+pub struct Growth<const N: usize> {
+    /// Room for so many coefficients.
+    room: usize,
+    /// The coefficients of a slot, then those of the next.
+    values: Vec<Lanes<N>>,
+    others: Vec<OnJets<N>>,
+    /// 1/k.
+    shares: Vec<f64>,
+}
+
+impl<const N: usize> Growth<N> {
+    /// Room for series up to an order.
+    pub fn new(of: &Recurrences, order: usize) -> Growth<N> {
+        let room = order + 1;
+        let orders = Orders::all(order);
+        let blank = || Jet::constant(Lanes::ZERO, &orders);
+        let others = of.others.iter().map(|_| OnJets { a: blank(), b: blank(), out: blank() }).collect();
+        let shares = (0..=order).map(|k| 1.0 / k as f64).collect();
+        Growth { room, values: vec![Lanes::ZERO; of.slots * room], others, shares }
+    }
+
+    /// What is in a slot at order 0: to be set for everything that is not computed.
+    #[inline]
+    pub fn start_mut(&mut self, slot: usize) -> &mut Lanes<N> {
+        &mut self.values[slot * self.room]
+    }
+
+    /// Coefficient `k` of a slot.
+    #[inline]
+    pub fn coefficient(&self, slot: usize, k: usize) -> &Lanes<N> {
+        &self.values[slot * self.room + k]
+    }
+
+    /// The first coefficients of a slot.
+    #[inline]
+    pub fn coefficients(&self, slot: usize) -> &[Lanes<N>] {
+        &self.values[slot * self.room..(slot + 1) * self.room]
+    }
+
+    /// Grows the series of the states up to an order for which there is room, those of other slots to one less, from the time,
+    /// the states and the constants.
+    pub fn grow(&mut self, of: &Recurrences, order: usize) {
+        let order = order.min(self.room - 1);
+        dispatch(self, of, order);
+    }
+}
+
+/// Grows with the widest registers that the lanes fill.
+fn dispatch<const N: usize>(growth: &mut Growth<N>, of: &Recurrences, order: usize) {
+    #[cfg(target_arch = "x86_64")]
+    if N.is_multiple_of(4)
+        && !N.is_multiple_of(8)
+        && let Some(simd) = pulp::x86::V3::try_new()
+    {
+        return pulp::Simd::vectorize(simd, Grow { of, order, growth });
+    }
+    Arch::new().dispatch(Grow { of, order, growth });
+}
+
+/// Growing, with some instruction set.
+struct Grow<'g, const N: usize> {
+    of: &'g Recurrences,
+    order: usize,
+    growth: &'g mut Growth<N>,
+}
+
+impl<const N: usize> WithSimd for Grow<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Grow { of, order, growth } = self;
+        if N.is_multiple_of(S::F64_LANES) {
+            grow(simd, of, order, growth);
+        } else {
+            grow(pulp::Scalar::new(), of, order, growth);
+        }
+    }
+}
+
+/// A register of lanes: that with this number.
+#[inline(always)]
+fn part<S: Simd, const N: usize>(x: &Lanes<N>, register: usize) -> S::f64s {
+    S::as_simd_f64s(&x.0).0[register]
+}
+
+/// Writes a register of a result, where what is not finite is NaN.
+#[inline(always)]
+fn put<S: Simd, const N: usize>(simd: S, out: &mut Lanes<N>, register: usize, x: S::f64s) {
+    // x − x is 0, or NaN where x is not finite.
+    S::as_mut_simd_f64s(&mut out.0).0[register] = simd.add_f64s(x, simd.sub_f64s(x, x));
+}
+
+/// Σⱼ bⱼ·aₖ₋ⱼ for one a and several b of one length: a register of each. A macro, so that each slice has a name of its own, whose
+/// length is looked at once.
+macro_rules! products {
+    ($simd:ident, $register:ident, $a:expr, $($b:ident $sum:ident),+) => {{
+        let n = $a.len();
+        let a = &$a[..n];
+        $(let $b = &$b[..n];)+
+        $(let mut $sum = $simd.splat_f64s(0.0);)+
+        for j in 0..n {
+            let x = part::<S, N>(&a[n - 1 - j], $register);
+            $($sum = $simd.add_f64s($sum, $simd.mul_f64s(part::<S, N>(&$b[j], $register), x));)+
+        }
+        [$($sum),+]
+    }};
+}
+
+/// Coefficient `k` of products with a factor in common.
+#[inline(always)]
+fn product_row<S: Simd, const N: usize>(
+    simd: S,
+    values: &mut [Lanes<N>],
+    (room, k): (usize, usize),
+    steps: &[[usize; 3]],
+) {
+    let Some(&[common, ..]) = steps.first() else { return };
+    macro_rules! row {
+        ($($step:ident $b:ident $sum:ident),+) => {
+            for register in 0..N / S::F64_LANES {
+                let a = &values[common * room..][..k + 1];
+                $(let $b = &values[$step[1] * room..][..k + 1];)+
+                let [$($sum),+] = products!(simd, register, a, $($b $sum),+);
+                $(put::<S, N>(simd, &mut values[$step[2] * room + k], register, $sum);)+
+            }
+        };
+    }
+    match steps {
+        [s1] => row!(s1 b1 x1),
+        [s1, s2] => row!(s1 b1 x1, s2 b2 x2),
+        [s1, s2, s3] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3),
+        [s1, s2, s3, s4] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4),
+        [s1, s2, s3, s4, s5] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5),
+        [s1, s2, s3, s4, s5, s6] => row!(s1 b1 x1, s2 b2 x2, s3 b3 x3, s4 b4 x4, s5 b5 x5, s6 b6 x6),
+        // No row is longer.
+        _ => {}
+    }
+}
+
+#[inline(always)]
+fn grow<S: Simd, const N: usize>(simd: S, of: &Recurrences, order: usize, growth: &mut Growth<N>) {
+    let room = growth.room;
+    let values = &mut growth.values[..of.slots * room];
+    if order > 0 {
+        values[1] = Lanes::splat(1.0);
+    }
+    for k in 0..order {
+        for row in &of.rows {
+            grow_row(simd, row, values, (room, k), of, &mut growth.others);
+        }
+        let share = simd.splat_f64s(growth.shares[k + 1]);
+        for (state, &rate) in of.rates.iter().enumerate() {
+            for register in 0..N / S::F64_LANES {
+                let x = simd.mul_f64s(part::<S, N>(&values[rate * room + k], register), share);
+                put::<S, N>(simd, &mut values[(1 + state) * room + k + 1], register, x);
+            }
+        }
+    }
+}
+
+/// Coefficient `k` of an operation that is carried out on jets.
+#[inline(never)]
+fn other<const N: usize>(
+    of: &Recurrences,
+    at: usize,
+    values: &mut [Lanes<N>],
+    (room, k): (usize, usize),
+    others: &mut [OnJets<N>],
+) {
+    let (step, OnJets { a, b, out }) = (&of.others[at], &mut others[at]);
+    a.set_coefficient(k, values[step.a as usize * room + k]);
+    b.set_coefficient(k, values[step.b as usize * room + k]);
+    // No operation on lanes fails as a whole; what the type does not know has no value.
+    let found = step.op.apply(&Orders::only(k, room - 1), out, a, b);
+    values[step.out as usize * room + k] = if found.is_ok() { out.coefficient(k) } else { Lanes::INVALID };
+}
+
+/// Coefficient `k` of the results of a row.
+#[inline(always)]
+fn grow_row<S: Simd, const N: usize>(
+    simd: S,
+    row: &Row,
+    values: &mut [Lanes<N>],
+    (room, k): (usize, usize),
+    of: &Recurrences,
+    others: &mut [OnJets<N>],
+) {
+    let registers = N / S::F64_LANES;
+    macro_rules! each {
+        (|$a:ident, $b:ident, $register:ident| $value:expr) => {
+            for &[$a, $b, out] in &row.steps {
+                for $register in 0..registers {
+                    let value = $value;
+                    put::<S, N>(simd, &mut values[out * room + k], $register, value);
+                }
+            }
+        };
+    }
+    macro_rules! coefficient {
+        ($slot:expr, $order:expr, $register:ident) => {
+            part::<S, N>(&values[$slot * room + $order], $register)
+        };
+    }
+    match row.kind {
+        Kind::Multiple => each!(|a, b, r| simd.mul_f64s(coefficient!(a, 0, r), coefficient!(b, k, r))),
+        Kind::Share => each!(|a, b, r| simd.div_f64s(coefficient!(a, k, r), coefficient!(b, 0, r))),
+        Kind::Negative => each!(|a, _b, r| simd.neg_f64s(coefficient!(a, k, r))),
+        Kind::Sum => each!(|a, b, r| simd.add_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
+        Kind::Difference => each!(|a, b, r| simd.sub_f64s(coefficient!(a, k, r), coefficient!(b, k, r))),
+        Kind::Product => product_row(simd, values, (room, k), &row.steps),
+        // x·b = a.
+        Kind::Quotient => {
+            for &[a, b, out] in &row.steps {
+                for r in 0..registers {
+                    let (x, b) = (&values[out * room..out * room + k], &values[b * room..b * room + k + 1]);
+                    let b1 = &b[1..];
+                    let [known] = products!(simd, r, x, b1 sum);
+                    let rest = simd.sub_f64s(coefficient!(a, k, r), known);
+                    let value = simd.div_f64s(rest, part::<S, N>(&b[0], r));
+                    put::<S, N>(simd, &mut values[out * room + k], r, value);
+                }
+            }
+        }
+        Kind::Root if k == 0 => each!(|a, _b, r| simd.sqrt_f64s(coefficient!(a, 0, r))),
+        // x·x = a.
+        Kind::Root => {
+            for &[a, _, out] in &row.steps {
+                for r in 0..registers {
+                    let x = &values[out * room..out * room + k];
+                    let x1 = &x[1..];
+                    let [known] = products!(simd, r, x1, x1 sum);
+                    let rest = simd.sub_f64s(coefficient!(a, k, r), known);
+                    let first = part::<S, N>(&x[0], r);
+                    let value = simd.div_f64s(rest, simd.add_f64s(first, first));
+                    put::<S, N>(simd, &mut values[out * room + k], r, value);
+                }
+            }
+        }
+        Kind::Other => {
+            for &[at, _, _] in &row.steps {
+                other(of, at, values, (room, k), others);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Draws, Number};
+
+    const DEGREE: usize = 12;
+    /// Time, states and constants.
+    const INPUTS: u32 = 6;
+    const STATES: usize = 3;
+
+    /// A random program, and which of its slots move.
+    fn program(draws: &mut Draws) -> (Vec<Instruction>, Vec<bool>) {
+        let ops = [
+            Op::Add,
+            Op::Sub,
+            Op::Mul,
+            Op::Mul,
+            Op::Mul,
+            Op::Div,
+            Op::Neg,
+            Op::Powi(2),
+            Op::Sqrt,
+            Op::Sin,
+            Op::Powi(3),
+            Op::Abs,
+            Op::Arctan2,
+        ];
+        let mut moves = vec![true, true, true, true, false, false];
+        let steps: Vec<Instruction> = (INPUTS..INPUTS + 14)
+            .map(|out| {
+                let (a, b) = (draws.below(u64::from(out)) as u32, draws.below(u64::from(out)) as u32);
+                let op = ops[draws.below(ops.len() as u64) as usize];
+                let b = if op.arity() == 1 { a } else { b };
+                moves.push(moves[a as usize] || moves[b as usize]);
+                Instruction { op, a, b, out }
+            })
+            .collect();
+        (steps, moves)
+    }
+
+    /// All series of a program in lanes, from inputs one after the other.
+    fn grown<const N: usize>(
+        of: &Recurrences,
+        steps: &[Instruction],
+        moves: &[bool],
+        inputs: [[f64; 6]; N],
+    ) -> Growth<N> {
+        let mut growth = Growth::<N>::new(of, DEGREE);
+        for slot in 0..INPUTS as usize {
+            *growth.start_mut(slot) = Lanes(inputs.map(|of| of[slot]));
+        }
+        for step in steps.iter().filter(|step| !moves[step.out as usize]) {
+            let (a, b) = (*growth.start_mut(step.a as usize), *growth.start_mut(step.b as usize));
+            step.op.apply(&(), growth.start_mut(step.out as usize), &a, &b).unwrap();
+        }
+        growth.grow(of, DEGREE);
+        growth
+    }
+
+    /// The same by the recurrences of jets; `None` where one has no value.
+    fn by_jets(of: &Recurrences, steps: &[Instruction], inputs: &[f64; 6]) -> Option<Vec<Jet<f64>>> {
+        let orders = Orders::all(DEGREE);
+        let count = INPUTS as usize + steps.len();
+        let mut values: Vec<Jet<f64>> = (0..count).map(|_| Jet::constant(0.0, &orders)).collect();
+        for (slot, &x) in inputs.iter().enumerate() {
+            values[slot] = Jet::constant(x, &orders);
+        }
+        values[0].set_coefficient(1, 1.0);
+        let mut missing = vec![None; count];
+        for k in 0..DEGREE {
+            Jet::run(&Orders::only(k, DEGREE), &mut values, &mut missing, steps);
+            if missing.iter().any(Option::is_some) {
+                return None;
+            }
+            for (state, &rate) in of.rates.iter().enumerate() {
+                let c = values[rate].coefficient(k) / (k + 1) as f64;
+                values[1 + state].set_coefficient(k + 1, c);
+            }
+        }
+        Some(values)
+    }
+
+    #[test]
+    fn lanes_are_what_they_are_alone_and_what_jets_are_up_to_rounding() {
+        let mut draws = Draws::new(23);
+        let (mut same, mut near, mut far) = (0, 0, 0);
+        for _ in 0..400 {
+            let (steps, moves) = program(&mut draws);
+            let count = moves.len() as u64;
+            let rates = (0..STATES).map(|_| draws.below(count) as usize).collect();
+            let of = Recurrences::new(&steps, &moves, rates);
+            // Away from 0, where quotients would cancel.
+            let mut number =
+                || (0.5 + draws.below(1 << 20) as f64 / 524_288.0) * if draws.below(2) == 0 { 1.0 } else { -1.0 };
+            let inputs: [[f64; 6]; 8] = std::array::from_fn(|_| std::array::from_fn(|_| number()));
+            let wide = grown(&of, &steps, &moves, inputs);
+            let some: [[f64; 6]; 3] = std::array::from_fn(|i| inputs[i]);
+            let half: [[f64; 6]; 4] = std::array::from_fn(|i| inputs[i]);
+            let (three, four) = (grown(&of, &steps, &moves, some), grown(&of, &steps, &moves, half));
+            for (lane, input) in inputs.iter().enumerate() {
+                let one = grown(&of, &steps, &moves, [*input]);
+                let jets = by_jets(&of, &steps, input);
+                for slot in 0..moves.len() {
+                    let known = if (1..=STATES).contains(&slot) { DEGREE } else { DEGREE - 1 };
+                    for k in 0..=known {
+                        let x = wide.coefficient(slot, k).0[lane];
+                        let mut others = vec![one.coefficient(slot, k).0[0]];
+                        others.extend(three.coefficient(slot, k).0.get(lane));
+                        others.extend(four.coefficient(slot, k).0.get(lane));
+                        assert!(
+                            others.iter().all(|y| y.to_bits() == x.to_bits() || x.is_nan() && y.is_nan()),
+                            "{steps:?}"
+                        );
+                        assert!(x.is_nan() || x.is_finite());
+                        same += others.len();
+                        if let Some(y) = jets.as_ref().map(|jets| jets[slot].coefficient(k)) {
+                            let is_near = (x - y).abs() <= 1e-9 * y.abs().max(1.0);
+                            *if is_near { &mut near } else { &mut far } += 1;
+                        }
+                    }
+                }
+            }
+        }
+        // Where something cancels, rounding counts for much.
+        assert!(same > 1_000_000 && near > 100_000 && far * 100 < near, "{same} {near} {far}");
+    }
+
+    #[test]
+    fn products_with_a_factor_in_common_are_one_row() {
+        let step = |op, a, b, out| Instruction { op, a, b, out };
+        let steps = [step(Op::Mul, 1, 2, 4), step(Op::Mul, 3, 1, 5), step(Op::Mul, 2, 2, 6), step(Op::Sub, 4, 5, 7)];
+        let of = Recurrences::new(&steps, &[true; 8], vec![7, 6, 4]);
+        let rows: Vec<(Kind, usize)> = of.rows.iter().map(|row| (row.kind, row.steps.len())).collect();
+        assert_eq!(rows, [(Kind::Product, 2), (Kind::Product, 1), (Kind::Difference, 1)]);
+    }
+}

@@ -1,0 +1,872 @@
+//! Claims as steps of a derivation: what holds for every value of every symbol.
+//!
+//! **In:** a claim, and what it follows from. **Out:** [`IdentityAccount`]: proved, refuted or undecided, with what was
+//! taken as given.
+//!
+//! Given are always the definitions of the symbols and the claim's own assumptions; beside them what `follows-from` names
+//! (claims, systems, symbols), or, where it names nothing, the equations of the derivation's systems. A claim that holds on
+//! every trajectory may well be refuted here: then it needs more than what is given, an initial condition for instance.
+//!
+//! Claims with several equations are one question: all must follow. Claims of other kinds than equations and first
+//! integrals are not identities, and have no answer, unless they say something about positive parameters only: then their
+//! signs are decided for every order of size of the parameters, see [`proof::order`].
+//!
+//! # How a step is decided
+//!
+//! 1. *From what is named alone*: observables are symbols of which only the premises are known. A proof without the
+//!    definitions is a proof with them, and needs no conditions for them. Then with the definitions that the claim itself
+//!    makes, then with all. Only the last can refute.
+//! 2. *Along the motion*, where that leaves l = r open: both sides agree at a fixed time that the formulas name, and their
+//!    rates agree always. Then they agree always, where they are differentiable. Along a motion, a product that vanishes
+//!    throughout has, on every interval that is short enough, a factor that vanishes throughout, with its derivative; so
+//!    products are taken apart, before they are differentiated.
+//!
+//! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
+
+mod gather;
+mod points;
+mod times;
+mod wording;
+
+use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
+use crate::derivation::{Claim, Derivation, Form, Motion};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
+use crate::findings::standing::{self, Decision, Finding};
+use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
+use crate::latex::{Relation, RelationKind, Role};
+use crate::verdict::Witness;
+use claim::comparison::at_instant;
+use gather::{Definitions, Gathered};
+use proof::{
+    Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
+    identity_test_after, order,
+};
+use std::cell::RefCell;
+
+/// A claim that is decided for all values.
+pub struct Step<'a> {
+    derivation: &'a Derivation,
+    claim: &'a Claim,
+    graph: Graph,
+    /// The positive parameters.
+    positive: FastSet<Symbol>,
+    /// The definitions that claims make, as far as they were asked for.
+    of_claims: RefCell<FastMap<Symbol, Option<&'a Tensor>>>,
+    /// The last question that was settled, where it was one question: what the second route is asked.
+    settled: Option<Settled>,
+    /// Where the last proof was found.
+    proved_at: Level,
+    /// What is known to be open.
+    memory: Memory,
+    /// Whether something given was used in part only: then nothing is refuted.
+    loosened: bool,
+    /// The sign for which the claim is asked, where it stands among its assumptions.
+    sign: Option<i64>,
+    /// Whether the answer is all that is wanted, and not which assumptions it needs.
+    plain: bool,
+}
+
+/// What a proof took: how many of the definitions, see [`Definitions::LEVELS`], and whether products were taken apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Level {
+    split: bool,
+    definitions: usize,
+}
+
+/// A question that the random test answered.
+#[derive(Clone, Debug)]
+struct Settled {
+    premises: Premises,
+    equations: Pairs,
+    identity: Identity,
+}
+
+/// The largest step that is tried, in nodes of its formulas, with what they are given and defined by.
+const MOST_NODES: usize = 6_000;
+/// Why a larger one is not.
+const TOO_LARGE: &str = "work limit: its formulas, with all that they follow from, are too large for a proof";
+/// Why a step between several times is open.
+const ONLY_RATES: &str = "it compares values at different times, which what is given connects only through rates: that \
+                          would need the solution of a differential equation";
+
+/// Why a step from values at a fixed time is open.
+const UNCONNECTED: &str = "what is given names values at fixed times; it was not settled which present values a motion \
+                           reaches from them";
+
+type Pairs = Vec<(Expr, Expr)>;
+
+/// The present value of a component.
+fn now(symbol: Symbol, component: usize) -> Leaf {
+    Leaf::now(symbol, component as u16)
+}
+
+fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {
+    relation.left.components.iter().copied().zip(relation.right.components.iter().copied())
+}
+
+/// Real points that are tried while definitions are left out: nothing is refuted then.
+const FEW_POINTS: u32 = 24;
+/// Most exceptions of a proof that are looked at by themselves.
+const MOST_EXCEPTIONS: usize = 6;
+/// Most cases into which products are taken apart.
+const MOST_CASES: usize = 12;
+/// Claims with more assumptions are not tried without each of them.
+const MOST_ASSUMPTIONS: usize = 6;
+
+/// Solving without an assumption is given up when it has made this many nodes: then the assumption counts as used.
+const LEFT_OUT_NODES: usize = 8_000;
+
+/// The accounts of both choices of a sign that stands among the assumptions.
+fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount {
+    let worse = |a: &IdentityAccount| match a.finding.decision() {
+        Decision::Refuted => 3,
+        Decision::Undecided => 2,
+        Decision::ProvedExcept => 1,
+        Decision::Proved => 0,
+    };
+    let (mut first, second) = if worse(&upper) >= worse(&lower) { (upper, lower) } else { (lower, upper) };
+    if first.finding.is_proved_in_part() {
+        first.log2_error = first.log2_error.zip(second.log2_error).map(|(a, b)| a.max(b) + 1.0);
+        let lists = [
+            (&mut first.conditions, second.conditions),
+            (&mut first.exceptions, second.exceptions),
+            (&mut first.given_only_where, second.given_only_where),
+        ];
+        for (list, more) in lists {
+            let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
+            list.extend(new);
+        }
+        first.narrower |= second.narrower;
+        // Each sign has certificates of its own.
+        first.evidence.certificates.clear();
+        first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
+        first.assumptions = None;
+    }
+    first.finding = first.finding.clone().and(second.finding);
+    first
+}
+
+/// Whether a proof leaves out the case that something divided by vanishes.
+fn has_exceptions(proof: &Proof) -> bool {
+    proof.conditions.iter().any(|c| matches!(c, Condition::Pivot(_)))
+}
+
+/// Whether something is proved, and no case was left out.
+fn without_exceptions(identity: &Identity) -> bool {
+    matches!(identity, Identity::Proved(proof) if !has_exceptions(proof))
+}
+
+impl<'a> Step<'a> {
+    /// The sides of a relation that decide by themselves: components, but of ≠ between vectors or matrices, of which some
+    /// component differs, the sum of the squares and 0. With the sign for which the claim is asked.
+    fn scalars(&mut self, relation: &Relation) -> Pairs {
+        let mut out: Pairs = pairs(relation).collect();
+        if relation.kind == RelationKind::NotEqual && out.len() > 1 {
+            let mut sum = self.graph.integer(0);
+            for (l, r) in out {
+                let difference = self.graph.sub(l, r);
+                let square = self.graph.powi(difference, 2);
+                sum = self.graph.add(sum, square);
+            }
+            out = vec![(sum, self.graph.integer(0))];
+        }
+        match self.sign {
+            Some(value) => self.branch(&out, value),
+            None => out,
+        }
+    }
+
+    /// The step that a claim makes, if it is one: all its forms are equations without limits, or first integrals; or it is
+    /// about parameters only.
+    pub fn of(derivation: &'a Derivation, claim: &'a Claim) -> Option<Step<'a>> {
+        let of_claims = derivation.claims.iter().flat_map(|c| &c.symbols);
+        let symbols = derivation.symbols.iter().chain(of_claims);
+        let step = Step {
+            positive: symbols.filter(|s| s.positive && s.role == Role::Parameter).map(|s| s.symbol).collect(),
+            of_claims: RefCell::default(),
+            derivation,
+            claim,
+            graph: derivation.graph.clone(),
+            settled: None,
+            proved_at: Level::default(),
+            memory: Memory::default(),
+            sign: None,
+            loosened: false,
+            plain: false,
+        };
+        let possible = !claim.forms.is_empty() && claim.at.is_none();
+        (possible && (step.is_equations() || step.is_about_parameters())).then_some(step)
+    }
+
+    fn is_equations(&self) -> bool {
+        let equations =
+            |relations: &[Relation]| relations.iter().all(|r| r.kind == RelationKind::Equal && r.limit.is_none());
+        self.claim.forms.iter().all(|form| match form {
+            Form::Always(w) => equations(&w.value.relations),
+            Form::FirstIntegral(_) => true,
+            _ => false,
+        })
+    }
+
+    /// Whether everything that the claim says and assumes has a sign in the positive parameters.
+    fn is_about_parameters(&self) -> bool {
+        let mut roots: Vec<Expr> = Vec::new();
+        for form in &self.claim.forms {
+            match form {
+                Form::Always(w) if w.value.relations.iter().all(|r| r.limit.is_none()) => {
+                    roots.extend(w.value.relations.iter().flat_map(pairs).flat_map(|(l, r)| [l, r]));
+                }
+                Form::Defined(w) => roots.extend(&w.value.components),
+                _ => return false,
+            }
+        }
+        let assumed = self.claim.assuming.iter().flat_map(|w| &w.value.relations).flat_map(pairs);
+        roots.extend(assumed.flat_map(|(l, r)| [l, r]));
+        let leaves = self.graph.leaves_within(roots);
+        !leaves.is_empty() && leaves.iter().all(|&l| self.is_positive_parameter(l))
+    }
+
+    fn is_positive_parameter(&self, leaf: Leaf) -> bool {
+        self.positive.contains(&leaf.symbol)
+    }
+
+    /// What a claim is said to follow from: the names that it gives, or the one system of its trajectories.
+    pub fn given(derivation: &Derivation, claim: &Claim) -> Vec<String> {
+        if claim.follows_from.is_empty() {
+            // Two systems that move the same states contradict each other, and everything would follow.
+            let mut systems: Vec<usize> = claim
+                .trajectories
+                .iter()
+                .filter_map(|&t| match derivation.trajectories[t].motion {
+                    Motion::Integrated { system, .. } => Some(system),
+                    _ => None,
+                })
+                .collect();
+            systems.sort_unstable();
+            systems.dedup();
+            match systems.as_slice() {
+                [only] => vec![derivation.systems[*only].id.clone()],
+                _ => Vec::new(),
+            }
+        } else {
+            claim.follows_from.clone()
+        }
+    }
+
+    /// The answer where a motion gives it: one on which everything given holds, and the claim does not.
+    pub fn refuted_by(&self, trajectory: &str, witness: &Witness) -> IdentityAccount {
+        let conditions = match self.is_about_parameters() {
+            true => Step::of(self.derivation, self.claim).map(|step| step.where_real()).unwrap_or_default(),
+            false => Vec::new(),
+        };
+        IdentityAccount {
+            finding: Finding::of_motion(witness),
+            from: Step::given(self.derivation, self.claim),
+            conditions,
+            witness: Some(format!(
+                "left {}, right {} on the trajectory {trajectory} at t = {}",
+                witness.left, witness.right, witness.t
+            )),
+            ..IdentityAccount::default()
+        }
+    }
+
+    /// The same step; with `plain` it is not asked which assumptions a proof needs.
+    pub fn with(self, plain: bool) -> Step<'a> {
+        Step { plain, ..self }
+    }
+
+    /// Decides the step; `Err` if the two routes contradict each other.
+    pub fn decide(mut self) -> Option<Result<IdentityAccount, String>> {
+        if !self.is_equations() {
+            return self.by_order().map(Ok);
+        }
+        if self.assumes_sign() {
+            return self.for_each_sign();
+        }
+        self.decide_equations()
+    }
+
+    /// The answer where both sides are one expression: whether it has a value somewhere, where what is given holds.
+    ///
+    /// # Errors
+    /// A description of the contradiction, if the two routes disagree.
+    pub fn of_one_expression(mut self, equations: &Pairs) -> Result<IdentityAccount, String> {
+        let gathered = self.gather(None);
+        let premises = self.premises(&gathered, equations, Definitions::All);
+        let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
+        Ok(self.of_identity(identity, evidence))
+    }
+
+    /// Whether ± stands among the assumptions of the claim.
+    fn assumes_sign(&self) -> bool {
+        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
+    }
+
+    /// A sign that stands among the assumptions is one with that of the claim: it must follow for both.
+    fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
+        let mut all: Option<IdentityAccount> = None;
+        for value in [1, -1] {
+            let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
+            step.sign = Some(value);
+            let one = match step.decide_equations()? {
+                Ok(account) => account,
+                Err(defect) => return Some(Err(defect)),
+            };
+            // Under one sign the assumptions may not be possible.
+            if one.evidence.contradiction {
+                continue;
+            }
+            all = Some(match all {
+                None => one,
+                Some(before) => both_signs(before, one),
+            });
+        }
+        let contradiction = || {
+            let mut step = Step::of(self.derivation, self.claim)?;
+            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
+            Some(step.of_identity(Identity::Undecided(Reason::Contradiction), evidence))
+        };
+        all.or_else(contradiction).map(Ok)
+    }
+
+    /// Decides a claim that consists of equations.
+    fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
+        let mut gathered = self.gather(None);
+        let mut equations = self.equations(self.claim)?;
+        // Sides that are one expression: nothing is tried of a claim about fields but this.
+        if self.claim.region.is_none() || equations.iter().any(|(l, r)| l != r) {
+            equations.retain(|(l, r)| l != r);
+        }
+        if equations.is_empty() {
+            return None;
+        }
+        if self.is_too_large(&gathered, &equations) {
+            return Some(Ok(self.open(&gathered, TOO_LARGE)));
+        }
+        let times = self.unite_times(&mut gathered, &mut equations);
+        let several =
+            self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r])).iter().any(|l| l.instant.is_some());
+        if let Some(present) = self.at_present(&mut gathered, &equations) {
+            equations = present;
+        }
+        let (mut identity, mut moved) = (self.levels(&gathered, &equations, false), false);
+        if !matches!(identity, Identity::Proved(_)) {
+            let settled = self.settled.take();
+            match self.by_rate(&gathered, &equations) {
+                Some((by_rate, of)) => (identity, moved, equations) = (by_rate, true, of),
+                None => self.settled = settled,
+            }
+        }
+        if let Identity::Proved(proof) = &identity
+            && has_exceptions(proof)
+        {
+            identity = match moved {
+                false => self.without_empty_cases(identity, &gathered, &equations, true),
+                // What was proved is about rates; a point that refutes it says nothing of values.
+                true => match self.start_and_rates(&gathered, &equations) {
+                    Some(all) => self.without_empty_cases(identity, &gathered, &all, false),
+                    None => identity,
+                },
+            };
+        }
+        if !matches!(identity, Identity::Proved(_)) && !standing::is_empty(&identity) {
+            let still = self.at_rest(&gathered, &equations);
+            let undecided = !matches!(identity, Identity::Refuted(_)) || several;
+            let complete = gathered.complete && !self.loosened;
+            if let Some(refuted) = still.filter(|_| undecided && complete) {
+                self.settled = None;
+                let evidence = match self.evidence(&refuted) {
+                    Ok(evidence) => evidence,
+                    Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
+                };
+                let account = self.account(refuted, gathered.from.clone(), gathered.complete);
+                return Some(Ok(IdentityAccount { evidence, ..account }));
+            }
+        }
+        let weighed =
+            matches!(identity, Identity::Proved(_) | Identity::Undecided(Reason::Contradiction | Reason::Defect(_)));
+        if !weighed && self.joins_times(&gathered, &equations) {
+            return Some(Ok(self.open(&gathered, ONLY_RATES)));
+        }
+        if matches!(identity, Identity::Refuted(_)) && (times.unclear || self.ties(&gathered)) {
+            match self.at_fixed_time(&gathered, &equations) {
+                None if times.unclear => return Some(Ok(self.open(&gathered, UNCONNECTED))),
+                None => {}
+                Some(refuted @ Identity::Refuted(_)) => identity = refuted,
+                Some(_) => return Some(Ok(self.open(&gathered, UNCONNECTED))),
+            }
+        }
+        let evidence = match self.evidence(&identity) {
+            Ok(evidence) => evidence,
+            Err(defect) => return Some(Err(format!("{}: {defect}", self.claim.name()))),
+        };
+        let identity = reach(identity, &evidence);
+        let proved = matches!(identity, Identity::Proved(_));
+        let leaping = if proved { self.leaping(&gathered, &equations, moved) } else { Vec::new() };
+        if let (true, Some(&one)) = (moved, leaping.first()) {
+            let reason = format!(
+                "both sides agree at one time and have the same rates, but `{}` may leap to another of its values between",
+                self.shown(one)
+            );
+            let account = self.open(&gathered, ONLY_RATES);
+            return Some(Ok(IdentityAccount { reason: Some(reason), evidence, ..account }));
+        }
+        let mut along = if proved { self.continuation(&equations, moved, &leaping) } else { Vec::new() };
+        if proved && !self.has_values_together(&equations, &identity, &evidence) {
+            along.push(standing::Exception::OneSign);
+        }
+        let narrower = self.is_narrower(&identity, &equations);
+        let complete = gathered.complete && !self.loosened;
+        let account = self.account_along(identity, gathered.from.clone(), complete, along);
+        let mut account = IdentityAccount { evidence, narrower, ..account };
+        if account.finding.is_proved_in_part() {
+            account.assumptions = if self.plain { None } else { self.assumptions_used(&equations, moved) };
+            account.generic |= !gathered.inherited.is_empty();
+            account.presupposed.clone_from(&gathered.inherited);
+        }
+        Some(Ok(account))
+    }
+
+    /// A proof without those of its exceptions that are empty, or in which the claim is proved, too; or the refutation that one
+    /// of them holds.
+    ///
+    /// What is claimed holds where what was divided by is not 0. Along a motion it holds at the limits of such times, too, since both
+    /// sides are continuous; what is left is that it is 0 on an interval, with all its derivatives: a premise like others.
+    fn without_empty_cases(
+        &mut self,
+        identity: Identity,
+        gathered: &Gathered,
+        equations: &Pairs,
+        refutes: bool,
+    ) -> Identity {
+        let Identity::Proved(mut proof) = identity else { return identity };
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaps =
+            self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
+        let zero = self.graph.integer(0);
+        let pivots = proof.conditions.iter().filter_map(|c| match *c {
+            Condition::Pivot(e) => Some(e),
+            _ => None,
+        });
+        let pivots: Vec<Expr> = pivots.take(MOST_EXCEPTIONS).collect();
+        for pivot in pivots {
+            // Auxiliary numbers are no part of the question.
+            let leaves = self.graph.leaves_within([pivot]);
+            let scope = &self.claim.scope;
+            if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
+                continue;
+            }
+            let moves = leaves
+                .iter()
+                .any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
+            if moves && leaps {
+                continue;
+            }
+            // What depends on the time alone vanishes at single times only, and both sides are continuous there.
+            if !leaps && !leaves.is_empty() && leaves.iter().all(|&l| Some(l) == scope.time()) {
+                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
+                continue;
+            }
+            let mut premises = self.premises(gathered, equations, Definitions::All);
+            if moves {
+                // It may vanish for a while, and not at the times that are named.
+                premises = self.of_one_time(premises);
+            }
+            premises.equations.insert(0, (pivot, zero));
+            let found = self.test_only(&premises, equations, &Options::default());
+            let discharged = match found {
+                Identity::Proved(case) => {
+                    let clean = !has_exceptions(&case);
+                    if clean {
+                        proof.log2_error = proof.log2_error.max(case.log2_error) + 1.0;
+                        // Perhaps what is given can hold in this case only.
+                        proof.example = proof.example.take().or(case.example);
+                    }
+                    clean
+                }
+                Identity::Undecided(Reason::Contradiction) => true,
+                Identity::Refuted(refutation) if refutes && gathered.complete && !self.loosened => {
+                    self.settled = None;
+                    return Identity::Refuted(refutation);
+                }
+                Identity::Refuted(_) | Identity::Undecided(_) => {
+                    let mut case = gathered.clone();
+                    case.premises.equations.insert(0, (pivot, zero));
+                    if refutes
+                        && gathered.complete
+                        && !self.loosened
+                        && let Some(refuted) = self.at_rest(&case, equations)
+                    {
+                        self.settled = None;
+                        return refuted;
+                    }
+                    false
+                }
+            };
+            if discharged {
+                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
+            }
+        }
+        Identity::Proved(proof)
+    }
+
+    /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
+    fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
+        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
+        let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut out = self.leaps(equations);
+        let (proved_at, settled) = (self.proved_at, self.settled.take());
+        out.retain(|&e| {
+            let arguments: Vec<Expr> = self.graph.node(e).children().collect();
+            let zero = self.graph.integer(0);
+            let rates: Option<Pairs> = arguments
+                .into_iter()
+                .map(|a| self.graph.time_derivative(a, time, moves).ok().map(|rate| (rate, zero)))
+                .collect();
+            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false)))
+        });
+        (self.proved_at, self.settled) = (proved_at, settled);
+        out
+    }
+
+    /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
+    fn is_too_large(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let given = gathered.systems.iter().chain(&gathered.premises.equations);
+        let mut roots: Vec<Expr> = equations.iter().chain(given).flat_map(|&(l, r)| [l, r]).collect();
+        self.add_definitions(&mut roots);
+        self.graph.reachable(roots).len() > MOST_NODES
+    }
+
+    /// The account of a step that stays open, for a reason.
+    fn open(&mut self, gathered: &Gathered, reason: &str) -> IdentityAccount {
+        let open = Identity::Undecided(Reason::NoDerivative);
+        let account = self.account(open, gathered.from.clone(), gathered.complete);
+        IdentityAccount { reason: Some(reason.to_owned()), ..account }
+    }
+
+    /// What the second route says of the question that was settled.
+    fn evidence(&mut self, identity: &Identity) -> Result<IdentityEvidence, String> {
+        let of_question = |s: &Settled| s.identity.word() == identity.word();
+        let Some(Settled { premises, equations, identity: found }) = self.settled.take().filter(of_question) else {
+            // What the answer itself says: of several questions, or of one that stayed open.
+            return evidence_of(&self.graph, identity);
+        };
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        if !self.graph.leaves_within(roots).contains(&sign) {
+            return evidence(&mut self.graph, &equations, &premises, &found);
+        }
+        let signs = Signs { leaf: sign, throughout: self.claim.branches_throughout };
+        answer(&mut self.graph, &equations, &premises, Some(signs)).map(|(_, evidence)| evidence)
+    }
+
+    /// One question, with more and more definitions.
+    fn levels(&mut self, gathered: &Gathered, equations: &Pairs, split: bool) -> Identity {
+        let mut tried: Option<Premises> = None;
+        let last = Definitions::LEVELS.len() - 1;
+        for (definitions, which) in Definitions::LEVELS.into_iter().enumerate().take(last) {
+            let premises = self.premises(gathered, equations, which);
+            if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
+                continue;
+            }
+            let options = Options { attempts: FEW_POINTS, wanted: Wanted::Proof, ..Options::default() };
+            let equations = &self.beyond(equations, &premises);
+            if let Identity::Proved(mut proof) = self.ask(&premises, equations, &options, split) {
+                if proof.example.is_none()
+                    && let Identity::Proved(again) = self.ask(&premises, equations, &Options::default(), split)
+                {
+                    proof = again;
+                }
+                self.proved_at = Level { split, definitions };
+                let settled = self.settled.take();
+                let identity = self.with_all_definitions(proof, gathered, &premises, equations, split);
+                self.settled = settled;
+                return identity;
+            }
+            tried = Some(premises);
+        }
+        let premises = self.premises(gathered, equations, Definitions::LEVELS[last]);
+        self.proved_at = Level { split, definitions: last };
+        self.ask(&premises, equations, &Options::default(), split)
+    }
+
+    /// Whether something is said about values at several times, or as a function of the time, of which only the rates are
+    /// given: then a point that satisfies everything given need not belong to a motion.
+    fn joins_times(&self, gathered: &Gathered, equations: &Pairs) -> bool {
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        let said = self.graph.leaves_within(sides(equations));
+        let now = said.iter().any(|l| moves(l) && l.instant.is_none());
+        let elsewhere = said.iter().any(|l| l.instant.is_some() || Some(*l) == scope.time());
+        let given =
+            self.graph.leaves_within(sides(&gathered.systems).into_iter().chain(sides(&gathered.premises.equations)));
+        now && elsewhere && given.iter().any(|l| l.rate > 0)
+    }
+
+    /// A refutation at the fixed time that premises name, where present and fixed values are the same; `None` where no
+    /// premise names one. Other values need not belong to one motion: what connects them are rates, or that a motion
+    /// does not leap from one solution of the premises to another.
+    fn at_fixed_time(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        let mut premises = self.premises(gathered, equations, Definitions::All);
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let leaves = self.graph.leaves_within(sides(equations).into_iter().chain(sides(&premises.equations)));
+        let scope = &self.claim.scope;
+        let moves = |l: &Leaf| matches!(scope.role(l.symbol), Some(Role::State | Role::Observable));
+        // Without a present value nothing is connected.
+        let now = self.graph.leaves_within(sides(equations)).iter().any(|l| moves(l) && l.instant.is_none());
+        let then: Vec<Leaf> = leaves.into_iter().filter(|l| moves(l) && l.instant.is_some()).collect();
+        let instant = then.first()?.instant;
+        if !now {
+            return None;
+        }
+        if then.iter().any(|l| l.instant != instant) {
+            return Some(Identity::Undecided(Reason::NoDerivative));
+        }
+        for leaf in then {
+            let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
+            premises.only_now.push((pair[0], pair[1]));
+        }
+        if let (Some(time), Some(instant)) = (scope.time(), instant) {
+            premises.only_now.push((self.graph.leaf(time), instant));
+        }
+        Some(self.ask(&premises, equations, &Options::default(), false))
+    }
+
+    /// What the premises do not say already, as it stands.
+    fn beyond(&mut self, equations: &Pairs, premises: &Premises) -> Pairs {
+        let mut rest: Pairs = equations.iter().filter(|p| !premises.equations.contains(p)).copied().collect();
+        if rest.is_empty() {
+            let zero = self.graph.integer(0);
+            rest.push((zero, zero));
+        }
+        rest
+    }
+
+    /// A proof that used a part of the definitions, in the light of all: they may contradict what is given, and a point may
+    /// lie among the exceptions of the proof.
+    fn with_all_definitions(
+        &mut self,
+        proof: Proof,
+        gathered: &Gathered,
+        part: &Premises,
+        equations: &Pairs,
+        split: bool,
+    ) -> Identity {
+        let premises = self.premises(gathered, equations, Definitions::All);
+        if premises.equations == part.equations {
+            // Nothing was left out.
+            return Identity::Proved(proof);
+        }
+        let options = Options { attempts: FEW_POINTS, wanted: Wanted::Fault, ..Options::default() };
+        let generic = has_exceptions(&proof);
+        match self.ask(&premises, equations, &options, split) {
+            contradiction @ Identity::Undecided(Reason::Contradiction) => contradiction,
+            refuted @ Identity::Refuted(_) if generic => refuted,
+            Identity::Refuted(_) => {
+                let what = "a step is proved without definitions, and refuted with them".to_owned();
+                Identity::Undecided(Reason::Defect(what))
+            }
+            _ => Identity::Proved(proof),
+        }
+    }
+
+    /// The test of one set of premises; with `split`, of every choice of factors of those that are products.
+    fn ask(&mut self, premises: &Premises, equations: &Pairs, options: &Options, split: bool) -> Identity {
+        if !split {
+            return self.test(premises, equations, options);
+        }
+        let mut all: Option<Proof> = None;
+        // Which factor vanishes may change with time: a case is about one time, and what is near it.
+        let conclusion: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        if self.graph.leaves_within(conclusion).iter().any(|leaf| leaf.instant.is_some()) {
+            return self.test(premises, equations, options);
+        }
+        let cases = self.cases(premises);
+        let several = cases.len() > 1;
+        for case in cases {
+            let found = self.test(&case, equations, options);
+            if several {
+                self.settled = None;
+            }
+            match found {
+                Identity::Proved(proof) => match &mut all {
+                    None => all = Some(proof),
+                    Some(sum) => sum.absorb(proof),
+                },
+                Identity::Undecided(Reason::Contradiction) => {}
+                other => return other,
+            }
+        }
+        all.map_or(Identity::Undecided(Reason::Contradiction), Identity::Proved)
+    }
+
+    fn test(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
+        let identity = self.test_only(premises, equations, options);
+        self.settled = match &identity {
+            Identity::Undecided(_) => None,
+            _ => Some(Settled { premises: premises.clone(), equations: equations.clone(), identity: identity.clone() }),
+        };
+        identity
+    }
+
+    fn test_only(&mut self, premises: &Premises, equations: &Pairs, options: &Options) -> Identity {
+        let sign = self.claim.scope.branch_sign();
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        if !self.graph.leaves_within(roots).contains(&sign) {
+            return identity_test_after(&mut self.memory, &mut self.graph, equations, premises, options);
+        }
+        let branches = [1, -1].map(|value| self.branch(equations, value));
+        let Branches { throughout: mut each, pointwise } =
+            branches_test_after(&mut self.memory, &mut self.graph, &branches, premises, options);
+        if !self.claim.branches_throughout {
+            return pointwise;
+        }
+        // Proved if one branch is; a refutation needs both.
+        let first = |wanted: fn(&Identity) -> bool| each.iter().position(wanted);
+        let proved = first(|i| matches!(i, Identity::Proved(_)));
+        let open = || first(|i| matches!(i, Identity::Undecided(_)));
+        each.swap_remove(proved.or_else(open).unwrap_or(0))
+    }
+
+    /// Equations with one sign in place of ±.
+    fn branch(&mut self, equations: &Pairs, value: i64) -> Pairs {
+        let sign = self.claim.scope.branch_sign();
+        let graph = &mut self.graph;
+        let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
+        equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
+    }
+
+    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
+    /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
+    fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
+        // What holds at the present time only says nothing of rates.
+        let mut gathered = gathered.clone();
+        gathered.premises.only_now.clear();
+        let gathered = &gathered;
+        let all = self.start_and_rates(gathered, equations)?;
+        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
+        for split in [false, true] {
+            let found = self.levels(gathered, &all, split);
+            if proved(&found) {
+                return Some((found, equations.clone()));
+            }
+        }
+        let even = self.without_growth(equations)?;
+        let all = self.start_and_rates(gathered, &even)?;
+        Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
+    }
+
+    /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.
+    /// An exponential is never 0, and has a value wherever a side has one that it is part of. `None` where there is none.
+    fn without_growth(&mut self, equations: &Pairs) -> Option<Pairs> {
+        let scope = &self.claim.scope;
+        let time = scope.time()?;
+        let mut found = false;
+        let mut even = Pairs::new();
+        for &(l, r) in equations {
+            let exponent = self.graph.reachable([l, r]).into_iter().find_map(|e| match *self.graph.node(e) {
+                Node::Unary(Op::Exp, exponent) => {
+                    let leaves = self.graph.leaves([exponent]);
+                    let moves = |leaf: &Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+                    let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
+                    in_time.then_some(exponent)
+                }
+                _ => None,
+            });
+            let Some(exponent) = exponent else {
+                even.push((l, r));
+                continue;
+            };
+            found = true;
+            let opposite = self.graph.neg(exponent);
+            let inverse = self.graph.unary(Op::Exp, opposite);
+            even.push((self.graph.mul(l, inverse), self.graph.mul(r, inverse)));
+        }
+        found.then_some(even)
+    }
+
+    /// The equations at a fixed time, and their rates; `None` where there is no such time.
+    fn start_and_rates(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Pairs> {
+        let time = self.claim.scope.time()?;
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaves = self.graph.leaves_within(roots);
+        if leaves.contains(&self.claim.scope.branch_sign()) {
+            return None;
+        }
+        let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let of_premises = self.graph.leaves_within(given);
+        let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut all = Pairs::new();
+        for &(l, r) in equations {
+            let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, start));
+            let rates = [l, r].map(|e| self.graph.time_derivative(e, time, moves));
+            let [Ok(left), Ok(right)] = rates else { return None };
+            all.extend([(then[0], then[1]), (left, right)]);
+        }
+        all.retain(|(l, r)| l != r);
+        Some(all)
+    }
+
+    /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if
+    /// a proof without it leaves out no case: the case left out may be the one that it excludes.
+    fn assumptions_used(&mut self, equations: &Pairs, moved: bool) -> Option<AssumptionsUsed> {
+        let count = self.claim.assuming.len();
+        if count == 0 || count > MOST_ASSUMPTIONS {
+            return None;
+        }
+        let least = self.proved_at;
+        let mut left_out: Vec<usize> = Vec::new();
+        for at in 0..count {
+            let mut without = left_out.clone();
+            without.push(at);
+            let gathered = self.gather(Some(&without));
+            let holds = match moved {
+                false => self.is_proved(&gathered, equations, least),
+                true => match self.start_and_rates(&gathered, equations) {
+                    Some(all) => self.is_proved(&gathered, &all, least),
+                    None => false,
+                },
+            };
+            if holds {
+                left_out = without;
+            }
+        }
+        let text = |i: usize| self.claim.assuming[i].text.clone();
+        Some(AssumptionsUsed {
+            used: (0..count).filter(|i| !left_out.contains(i)).map(text).collect(),
+            unused: left_out.iter().map(|&i| text(i)).collect(),
+        })
+    }
+
+    /// Whether a proof that reaches every case is found, at a level that takes no less than the given one; nothing is
+    /// refuted. What takes less was not enough with more premises, either.
+    fn is_proved(&mut self, gathered: &Gathered, equations: &Pairs, least: Level) -> bool {
+        let mut tried: Option<Premises> = None;
+        for definitions in least.definitions..Definitions::LEVELS.len() {
+            let premises = self.premises(gathered, equations, Definitions::LEVELS[definitions]);
+            if tried.as_ref().is_some_and(|t| t.equations == premises.equations) {
+                continue;
+            }
+            let options =
+                Options { attempts: 1, most_nodes: LEFT_OUT_NODES, wanted: Wanted::Proof, ..Options::default() };
+            if without_exceptions(&self.ask(&premises, equations, &options, least.split)) {
+                return true;
+            }
+            tried = Some(premises);
+        }
+        false
+    }
+
+    /// Claims about positive parameters: the sign of everything, for every order of size.
+    fn by_order(&mut self) -> Option<IdentityAccount> {
+        let question = self.order_question();
+        let found = order::decide(&mut self.graph, &question);
+        Some(self.account_of_order(&question, found))
+    }
+}

@@ -1,0 +1,527 @@
+//! What a step may use: the claims and systems that it names, assumptions, definitions.
+
+use super::{MOST_CASES, Pairs, Step, now, pairs};
+use crate::derivation::{Claim, Derivation, Form, Premise};
+use crate::expr::{Expr, FastSet, Graph, Leaf, Node, Op};
+use crate::latex::{RelationKind, Role, Scope};
+use claim::comparison::{at_instant, may_leap};
+use proof::{Premises, solve_for_arguments};
+
+/// Which definitions of observables are used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Definitions {
+    /// None: an observable is what the premises say of it.
+    None,
+    /// Those of symbols that are declared for a claim.
+    OfClaims,
+    /// Those, and all at the fixed times that occur.
+    Then,
+    /// All, at the present time.
+    Now,
+    /// All, also at the fixed times that occur.
+    All,
+}
+
+impl Definitions {
+    /// In the order of trying: all but the last leave something out.
+    pub(super) const LEVELS: [Definitions; 5] =
+        [Definitions::None, Definitions::OfClaims, Definitions::Then, Definitions::Now, Definitions::All];
+}
+
+/// What an angle has of its formula.
+enum Continued {
+    /// It is its formula.
+    No,
+    /// It has its rate.
+    Rate(Expr),
+    /// That cannot be said.
+    Unknown,
+}
+
+/// Everything that is named.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Gathered {
+    /// Equations of claims and assumptions, and what they say at the fixed times that occur.
+    pub(super) premises: Premises,
+    pub(super) systems: Pairs,
+    /// Assumptions of the claims that are named.
+    pub(super) inherited: Vec<String>,
+    /// The names.
+    pub(super) from: Vec<String>,
+    /// Whether all could be used: a refutation needs that.
+    pub(super) complete: bool,
+}
+
+fn sides(pairs: &[(Expr, Expr)]) -> impl Iterator<Item = Expr> + '_ {
+    pairs.iter().flat_map(|&(l, r)| [l, r])
+}
+
+impl Step<'_> {
+    /// The rate of a first integral as an equation `… = 0`.
+    fn constancy(&mut self, scope: &Scope, e: Expr) -> Option<(Expr, Expr)> {
+        let time = scope.time()?;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let rate = self.graph.time_derivative(e, time, moves).ok()?;
+        Some((rate, self.graph.integer(0)))
+    }
+
+    /// What a claim says as equations; `None` where it says something else, or not at all times.
+    pub(super) fn equations(&mut self, claim: &Claim) -> Option<Pairs> {
+        let mut out = Vec::new();
+        if claim.at.is_some() {
+            return None;
+        }
+        for form in &claim.forms {
+            match form {
+                Form::Always(w) => {
+                    for relation in &w.value.relations {
+                        if relation.kind != RelationKind::Equal || relation.limit.is_some() {
+                            return None;
+                        }
+                        out.extend(pairs(relation));
+                    }
+                }
+                Form::FirstIntegral(w) => {
+                    for &e in &w.value.components {
+                        out.push(self.constancy(&claim.scope, e)?);
+                    }
+                }
+                Form::Solves { system } => {
+                    let relations = self.derivation.systems[*system].equations.iter().flat_map(|w| &w.value.relations);
+                    out.extend(relations.flat_map(pairs));
+                }
+                Form::Never(_)
+                | Form::Eventually(_)
+                | Form::Defined(_)
+                | Form::SameMotion { .. }
+                | Form::Independent { .. }
+                | Form::Exists { .. }
+                | Form::Across(_) => return None,
+            }
+        }
+        match self.sign {
+            Some(value) if std::ptr::eq(claim, self.claim) => Some(self.branch(&out, value)),
+            _ => Some(out),
+        }
+    }
+
+    /// Adds the assumptions of a claim but those with the given numbers.
+    ///
+    /// Whether all of them could be used: a limit says nothing of present values, and a sign of another claim is not known.
+    ///
+    /// Equations of fields are assumed at all places; where an equation says at which places, they are assumed there alone, and
+    /// nothing is known of their derivatives.
+    fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) -> bool {
+        let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
+        let mut complete = true;
+        let before = premises.equations.len();
+        for relation in used.flat_map(|(_, w)| &w.value.relations) {
+            if relation.limit.is_some() || relation.has_branches && self.sign.is_none() {
+                complete = false;
+                continue;
+            }
+            for (l, r) in self.scalars(relation) {
+                match relation.kind {
+                    RelationKind::Equal => premises.equations.push((l, r)),
+                    RelationKind::NotEqual => premises.nonzero.push(self.graph.sub(l, r)),
+                    RelationKind::Greater => premises.positive.push(self.graph.sub(l, r)),
+                    RelationKind::Less => premises.positive.push(self.graph.sub(r, l)),
+                    RelationKind::GreaterEqual => premises.not_negative.push(self.graph.sub(l, r)),
+                    RelationKind::LessEqual => premises.not_negative.push(self.graph.sub(r, l)),
+                }
+            }
+        }
+        let graph = &self.graph;
+        let of_fields = |(l, r): &(Expr, Expr)| !graph.fields([*l, *r]).is_empty();
+        let is_place = |pair: &(Expr, Expr)| {
+            let leaves = graph.leaves_within([pair.0, pair.1]);
+            !of_fields(pair) && leaves.iter().any(|l| graph.coordinate(*l).is_some())
+        };
+        if premises.equations[before..].iter().any(is_place) {
+            let (there, everywhere) = premises.equations.drain(before..).partition::<Pairs, _>(of_fields);
+            premises.equations.extend(everywhere);
+            // Along such places they may be meant to hold together: no point refutes that.
+            complete &= there.is_empty();
+            premises.only_now.extend(there);
+        }
+        complete
+    }
+
+    /// What `follows-from` and the assumptions give; `without` some assumptions.
+    pub(super) fn gather(&mut self, without: Option<&[usize]>) -> Gathered {
+        let (derivation, claim) = (self.derivation, self.claim);
+        let mut out = Gathered { complete: true, ..Gathered::default() };
+        let mut premises = Premises::default();
+        self.roles(&mut premises);
+        out.complete &= self.assume(claim, without.unwrap_or(&[]), &mut premises);
+        // Each with the scope that says what moves in it.
+        let mut always: Vec<(&Scope, Pairs)> = vec![(&claim.scope, premises.equations.clone())];
+        let mut constant: Vec<(&Scope, Expr)> = Vec::new();
+        for name in Step::given(derivation, claim) {
+            out.from.push(name.clone());
+            let premise = match derivation.premise(&name) {
+                Premise::System(system) => {
+                    let equations = &derivation.systems[system].equations;
+                    out.systems.extend(equations.iter().flat_map(|w| &w.value.relations).flat_map(pairs));
+                    continue;
+                }
+                Premise::Claim(claim) => &derivation.claims[claim],
+                Premise::Definition => continue,
+            };
+            match self.equations(premise) {
+                Some(equations) => {
+                    let equations = self.without_branches(premise, equations, &mut out.complete);
+                    premises.equations.extend(&equations);
+                    always.push((&premise.scope, equations));
+                    for form in &premise.forms {
+                        if let Form::FirstIntegral(w) = form {
+                            constant.extend(w.value.components.iter().map(|&e| (&premise.scope, e)));
+                        }
+                    }
+                }
+                None => out.complete = false,
+            }
+            let before = premises.equations.len();
+            // An assumption that is left out is left out everywhere.
+            let dropped = |text: &str| without.is_some_and(|w| w.iter().any(|&i| claim.assuming[i].text == text));
+            let numbers: Vec<usize> =
+                (0..premise.assuming.len()).filter(|&i| dropped(&premise.assuming[i].text)).collect();
+            out.complete &= self.assume(premise, &numbers, &mut premises);
+            always.push((&premise.scope, premises.equations[before..].to_vec()));
+            // What a premise presupposes is presupposed here: a proof says so, and does not reach beyond it.
+            let own = |text: &str| claim.assuming.iter().any(|w| w.text == text);
+            let more = premise.assuming.iter().filter(|w| !own(&w.text)).map(|w| w.text.clone());
+            out.inherited.extend(more);
+        }
+        let mut seen = Vec::new();
+        out.inherited.retain(|text| {
+            !seen.contains(text) && {
+                seen.push(text.clone());
+                true
+            }
+        });
+        self.at_instants(&always, &constant, &mut premises);
+        out.premises = premises;
+        out
+    }
+
+    /// ± in a premise: at each time one of the signs holds, so the product of the two residuals vanishes.
+    fn without_branches(&mut self, premise: &Claim, equations: Pairs, complete: &mut bool) -> Pairs {
+        let sign = premise.scope.branch_sign();
+        let branching = |graph: &Graph, &(l, r): &(Expr, Expr)| graph.leaves_within([l, r]).contains(&sign);
+        let count = equations.iter().filter(|p| branching(&self.graph, p)).count();
+        // One sign for several equations, or for all times, says more than the products.
+        *complete &= count == 0 || count == 1 && !premise.branches_throughout;
+        let one = |this: &mut Self, pair: (Expr, Expr)| {
+            if !branching(&this.graph, &pair) {
+                return pair;
+            }
+            let residual = this.graph.sub(pair.0, pair.1);
+            let [p, q] = [1, -1].map(|v| this.graph.substitute(residual, |g, l| (l == sign).then(|| g.integer(v))));
+            (this.graph.mul(p, q), this.graph.integer(0))
+        };
+        equations.into_iter().map(|pair| one(self, pair)).collect()
+    }
+
+    /// What holds at all times holds at the fixed times that occur; constants have their present value there.
+    fn at_instants(&mut self, always: &[(&Scope, Pairs)], constant: &[(&Scope, Expr)], premises: &mut Premises) {
+        let mut roots: Vec<Expr> = always.iter().flat_map(|(_, p)| sides(p)).collect();
+        roots.extend(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative));
+        let own = self.equations(self.claim).unwrap_or_default();
+        roots.extend(sides(&own));
+        let mut instants: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();
+        instants.sort_unstable();
+        instants.dedup();
+        for &instant in &instants {
+            for &(scope, e) in constant {
+                let then = at_instant(&mut self.graph, scope, e, instant);
+                premises.equations.push((e, then));
+            }
+            for (scope, list) in always {
+                for &(l, r) in list {
+                    if self.graph.leaves_within([l, r]).iter().any(|l| l.rate > 0) {
+                        continue;
+                    }
+                    let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, instant));
+                    if then != [l, r] && then[0] != then[1] && !premises.equations.contains(&(then[0], then[1])) {
+                        premises.equations.push((then[0], then[1]));
+                    }
+                }
+            }
+            let scope = &self.claim.scope;
+            for list in [&mut premises.nonzero, &mut premises.positive, &mut premises.not_negative] {
+                for e in list.clone() {
+                    if self.graph.leaves_within([e]).iter().all(|l| l.rate == 0) {
+                        let then = at_instant(&mut self.graph, scope, e, instant);
+                        if !list.contains(&then) {
+                            list.push(then);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Which symbols move, and which are parameters.
+    fn roles(&mut self, premises: &mut Premises) {
+        let Derivation { symbols, claims, scope, .. } = self.derivation;
+        premises.time = scope.time();
+        for entry in symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)) {
+            let count = self.graph.component_count(entry.symbol);
+            match entry.role {
+                Role::State | Role::Observable => {
+                    premises.moving.push(entry.symbol);
+                    premises.angles.extend(entry.angle.then_some(entry.symbol));
+                }
+                Role::Parameter => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
+                Role::Coordinate => premises.parameters.extend((0..count).map(|c| now(entry.symbol, c))),
+                Role::Time | Role::Abbreviation | Role::Argument | Role::Field => {}
+            }
+        }
+    }
+
+    /// All premises of a question, with some definitions.
+    pub(super) fn premises(&mut self, gathered: &Gathered, equations: &Pairs, which: Definitions) -> Premises {
+        let mut premises = gathered.premises.clone();
+        self.definitions(equations, &gathered.systems, which, &mut premises);
+        self.definitions_at_instants(equations, which, &mut premises);
+        self.positive_parameters(equations, &mut premises);
+        solve_for_arguments(&mut self.graph, &mut premises);
+        premises
+    }
+
+    /// What is positive among the parameters that occur.
+    fn positive_parameters(&mut self, equations: &Pairs, premises: &mut Premises) {
+        let roots: Vec<Expr> = sides(equations).chain(sides(&premises.equations)).collect();
+        for leaf in self.graph.leaves_within(roots) {
+            if self.is_positive_parameter(leaf) {
+                let node = self.graph.leaf(leaf);
+                premises.positive.push(node);
+            }
+        }
+    }
+
+    /// The definition of a component, as far as definitions are used.
+    fn definition(&self, leaf: Leaf, which: Definitions) -> Option<Expr> {
+        let Derivation { claims, scope, .. } = self.derivation;
+        let in_file = || scope.definition(leaf.symbol).filter(|_| matches!(which, Definitions::Now | Definitions::All));
+        // The claims are many, and asked for the same symbols again and again.
+        let in_claim = || {
+            let found = || {
+                let own = scope.definition(leaf.symbol).is_none();
+                claims.iter().filter(|_| own).find_map(|c| c.scope.definition(leaf.symbol))
+            };
+            *self.of_claims.borrow_mut().entry(leaf.symbol).or_insert_with(found)
+        };
+        let definition = match which {
+            Definitions::None => None,
+            _ => in_file().or_else(in_claim),
+        };
+        definition?.components.get(usize::from(leaf.component)).copied()
+    }
+
+    /// The definitions of the observables that occur, of those in these, and so on; where rates occur, the systems that
+    /// are given join in. What does not occur is left out: a premise less can only lose a proof.
+    fn definitions(
+        &mut self,
+        equations: &Pairs,
+        systems: &[(Expr, Expr)],
+        which: Definitions,
+        premises: &mut Premises,
+    ) {
+        let mut seen: Vec<Leaf> = Vec::new();
+        let mut moving = false;
+        let roots: Vec<Expr> = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
+            .collect();
+        let mut open = self.graph.leaves_within(roots);
+        loop {
+            while let Some(leaf) = open.pop() {
+                moving |= leaf.rate > 0 || self.graph.is_field(leaf.symbol);
+                let value = Leaf { rate: 0, ..leaf };
+                if value.instant.is_some() || seen.contains(&value) {
+                    continue;
+                }
+                seen.push(value);
+                if let Some(e) = self.definition(value, which) {
+                    match self.continued(value, e, equations, premises) {
+                        Continued::No => {
+                            let node = self.graph.leaf(value);
+                            premises.equations.push((node, e));
+                        }
+                        // Whole turns may lie between it and its formula: only its rate is that of the formula.
+                        Continued::Rate(rate) => {
+                            let node = self.graph.leaf(Leaf { rate: 1, ..value });
+                            premises.equations.push((node, rate));
+                            (moving, self.loosened) = (true, true);
+                        }
+                        Continued::Unknown => self.loosened = true,
+                    }
+                    open.extend(self.graph.leaves_within([e]));
+                }
+            }
+            if !moving || systems.is_empty() || premises.equations.contains(&systems[0]) {
+                return;
+            }
+            premises.equations.extend(systems);
+            open.extend(self.graph.leaves_within(sides(systems)));
+        }
+    }
+
+    /// What an angle that is continued along motions has of its formula, where more of it occurs than its sine and cosine.
+    fn continued(&mut self, leaf: Leaf, e: Expr, equations: &Pairs, premises: &Premises) -> Continued {
+        if !self.derivation.is_angle(leaf.symbol) || !may_leap(&self.graph, e) {
+            return Continued::No;
+        }
+        let node = self.graph.leaf(leaf);
+        let roots = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied());
+        let bare = self.tells_turns(roots, node);
+        let scope = &self.claim.scope;
+        let (true, Some(time)) = (bare, scope.time()) else { return Continued::No };
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        match self.graph.time_derivative(e, time, moves) {
+            Ok(rate) => Continued::Rate(self.graph.continued(e, rate)),
+            Err(_) => Continued::Unknown,
+        }
+    }
+
+    /// Whether whole turns of an angle change a formula: it stands elsewhere than in sums and whole multiples below a sine, a
+    /// cosine or a tangent.
+    fn tells_turns(&self, roots: impl Iterator<Item = Expr>, angle: Expr) -> bool {
+        let whole = |e: Expr| self.graph.as_constant(e).is_some_and(|r| r.denominator().is_one());
+        let mut seen: FastSet<(Expr, bool)> = FastSet::default();
+        let mut open: Vec<(Expr, bool)> = roots.map(|e| (e, false)).collect();
+        while let Some((e, periodic)) = open.pop() {
+            if !seen.insert((e, periodic)) {
+                continue;
+            }
+            if e == angle && !periodic {
+                return true;
+            }
+            match *self.graph.node(e) {
+                Node::Unary(Op::Sin | Op::Cos | Op::Tan, a) => open.push((a, true)),
+                Node::Unary(Op::Neg, a) => open.push((a, periodic)),
+                Node::Binary(Op::Add | Op::Sub, a, b) => open.extend([(a, periodic), (b, periodic)]),
+                Node::Binary(Op::Mul, a, b) => open.extend([(a, periodic && whole(b)), (b, periodic && whole(a))]),
+                Node::Unary(..) | Node::Binary(..) | Node::Constant(_) | Node::Pi | Node::Leaf(_) => {
+                    open.extend(self.graph.node(e).children().map(|child| (child, false)));
+                }
+            }
+        }
+        false
+    }
+
+    /// The values at fixed times that occur obey the definitions at these times.
+    fn definitions_at_instants(&mut self, equations: &Pairs, which: Definitions, premises: &mut Premises) {
+        let roots: Vec<Expr> = sides(equations)
+            .chain(sides(&premises.equations))
+            .chain(premises.nonzero.iter().chain(&premises.positive).chain(&premises.not_negative).copied())
+            .collect();
+        let which = match which {
+            Definitions::Now => return,
+            Definitions::Then => Definitions::All,
+            other => other,
+        };
+        let scope = &self.claim.scope;
+        let mut open: Vec<Leaf> = self.graph.leaves_within(roots);
+        open.retain(|l| l.instant.is_some());
+        let mut seen: Vec<Leaf> = Vec::new();
+        while let Some(leaf) = open.pop() {
+            let (Some(instant), false) = (leaf.instant, seen.contains(&leaf)) else { continue };
+            seen.push(leaf);
+            if leaf.rate > 0 {
+                continue;
+            }
+            if let Some(e) = self.definition(Leaf { instant: None, ..leaf }, which) {
+                if self.derivation.is_angle(leaf.symbol) && may_leap(&self.graph, e) {
+                    self.loosened = true;
+                    continue;
+                }
+                let then = at_instant(&mut self.graph, scope, e, instant);
+                open.extend(self.graph.leaves_within([then]));
+                let node = self.graph.leaf(leaf);
+                premises.equations.push((node, then));
+            }
+        }
+    }
+
+    /// Premises with every choice of factors of the equations `product = 0` among them and their derivatives.
+    pub(super) fn cases(&mut self, premises: &Premises) -> Vec<Premises> {
+        let (mut open, mut done) = (vec![premises.clone()], Vec::new());
+        while let Some(case) = open.pop() {
+            if open.len() + done.len() > MOST_CASES {
+                return vec![premises.clone()];
+            }
+            match self.factors_of_one(&case) {
+                None => done.push(case),
+                Some(factors) => {
+                    let zero = self.graph.integer(0);
+                    let case = self.of_one_time(case);
+                    for factor in factors.into_iter().rev() {
+                        let mut one = case.clone();
+                        // First, so that it is solved first.
+                        one.equations.insert(0, (factor, zero));
+                        open.push(one);
+                    }
+                }
+            }
+        }
+        done
+    }
+
+    /// Premises without what they say of fixed times: another factor may vanish there.
+    pub(super) fn of_one_time(&self, mut case: Premises) -> Premises {
+        let graph = &self.graph;
+        let now = |e: &Expr| graph.leaves_within([*e]).iter().all(|leaf| leaf.instant.is_none());
+        case.equations.retain(|(l, r)| now(l) && now(r));
+        for facts in [&mut case.nonzero, &mut case.positive, &mut case.not_negative] {
+            facts.retain(now);
+        }
+        case
+    }
+
+    /// The factors of the first premise, or derivative of one, that is a product and has no factor among the premises yet.
+    fn factors_of_one(&mut self, case: &Premises) -> Option<Vec<Expr>> {
+        let time = case.time?;
+        for at in 0..case.equations.len() {
+            let (l, r) = case.equations[at];
+            let residual = self.graph.sub(l, r);
+            let rate = self.graph.time_derivative(residual, time, |l| case.moving.contains(&l.symbol));
+            for e in [Some(residual), rate.ok()].into_iter().flatten() {
+                let bases = bases(&self.graph, e);
+                let product = bases.len() > 1;
+                let settled = |b: &Expr| case.equations.iter().any(|&(l, r)| l == *b && self.graph.is_zero(r));
+                if bases.iter().any(settled) {
+                    continue;
+                }
+                let moving = |b: &Expr| self.graph.leaves_within([*b]).iter().any(|l| case.moving.contains(&l.symbol));
+                let bases: Vec<Expr> = bases.into_iter().filter(|b| !case.nonzero.contains(b)).collect();
+                if product && bases.iter().any(moving) {
+                    return Some(bases);
+                }
+            }
+        }
+        None
+    }
+}
+
+/// The factors of a product, by its structure; powers and quotients are taken apart.
+fn bases(graph: &Graph, e: Expr) -> Vec<Expr> {
+    let mut out = Vec::new();
+    let mut stack = vec![e];
+    while let Some(e) = stack.pop() {
+        match *graph.node(e) {
+            Node::Constant(_) => {}
+            Node::Unary(Op::Neg, a) => stack.push(a),
+            Node::Unary(Op::Powi(n), a) if n > 0 => stack.push(a),
+            Node::Binary(Op::Mul, a, b) => stack.extend([b, a]),
+            Node::Binary(Op::Div, a, _) => stack.push(a),
+            _ if out.contains(&e) => {}
+            _ => out.push(e),
+        }
+    }
+    out
+}

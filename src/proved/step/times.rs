@@ -1,0 +1,186 @@
+//! Fixed times of a step: which of them are one, what is asked at a single one, and motions that stand still.
+//!
+//! **In:** a claim as equations, and what is given. **Out:** the same question with fewer times in it, where that is possible.
+//!
+//! A claim about values at one fixed time only is a claim about the present, given that the time is that one. A claim about values at
+//! several is claimed of all presents in place of one of them: that is more, and can be followed along rates.
+
+use super::gather::Gathered;
+use super::{Definitions, Pairs, Step};
+use crate::expr::{Expr, Leaf};
+use crate::latex::Role;
+use proof::{Identity, Options, Premises, Wanted, identity_test_after};
+
+/// What is known of the fixed times.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Times {
+    /// Two of them may be one, or not: a point at which they have different values refutes nothing.
+    pub(super) unclear: bool,
+}
+
+impl Step<'_> {
+    fn moving(&self, leaf: &Leaf) -> bool {
+        matches!(self.claim.scope.role(leaf.symbol), Some(Role::State | Role::Observable))
+    }
+
+    fn instants(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
+        let mut out: Vec<Expr> = self.graph.leaves_within(roots).into_iter().filter_map(|l| l.instant).collect();
+        out.sort_unstable();
+        out.dedup();
+        out
+    }
+
+    /// Times that are equal, given what is said of parameters, become one.
+    pub(super) fn unite_times(&mut self, gathered: &mut Gathered, equations: &mut Pairs) -> Times {
+        let sides = |p: &Pairs| p.iter().flat_map(|&(l, r)| [l, r]).collect::<Vec<_>>();
+        let roots = sides(equations).into_iter().chain(sides(&gathered.premises.equations));
+        let mut instants = self.instants(roots);
+        let mut times = Times::default();
+        let about_parameters =
+            |this: &Self, roots: [Expr; 2]| this.graph.leaves_within(roots).iter().all(|l| !this.moving(l));
+        let zero = self.graph.integer(0);
+        let keep = |this: &Self, list: &[Expr]| -> Vec<Expr> {
+            list.iter().copied().filter(|&e| about_parameters(this, [e, zero])).collect()
+        };
+        let premises = Premises {
+            equations: gathered
+                .premises
+                .equations
+                .iter()
+                .copied()
+                .filter(|&(l, r)| about_parameters(self, [l, r]))
+                .collect(),
+            nonzero: keep(self, &gathered.premises.nonzero),
+            positive: keep(self, &gathered.premises.positive),
+            not_negative: keep(self, &gathered.premises.not_negative),
+            ..Premises::default()
+        };
+        let mut premises = premises;
+        let named = instants.iter().copied().chain(premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        for leaf in self.graph.leaves_within(named) {
+            if self.is_positive_parameter(leaf) {
+                let node = self.graph.leaf(leaf);
+                premises.positive.push(node);
+            }
+        }
+        let mut same: Vec<(Expr, Expr)> = Vec::new();
+        let mut at = 0;
+        while at < instants.len() {
+            let mut other = at + 1;
+            while other < instants.len() {
+                let pair = (instants[at], instants[other]);
+                let options = Options { attempts: 48, wanted: Wanted::Answer, ..Options::default() };
+                let found = identity_test_after(&mut self.memory, &mut self.graph, &[pair], &premises, &options);
+                match found {
+                    Identity::Proved(proof) if !super::has_exceptions(&proof) => {
+                        same.push((instants.remove(other), pair.0));
+                        continue;
+                    }
+                    Identity::Refuted(_) => {}
+                    Identity::Proved(_) | Identity::Undecided(_) => times.unclear = true,
+                }
+                other += 1;
+            }
+            at += 1;
+        }
+        if same.is_empty() {
+            return times;
+        }
+        let mut put = |e: Expr| {
+            self.graph.substitute(e, |graph, leaf| {
+                let instant = leaf.instant?;
+                let &(_, one) = same.iter().find(|(gone, _)| *gone == instant)?;
+                Some(graph.leaf(Leaf { instant: Some(one), ..leaf }))
+            })
+        };
+        let Premises { equations: given, nonzero, positive, not_negative, .. } = &mut gathered.premises;
+        for (l, r) in equations.iter_mut().chain(given).chain(&mut gathered.systems) {
+            (*l, *r) = (put(*l), put(*r));
+        }
+        for e in nonzero.iter_mut().chain(positive).chain(not_negative) {
+            *e = put(*e);
+        }
+        if equations.iter().all(|(l, r)| l == r) {
+            *equations = vec![(zero, zero)];
+        }
+        times
+    }
+
+    /// A claim without present values, as one about the present; `None` where it has present values, or names the time.
+    pub(super) fn at_present(&mut self, gathered: &mut Gathered, equations: &Pairs) -> Option<Pairs> {
+        let time = self.claim.scope.time()?;
+        let said: Vec<Leaf> = self.graph.leaves_within(equations.iter().flat_map(|&(l, r)| [l, r]));
+        if said.contains(&time) || said.iter().any(|l| self.moving(l) && l.instant.is_none()) {
+            return None;
+        }
+        let instants = self.instants(equations.iter().flat_map(|&(l, r)| [l, r]));
+        let &chosen = instants.first()?;
+        let of_premises: Vec<Leaf> =
+            self.graph.leaves_within(gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]));
+        let alone = instants.len() == 1 && of_premises.iter().all(|l| l.instant.is_none_or(|i| i == chosen));
+        if alone {
+            for leaf in of_premises.into_iter().filter(|l| l.instant.is_some()) {
+                let pair = [leaf, Leaf { instant: None, ..leaf }].map(|l| self.graph.leaf(l));
+                gathered.premises.only_now.push((pair[0], pair[1]));
+            }
+            let named = gathered.premises.equations.iter().chain(&gathered.systems).flat_map(|&(l, r)| [l, r]);
+            if self.graph.leaves_within(named).contains(&time) {
+                let now = self.graph.leaf(time);
+                gathered.premises.only_now.push((now, chosen));
+            }
+        }
+        let mut put = |e: Expr| {
+            self.graph.substitute(e, |graph, leaf| {
+                (leaf.instant == Some(chosen)).then(|| graph.leaf(Leaf { instant: None, ..leaf }))
+            })
+        };
+        Some(equations.iter().map(|&(l, r)| (put(l), put(r))).collect())
+    }
+
+    /// Whether what is given ties anything that moves: else values at different times are free.
+    pub(super) fn ties(&self, gathered: &Gathered) -> bool {
+        let given = gathered.premises.equations.iter().chain(&gathered.systems);
+        self.graph.leaves_within(given.flat_map(|&(l, r)| [l, r])).iter().any(|l| self.moving(l))
+    }
+
+    /// A refutation by a motion that stands still: all rates are 0, and values at all times are one. `None` if what is given names
+    /// the time, or such a motion does not refute.
+    pub(super) fn at_rest(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Identity> {
+        let time = self.claim.scope.time()?;
+        // Whatever rates occur: the motion that stands still must satisfy the systems.
+        let mut gathered = gathered.clone();
+        let systems = std::mem::take(&mut gathered.systems);
+        gathered.premises.equations.extend(systems);
+        let mut premises = self.premises(&gathered, equations, Definitions::All);
+        premises.only_now.clear();
+        let zero = self.graph.integer(0);
+        let claim = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(claim.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut put = |e: Expr| {
+            self.graph.substitute(e, |graph, leaf| {
+                if !moves(leaf) {
+                    None
+                } else if leaf.rate > 0 {
+                    Some(zero)
+                } else {
+                    leaf.instant.is_some().then(|| graph.leaf(Leaf { instant: None, ..leaf }))
+                }
+            })
+        };
+        for (l, r) in &mut premises.equations {
+            (*l, *r) = (put(*l), put(*r));
+        }
+        for e in premises.nonzero.iter_mut().chain(&mut premises.positive).chain(&mut premises.not_negative) {
+            *e = put(*e);
+        }
+        let equations: Pairs = equations.iter().map(|&(l, r)| (put(l), put(r))).collect();
+        premises.equations.retain(|(l, r)| l != r);
+        let named = premises.equations.iter().flat_map(|&(l, r)| [l, r]);
+        if self.graph.leaves_within(named).contains(&time) || equations.iter().all(|(l, r)| l == r) {
+            return None;
+        }
+        let options = Options { special_cases: 2, ..Options::default() };
+        let found = self.test_only(&premises, &equations, &options);
+        matches!(found, Identity::Refuted(_)).then_some(found)
+    }
+}

@@ -1,0 +1,352 @@
+//! Members of a family, compared in one quantity.
+//!
+//! **In:** motions that differ in one symbol, and its values; a quantity, at the first event of each motion, or one that does
+//! not move. **Out:** a finding of what the claim says of them: that two quantities are equal, ordered, or that the slope of
+//! their logarithms is a power; that one is the largest; that they tend to a value.
+//!
+//! **Guaranteed:** the quantities have the bounds of the motions, and what is computed of them carries these on: where they are too
+//! large to tell, nothing is known. The first event is that of a complete search; where one may be missing, nothing is known
+//! either. The rules are those of every comparison, see `weigh`.
+//!
+//! **Why two members at a time:** "it grows" is so of all if it is of neighbours; a slope between any two is a mean of those between
+//! neighbours; "it is the same" is so of all if all are as one of them. So a claim across members is one of each member, is counted
+//! as others are, and needs no memory for the members. For an extremum the other is the motion at its place, whether it is a member or
+//! not; a limit is looked for from each member anew, along motions of which only the first is one.
+
+use std::sync::Arc;
+
+use crate::between::may_lie_beyond;
+use crate::course::{Course, Trial};
+use crate::derivation::{Across, Dependence, Derivation, End, Form, NoOther};
+use crate::describe::{Describer, Left, incomplete, short};
+use crate::doubt::{known, open_events};
+use crate::expr::Expr;
+use crate::expr::tape::Tape;
+use crate::flow::{Incomplete, Points};
+use crate::judged::Tried;
+use crate::latex::RelationKind;
+use crate::number::{Bounded, NoValue, Number};
+use crate::verdict::{Evidence, Finding, Possible, Rise};
+use crate::weigh::weigh;
+use crate::{events, extrapolate};
+use claim::comparison::{Comparison, Group};
+use claim::measured::{Measured, MeasuredGroup, Series, Sizes};
+use claim::program::Values;
+
+/// What is compared, as the file of the member has it: the claim that is tried knows no member.
+fn across_of<'d>(derivation: &'d Derivation, trial: &Trial) -> Option<&'d Across> {
+    let claim = derivation.claims.iter().find(|c| c.id == trial.claim.id && c.reading == trial.claim.reading)?;
+    claim.forms.iter().find_map(|form| match form {
+        Form::Across(across) => Some(&**across),
+        _ => None,
+    })
+}
+
+/// When a quantity is taken, and what is known of the motion then.
+struct Taken {
+    t: f64,
+    values: Values,
+}
+
+/// The first time at which the quantity is taken on a motion.
+fn taken(trial: &Trial, course: &Course) -> Result<Taken, Box<Finding>> {
+    if let Some(problem) = course.motion.problem() {
+        return Err(Finding::open(problem.to_string()).into());
+    }
+    // What an angle adds up along a motion is not known beyond such a place.
+    let open = |gap: &&Incomplete| match gap {
+        Incomplete::NoValue { .. } => false,
+        Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
+    };
+    if let Some(gap) = course.motion.unresolved().iter().find(open) {
+        return Err(Finding::open(incomplete(gap)).into());
+    }
+    let Some(event) = trial.program.at else {
+        let t = course.stage.initial_time(course.trajectory);
+        return Ok(Taken { t, values: course.values(t) });
+    };
+    let found = trial.claim.at.as_ref().and_then(|at| events::of_event(trial.graph, at, event, course));
+    let Some(found) = found else {
+        return Err(Finding::open("the event has no meaning on this motion").into());
+    };
+    let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    let trial = Trial { course, ..*trial };
+    if let Some(reason) = open_events(&trial, &found, counts) {
+        return Err(Finding::open(reason).into());
+    }
+    let (Some(&t), Some(&slack)) = (found.zeros.times.first(), found.zeros.slack.first()) else {
+        let reason = "the event does not happen on the member that it is compared with";
+        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+    };
+    if may_lie_beyond(course.stage.span(course.trajectory), t, slack) {
+        return Err(
+            Finding::open(format!("whether the event near t = {} lies in the span cannot be told", short(t))).into()
+        );
+    }
+    Ok(Taken { t, values: course.values_at_event(t, slack) })
+}
+
+/// Compares a member with those that the family gives beside it.
+pub(super) fn try_on(derivation: &Derivation, trial: &Trial, tried: &Tried, position: usize) -> Finding {
+    let Some(across) = across_of(derivation, trial) else { return Finding::open("it is not known what is compared") };
+    let void = |reason: String| Finding::sampled(Possible::VOID, Evidence::because(reason));
+    let values = match &across.values {
+        Ok(values) => values,
+        Err(NoOther::Last) => {
+            return void(format!(
+                "no other member comes after it along ${}$, or it is the one that others are compared with",
+                across.name
+            ));
+        }
+        Err(NoOther::TooRare) => return Finding::open("work limit: no member beside it satisfies the constraints"),
+        Err(NoOther::Rejected) => {
+            return void("a motion that it would be compared with does not satisfy the constraints".to_owned());
+        }
+        Err(NoOther::Near) => return void("it lies nearer to the extremum than what is said of it".to_owned()),
+        Err(NoOther::Beyond) => return void(format!("it lies where ${}$ tends to, or beyond", across.name)),
+        Err(NoOther::NoMember) => return Finding::open("it compares the members of a family"),
+    };
+    let course = trial.course;
+    if let Some(Left::Open(reason) | Left::Out(reason)) = tried.left.first() {
+        return Finding::open(reason.to_string());
+    }
+    let group = &trial.program.parts[position].group.comparisons;
+    let Some((quantity, limit)) = group.first().map(|c| (c.left, c.right)) else {
+        return Finding::open("there is no quantity");
+    };
+    let (Some(value), Some(limit)) = (evaluator(trial, quantity), evaluator(trial, limit)) else {
+        return Finding::open("the quantity is not known");
+    };
+    let mut members = Vec::new();
+    for (n, &x) in values.iter().enumerate() {
+        let other;
+        let of = match n.checked_sub(1).map(|n| across.others.get(n)) {
+            None => course,
+            Some(position) => {
+                let built = position.and_then(|position| Some((*position, course.stage.motion(*position)?)));
+                let Some((trajectory, motion)) = built else { return Finding::open("the other member was not built") };
+                // Its samples are not asked for.
+                let (times, points) = (Vec::new(), Arc::new(Points::default()));
+                other = Course { stage: course.stage, trajectory, motion, leaves: course.leaves, times, points };
+                &other
+            }
+        };
+        let at = match taken(trial, of) {
+            Ok(at) => at,
+            Err(finding) => return *finding,
+        };
+        match value(&at.values) {
+            Ok(of) => members.push(Taking { x, at, of }),
+            Err(NoValue::OutOfDomain) => {
+                return void(format!("`{}` has no value on one of the members that are compared", across.of.text));
+            }
+            Err(reason) => return Finding::open(reason.to_string()),
+        }
+    }
+    if let Dependence::Limit { end, to } = across.dependence {
+        return tends(trial, across, &members, (end, to), &limit, quantity);
+    }
+    let [own, other, more @ ..] = &members[..] else { return Finding::open("there is nothing to compare it with") };
+    let two = |own: &Taking, other: &Taking| compare(trial, across, own, other, quantity);
+    let Dependence::Extremum { to, .. } = across.dependence else { return two(own, other) };
+    // The member itself, if it is far enough from the extremum, and the motion beside the extremum.
+    let far = Some(own).filter(|own| (own.x - other.x).abs() >= to);
+    let findings = far.into_iter().chain(more).map(|one| two(one, other));
+    let all = findings.reduce(|a, b| if rank(&b) >= rank(&a) { b } else { a });
+    all.unwrap_or_else(|| void("it lies nearer to the extremum than what is said of it".to_owned()))
+}
+
+/// A member, or a motion beside it: the value of what varies, when the quantity is taken, and what it is.
+struct Taking {
+    x: f64,
+    at: Taken,
+    of: Bounded,
+}
+
+/// Of two findings about one extremum, which one is told: what is false before what is open, and that before what is true.
+fn rank(finding: &Finding) -> u8 {
+    match known(finding) {
+        Possible::FALSE => 2,
+        Possible::TRUE => 0,
+        _ => 1,
+    }
+}
+
+/// Compares two members.
+fn compare(trial: &Trial, across: &Across, ours: &Taking, theirs: &Taking, quantity: Expr) -> Finding {
+    let (text, own, q, r) = (&across.of.text, (ours.x, theirs.x), ours.of, theirs.of);
+    let mut rise = None;
+    let compared = match across.dependence {
+        Dependence::Independent => both(text, q, r, RelationKind::Equal),
+        Dependence::Increasing => both(text, q, r, ordered(own, RelationKind::Less, RelationKind::Greater)),
+        Dependence::Decreasing => both(text, q, r, ordered(own, RelationKind::Greater, RelationKind::Less)),
+        Dependence::Extremum { maximum: true, .. } => both(text, q, r, RelationKind::Less),
+        Dependence::Extremum { maximum: false, .. } => both(text, q, r, RelationKind::Greater),
+        Dependence::Power { power, to } => match slope((q, r), own) {
+            Ok((slope, found)) => {
+                rise = Some(found);
+                // What the subtraction rounds.
+                let error = slope.error + 4.0 * f64::EPSILON * (slope.value.abs() + power.abs() + to);
+                let off = Bounded { value: slope.value - power, error };
+                within(format!("slope of ln|{text}| against ln|{}|, less {power}", across.name), off, to)
+            }
+            Err(finding) => return *finding,
+        },
+        Dependence::Limit { .. } => return Finding::open("a limit is not told by two members"),
+    };
+    let values = vec![
+        (across.name.clone(), own.0),
+        (format!("{} of the other", across.name), own.1),
+        (text.clone(), q.value),
+        (format!("{text} of the other"), r.value),
+    ];
+    let finding = told(trial, &ours.at, compared, quantity, values);
+    match rise {
+        // Of what is not decided the slope counts, too.
+        Some(rise) => Finding::sampled(known(&finding), Evidence { rise: Some(rise), ..finding.evidence().clone() }),
+        None => finding,
+    }
+}
+
+/// Whether the quantity tends to a value along a sequence of motions.
+fn tends(
+    trial: &Trial,
+    across: &Across,
+    members: &[Taking],
+    (end, to): (End, f64),
+    limit: &impl Fn(&Values) -> Result<Bounded, NoValue>,
+    quantity: Expr,
+) -> Finding {
+    let (Some(own), Some(last)) = (members.first(), members.last()) else {
+        return Finding::open("there is no sequence");
+    };
+    let (claimed, again) = match (limit(&own.at.values), limit(&last.at.values)) {
+        (Ok(here), Ok(there)) => (here, there),
+        (Err(NoValue::OutOfDomain), _) | (_, Err(NoValue::OutOfDomain)) => {
+            let reason = "what it is said to tend to has no value";
+            return Finding::sampled(Possible::VOID, Evidence::because(reason));
+        }
+        (Err(reason), _) | (_, Err(reason)) => return Finding::open(reason.to_string()),
+    };
+    if !(claimed - again).contains_zero() {
+        return Finding::open("what it is said to tend to is not the same along the sequence");
+    }
+    let sequence: Vec<Bounded> = members.iter().map(|m| m.of).collect();
+    let found = match extrapolate::limit(&sequence) {
+        Ok(found) => found,
+        Err(reason) => {
+            let from = short(own.x);
+            return Finding::open(format!("from ${}$ = {from} on, {reason}", across.name));
+        }
+    };
+    let (text, name) = (&across.of.text, &across.name);
+    let tends_to = match (end, &across.point) {
+        (End::Infinity, _) => "\\infty",
+        (End::MinusInfinity, _) => "-\\infty",
+        (End::Number, point) => point.as_ref().map_or("a number", |p| p.text.as_str()),
+    };
+    let said = across.value.as_ref().map_or("0", |v| v.text.as_str());
+    let label = format!("estimated limit of {text} for {name} → {tends_to}, less {said}");
+    let values = vec![
+        (name.clone(), own.x),
+        (format!("{name} of the last of the sequence"), last.x),
+        (text.clone(), own.of.value),
+        (format!("{text} of the last of the sequence"), last.of.value),
+        (format!("estimated limit of {text}"), found.value),
+    ];
+    told(trial, &own.at, within(label, found - claimed, to), quantity, values)
+}
+
+/// That a number is 0, to within a distance.
+fn within(label: String, off: Bounded, to: f64) -> Compared {
+    let left = off.value.abs();
+    let difference = Bounded { value: left - to, error: off.error + 2.0 * f64::EPSILON * (left + to) };
+    (label, RelationKind::LessEqual, Measured { left, right: to, difference }, to)
+}
+
+/// What a comparison says, with the members that were compared.
+fn told(trial: &Trial, at: &Taken, compared: Compared, quantity: Expr, values: Vec<(String, f64)>) -> Finding {
+    // Agreement within the error is no order.
+    let (_, kind, measured, _) = &compared;
+    if *kind != RelationKind::Equal && measured.difference.error > 0.0 && measured.difference.contains_zero() {
+        let bound = measured.difference.error;
+        return Finding::open(format!(
+            "{} and {}, up to {bound:.1e}, cannot be told apart",
+            measured.left, measured.right
+        ));
+    }
+    let finding = weighed(trial, at, compared, quantity);
+    let mut evidence = finding.evidence().clone();
+    if let Some(witness) = &mut evidence.witness {
+        // Of both members, what varies, and when and what was compared.
+        witness.values = values;
+    }
+    Finding::sampled(known(&finding), evidence)
+}
+
+/// What is compared: what it is called, how, the two, and the size of their terms.
+type Compared = (String, RelationKind, Measured, f64);
+
+fn both(text: &str, q: Bounded, r: Bounded, kind: RelationKind) -> Compared {
+    let measured = Measured { left: q.value, right: r.value, difference: q - r };
+    (format!("{text} of both members"), kind, measured, q.value.abs() + r.value.abs())
+}
+
+/// How quantities are ordered where the first value of what varies is the smaller one.
+fn ordered((own, other): (f64, f64), smaller: RelationKind, larger: RelationKind) -> RelationKind {
+    if own < other { smaller } else { larger }
+}
+
+/// The slope of ln|q| against ln|x| between two members, with its error.
+fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<(Bounded, Rise), Box<Finding>> {
+    if own * other <= 0.0 {
+        let reason = "what varies changes its sign, or vanishes: there is no slope of logarithms";
+        return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
+    }
+    let sizes = [(q.value.abs(), q.error), (r.value.abs(), r.error)];
+    if sizes.iter().any(|(size, error)| *error > 0.25 * size) {
+        return Err(Finding::open("the quantity is too near 0, against its error, to have a logarithm").into());
+    }
+    let log = |x: f64| {
+        let mut out = Bounded::exact(0.0);
+        Number::ln(&mut out, &(), &Bounded::exact(x)).map(|()| out)
+    };
+    // ln(1 + u) is off by at most 4/3 |u| for |u| up to 1/4.
+    let of = |(size, error): (f64, f64)| {
+        log(size).map(|l| Bounded { value: l.value, error: l.error + 4.0 / 3.0 * (error / size) * (1.0 + 1e-10) })
+    };
+    let all = (of(sizes[0]), of(sizes[1]), log(own.abs()), log(other.abs()));
+    let (Ok(a), Ok(b), Ok(x), Ok(y)) = all else { return Err(Finding::open("a logarithm is too large").into()) };
+    let (rise, run) = (b - a, y - x);
+    if run.value.abs() <= 4.0 * run.error {
+        return Err(Finding::open("the values of what varies are too near one another").into());
+    }
+    let value = rise.value / run.value;
+    // |rise/run − exact| ≤ (δrise + |value| δrun)/(|run| − δrun), and rounding.
+    let error = (rise.error + value.abs() * run.error) / (run.value.abs() - run.error);
+    let slope = Bounded { value, error: error * (1.0 + 1e-10) + f64::EPSILON * value.abs() };
+    Ok((slope, Rise { run: run.value, rise: rise.value, error: rise.error + value.abs() * run.error }))
+}
+
+/// The value of the quantity from the values of all leaves.
+fn evaluator<'t>(trial: &'t Trial, quantity: Expr) -> Option<impl Fn(&Values) -> Result<Bounded, NoValue> + 't> {
+    let tape = Tape::compile(trial.graph, trial.course.leaves, &[quantity]).ok()?;
+    Some(move |values: &Values| {
+        let mut slots = tape.slots::<Bounded>(&());
+        tape.evaluate(&(), values, &mut slots).pop().unwrap_or(Err(NoValue::OutOfDomain))
+    })
+}
+
+/// Weighs one comparison, at the time at which the quantity is taken.
+fn weighed(trial: &Trial, at: &Taken, (label, kind, measured, size): Compared, node: Expr) -> Finding {
+    let comparison = Comparison::measured(label, kind, node);
+    let group = Group { comparisons: vec![comparison], ..Group::default() };
+    let mut series = Series::with_capacity(1);
+    series.push(Ok(measured));
+    let sizes = Sizes::Known(vec![vec![size]].into());
+    let group = MeasuredGroup::new(&group, vec![vec![series]], (vec![sizes], 0));
+    let times = [at.t];
+    let points: Points = std::iter::once(at.values.clone()).collect();
+    let describer = Describer::new(trial, &times, &points);
+    weigh(describer.setting(vec![Left::In]), &group)
+}

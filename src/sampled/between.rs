@@ -1,0 +1,226 @@
+//! Between the samples: the times at which an inequality, or what must differ, may change.
+//!
+//! **In:** a part of a claim, and what the search for zeros found for left − right. **Out:** what is known of the part at the
+//! zeros and at the peaks of what lies between two of them; and what the search left open.
+//!
+//! An inequality keeps its truth as long as left − right keeps its sign. So it is enough to look where the sign changes, and
+//! once between two changes. Where the sides only touch, or where the search is incomplete, the comparison may be anything:
+//! if the part may be false then, it is not known to be true.
+
+use std::sync::Arc;
+
+use crate::course::Trial;
+use crate::describe::{Describer, Left, incomplete, short};
+use crate::flow::{Incomplete, Points};
+use crate::judged::{Judged, selected};
+use crate::latex::RelationKind;
+use crate::number::NoValue;
+use crate::verdict::{Evidence, Finding, Possible, Strength, Truth};
+use crate::weigh::weigh;
+use claim::measured::{Measurements, measure};
+use claim::program::What;
+
+/// Up to this share of the span a gap in the search is one point for relations that admit equality: what is true on both
+/// sides of a point, and continuous, is true at it.
+const POINT: f64 = 1e-9;
+
+/// What a time is looked at for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Role {
+    /// left − right of a comparison changes its sign there; how well the time is known.
+    Crossing { comparison: usize, slack: f64 },
+    /// It is farthest from 0 there, between two changes of sign.
+    Peak,
+    /// Whether the part may be false there, whatever the comparison is, decides whether a reason stays open.
+    Probe { reason: usize, comparison: usize },
+}
+
+/// One part of a claim, between the samples.
+struct Between<'a> {
+    /// The times, increasing.
+    times: Vec<f64>,
+    /// The values at these times.
+    points: Arc<Points>,
+    roles: Vec<Role>,
+    /// What the search leaves open, in words.
+    open: Vec<String>,
+    measured: Measurements<'a>,
+    position: usize,
+}
+
+/// Whether a zero lies beyond an end of the span, up to the error of its time.
+pub(super) fn may_lie_beyond((from, to): (f64, f64), t: f64, slack: f64) -> bool {
+    let exact = slack <= 4.5 * f64::EPSILON * t.abs().max(f64::MIN_POSITIVE);
+    !exact && (t - slack < from || t + slack > to)
+}
+
+/// Whether a relation admits equality, for which touching sides make no difference.
+pub(super) fn is_weak(kind: RelationKind) -> bool {
+    matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual)
+}
+
+impl<'a> Between<'a> {
+    /// Looks for the changes of a part of the program.
+    fn look(trial: &Trial<'a>, along: &Measurements, position: usize, void: bool) -> Between<'a> {
+        let Trial { program, course, .. } = *trial;
+        let (from, to) = course.stage.span(course.trajectory);
+        let mut found: Vec<(f64, Role)> = Vec::new();
+        let mut open: Vec<String> = Vec::new();
+        for (comparison, kind, e) in program.parts[position].boundaries(void) {
+            let Some(zeros) = course.zeros(e) else {
+                open.push("what lies between the samples cannot be searched".to_owned());
+                let role = Role::Probe { reason: open.len() - 1, comparison };
+                found.extend([from, to].map(|t| (t, role)));
+                continue;
+            };
+            for (&t, &slack) in zeros.times.iter().zip(&zeros.slack) {
+                let role = match may_lie_beyond((from, to), t, slack) {
+                    false => Role::Crossing { comparison, slack },
+                    true => {
+                        open.push(format!("whether the sides meet in the span, near t = {}, cannot be told", short(t)));
+                        Role::Probe { reason: open.len() - 1, comparison }
+                    }
+                };
+                found.push((t, role));
+            }
+            found.extend(zeros.peaks.iter().map(|&t| (t, Role::Peak)));
+            // What is true beside a point and continuous is true at it, unless one side alone is seen.
+            for &t in if is_weak(kind) { &zeros.cut_off } else { &zeros.touching } {
+                let text = format!("the sides touch near t = {}: whether they meet there cannot be told", short(t));
+                open.push(text);
+                found.push((t, Role::Probe { reason: open.len() - 1, comparison }));
+            }
+            for gap in &zeros.incomplete {
+                let (start, end) = gap.stretch();
+                let excused = match gap {
+                    // Such times are left out, as among the samples.
+                    Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => true,
+                    Incomplete::Vanishing { .. } => is_weak(kind),
+                    _ => is_weak(kind) && end - start <= POINT * (to - from),
+                };
+                if excused {
+                    continue;
+                }
+                open.push(format!("the search between the samples is incomplete: {}", incomplete(gap)));
+                let role = Role::Probe { reason: open.len() - 1, comparison };
+                let probes = [start.max(from), start + 0.5 * (end - start), end.min(to)];
+                found.extend(probes.into_iter().filter(|t| (from..=to).contains(t)).map(|t| (t, role)));
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let event = |&(t, role): &(f64, Role)| match role {
+            Role::Crossing { slack, .. } => (t, Some(slack)),
+            Role::Peak | Role::Probe { .. } => (t, None),
+        };
+        let points = course.points_at_events(program, &found.iter().map(event).collect::<Vec<_>>());
+        let mut measured = measure(program, &points, Some(along));
+        for group in &mut measured.selectors {
+            group.equal.iter_mut().flatten().for_each(|equal| *equal = true);
+        }
+        let (times, roles): (Vec<f64>, Vec<Role>) = found.into_iter().unzip();
+        // Where its sign changes, the sides of a comparison are equal; what else is 0 within its error there may not be.
+        let crosses = |role: &Role| match role {
+            Role::Crossing { comparison, .. } => Some(*comparison),
+            Role::Peak | Role::Probe { .. } => None,
+        };
+        measured.parts[position].crossing = roles.iter().map(crosses).collect();
+        Between { times, points, roles, open, measured, position }
+    }
+
+    /// What the search leaves open at times that may count.
+    fn still_open(&self, left: &[Left], judged: &Judged, precision: f64) -> Option<&String> {
+        let group = &self.measured.parts[self.position];
+        let reason = |(i, role): (usize, &Role)| {
+            let Role::Probe { reason, comparison } = *role else { return None };
+            if matches!(left[i], Left::Out(_)) || judged.at(i) == Possible::VOID {
+                return None;
+            }
+            let at = |s: usize| {
+                let known = |c: usize| group.standing(s, c, i, precision);
+                group.group.value(|c| if c == comparison { Possible::OPEN } else { known(c) })
+            };
+            let whole = group.group.over_signs((0..group.signs.len()).map(at));
+            whole.may_be(Truth::False).then(|| self.open.get(reason))?
+        };
+        self.roles.iter().enumerate().find_map(reason)
+    }
+
+    /// Why a part that has no value at any sample may have one at a time between them.
+    fn valued(&self, trial: &Trial) -> Option<String> {
+        let describer = Describer::new(trial, &self.times, &self.points);
+        let left = selected(trial, &self.measured, &describer);
+        let judged = Judged::new(&self.measured.parts[self.position], trial.claim.precision);
+        let valued = |i: &usize| !matches!(left[*i], Left::Out(_)) && judged.at(*i) != Possible::VOID;
+        let i = (0..self.times.len()).find(valued)?;
+        Some(format!("at t = {}, between two samples, it may be true or false", short(self.times[i])))
+    }
+
+    /// What is known of a part that is true at all samples; `None` where there is nothing to add.
+    fn held(&self, trial: &Trial) -> Option<Finding> {
+        let group = &self.measured.parts[self.position];
+        if self.times.is_empty() {
+            return None;
+        }
+        let describer = Describer::new(trial, &self.times, &self.points);
+        let left = selected(trial, &self.measured, &describer);
+        let precision = trial.claim.precision;
+        let judged = Judged::new(group, precision);
+        // Whether a time at which the sides touch refutes cannot be told: such times are not weighed.
+        let weighed = |(left, role): (&Left, &Role)| match role {
+            Role::Probe { .. } => Left::Out(Arc::from("")),
+            Role::Crossing { .. } | Role::Peak => left.clone(),
+        };
+        let counting: Vec<Left> = left.iter().zip(&self.roles).map(weighed).collect();
+        let undecided = |reason: String, samples: usize| {
+            Some(Finding::sampled(Possible::OPEN, Evidence { samples, ..Evidence::because(reason) }))
+        };
+        let counted = counting.iter().filter(|l| **l == Left::In).count();
+        if counted > 0 {
+            let mut setting = describer.setting(counting.clone());
+            setting.first = matches!(trial.program.parts[self.position].what, What::Denied);
+            let finding = weigh(setting, group);
+            if finding.known(Strength::Sampled) == Some(Possible::FALSE) {
+                return Some(finding);
+            }
+        }
+        let unclear = |i: &usize| match counting[*i] {
+            Left::In => judged.at(*i).decided().is_none(),
+            Left::Open(_) => judged.at(*i).may_be(Truth::False),
+            Left::Out(_) => false,
+        };
+        if let Some(i) = (0..self.times.len()).find(unclear) {
+            let t = short(self.times[i]);
+            return undecided(
+                format!("near t = {t}, between two samples, the error bound is too large to tell"),
+                counted,
+            );
+        }
+        self.still_open(&left, &judged, precision).and_then(|reason| undecided(reason.clone(), counted))
+    }
+}
+
+/// What is known of a part that is true, or has no value, at all samples, with what lies between them.
+pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
+    let known = finding.known(Strength::Sampled);
+    let void = known == Some(Possible::VOID);
+    if trial.program.parts[position].boundaries(void).next().is_none() {
+        return finding;
+    }
+    if void {
+        return match Between::look(trial, along, position, void).valued(trial) {
+            Some(reason) => {
+                Finding::sampled(Possible::ANY, Evidence { reason: Some(reason), ..finding.evidence().clone() })
+            }
+            None => finding,
+        };
+    }
+    if known != Some(Possible::TRUE) {
+        return finding;
+    }
+    let Some(found) = Between::look(trial, along, position, void).held(trial) else { return finding };
+    let samples = finding.evidence().samples + found.evidence().samples;
+    let excluded = finding.evidence().excluded.clone();
+    let series = found.evidence().series.clone().or(finding.evidence().series.clone());
+    let known = found.known(Strength::Sampled).unwrap_or(Possible::ANY);
+    Finding::sampled(known, Evidence { samples, excluded, series, ..found.evidence().clone() })
+}

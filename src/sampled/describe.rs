@@ -1,0 +1,169 @@
+//! Points in words and numbers, for witnesses and reasons.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use crate::course::Trial;
+use crate::derivation::Claim;
+use crate::expr::tape::{Fault, Slots};
+use crate::expr::{Expr, Graph, Leaf};
+use crate::flow::{Incomplete, Points};
+use crate::number::{Bounded, NoValue};
+use claim::comparison::Comparison;
+use claim::program::{Program, SIDES};
+
+/// Why a point does not count.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Left {
+    /// It counts.
+    In,
+    /// It is left out, for this reason.
+    Out(Arc<str>),
+    /// Whether it counts is not known, for this reason.
+    Open(Arc<str>),
+}
+
+/// What is known of each time before the claim itself is looked at, and how to describe a point.
+pub(super) struct Setting<'a> {
+    /// The times, increasing.
+    pub times: &'a [f64],
+    /// Which of them count.
+    pub left: Vec<Left>,
+    /// The precision that the claim asks for.
+    pub precision: f64,
+    /// Whether the first failure is told, and not the clearest.
+    pub first: bool,
+    /// Whether a reader is shown both sides along the motion.
+    pub shown: bool,
+    /// What describes the points.
+    pub describer: &'a Describer<'a>,
+}
+
+/// Describes points in words and numbers, for witnesses and reasons.
+pub(super) struct Describer<'a> {
+    graph: &'a Graph,
+    claim: &'a Claim,
+    program: &'a Program,
+    leaves: &'a [Leaf],
+    /// The times of the points.
+    pub times: &'a [f64],
+    points: &'a Points,
+    shown: bool,
+    slots: RefCell<Option<Slots<Bounded>>>,
+    /// What was said of inputs without a value, by their position and the reason.
+    said: RefCell<Said>,
+}
+
+/// Reasons in words, by the position of an input and why it has no value.
+type Said = Vec<((usize, NoValue), Arc<str>)>;
+
+/// A number with as many digits as a reader wants.
+pub(super) fn short(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.4e}") }
+}
+
+impl<'a> Describer<'a> {
+    /// A describer of these points.
+    pub fn new(trial: &Trial<'a>, times: &'a [f64], points: &'a Points) -> Describer<'a> {
+        let Trial { graph, claim, program, course, shown } = *trial;
+        Describer {
+            graph,
+            claim,
+            program,
+            leaves: course.leaves,
+            times,
+            points,
+            shown,
+            slots: RefCell::default(),
+            said: RefCell::default(),
+        }
+    }
+
+    /// How the claim is weighed at the points, of which those count that are left.
+    pub fn setting(&'a self, left: Vec<Left>) -> Setting<'a> {
+        Setting {
+            times: self.times,
+            left,
+            precision: self.claim.precision,
+            first: false,
+            shown: self.shown,
+            describer: self,
+        }
+    }
+
+    /// Values of the leaves that both sides depend on.
+    pub fn values(&self, comparison: &Comparison, time: usize) -> Vec<(String, f64)> {
+        let value = |leaf: Leaf| {
+            let at = self.leaves.iter().position(|&l| l == leaf)?;
+            self.points.get(time, at).ok().map(|v| v.value)
+        };
+        named(self.graph, [comparison.left, comparison.right], value)
+    }
+
+    /// Why a comparison has no value.
+    pub fn fault(&self, comparison: &Comparison, time: usize, reason: NoValue) -> Arc<str> {
+        let mut slots = self.slots.borrow_mut();
+        let bare = || reason.to_string().into();
+        let Some((tape, slots)) = self.program.evaluated(self.points.sample(time), &mut slots) else { return bare() };
+        let position = self.program.position(comparison);
+        let fault = position.and_then(|k| (0..2).find_map(|side| tape.fault(SIDES * k + side, slots)));
+        match fault {
+            Some(Fault::Input(i)) => {
+                let mut said = self.said.borrow_mut();
+                if let Some((_, text)) = said.iter().find(|(of, _)| *of == (i, reason)) {
+                    return Arc::clone(text);
+                }
+                let text = match self.program.input(i).and_then(|at| self.leaves.get(at)) {
+                    Some(&leaf) => format!("{} has no value ({reason})", self.graph.leaf_latex(leaf)).into(),
+                    None => bare(),
+                };
+                said.push(((i, reason), Arc::clone(&text)));
+                text
+            }
+            Some(Fault::Instruction(step)) => {
+                let a = slots.value(step.a as usize).value;
+                let b = slots.value(step.b as usize).value;
+                match step.op.arity() {
+                    1 => format!("`{}` has no value at {} ({reason})", step.op.spelling(), short(a)).into(),
+                    _ => format!("`{}` has no value at ({}, {}) ({reason})", step.op.spelling(), short(a), short(b))
+                        .into(),
+                }
+            }
+            Some(Fault::Constant) | None => bare(),
+        }
+    }
+}
+
+/// Why a search for events is incomplete, in words.
+pub(super) fn incomplete(problem: &Incomplete) -> String {
+    match problem {
+        Incomplete::NoValue { start, end, reason } => {
+            format!("on [{}, {}] there is no value ({reason})", short(*start), short(*end))
+        }
+        Incomplete::Vanishing { start, end } => {
+            format!("on [{}, {}] it stays within its error of 0", short(*start), short(*end))
+        }
+        Incomplete::Unresolved { start, end } => format!("[{}, {}] could not be resolved", short(*start), short(*end)),
+    }
+}
+
+/// What is added to the name of a symbol of the file where a claim has one of the same name.
+const OF_THE_FILE: &str = " (of the file)";
+
+/// Named values, in an order that does not depend on what was written before. Of two symbols with one name the first declared is
+/// that of the file.
+pub(super) fn named(
+    graph: &Graph,
+    of: impl IntoIterator<Item = Expr>,
+    value: impl Fn(Leaf) -> Option<f64>,
+) -> Vec<(String, f64)> {
+    let mut leaves = graph.leaves(of);
+    leaves.sort_by_cached_key(|l| (l.instant.is_some(), l.symbol, l.component, l.rate, graph.leaf_latex(*l)));
+    let names: Vec<String> = leaves.iter().map(|&l| graph.leaf_latex(l)).collect();
+    let own = |leaf: &Leaf, name: &str| leaves.iter().zip(&names).all(|(l, n)| n != name || l.symbol <= leaf.symbol);
+    let shown = leaves.iter().zip(&names).filter_map(|(leaf, name)| {
+        let name = if own(leaf, name) { name.clone() } else { format!("{name}{OF_THE_FILE}") };
+        Some((name, value(*leaf)?))
+    });
+    shown.collect()
+}

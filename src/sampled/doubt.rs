@@ -1,0 +1,253 @@
+//! What samples leave open: why a finding at some times is not yet one of the motion.
+//!
+//! **In:** what was found at the times at which a claim was tried, and what the searches for zeros say of the times between them.
+//! **Out:** the same finding, or one that leaves more possible, with the reason in words.
+//!
+//! **Guaranteed.** Nothing here decides: what was open stays open.
+
+use crate::between::may_lie_beyond;
+use crate::course::Trial;
+use crate::describe::{Left, incomplete, short};
+use crate::events::Events;
+use crate::expr::{Expr, Leaf};
+use crate::flow::{Incomplete, Zeros};
+use crate::judged::{Judged, Tried};
+use crate::latex::Role;
+use crate::number::NoValue;
+use crate::stretches;
+use crate::stretches::BESIDE;
+use crate::verdict::{Evidence, Exclusion, Finding, Possible, Strength, Truth};
+use claim::comparison::Group;
+use claim::measured::{MeasuredGroup, Measurements, measure};
+use claim::program::{Part, What};
+
+/// Times that are closer than this share of the span are one.
+const SINGLE: f64 = 1e-9;
+
+/// What samples leave possible of a part.
+pub(super) fn known(finding: &Finding) -> Possible {
+    finding.known(Strength::Sampled).unwrap_or(Possible::ANY)
+}
+
+/// The same finding, of which some values are not excluded after all.
+pub(super) fn reopened(finding: Finding, possible: Possible, reason: String) -> Finding {
+    let known = known(&finding).or_else(possible);
+    Finding::sampled(known, Evidence { reason: Some(reason), ..finding.evidence().clone() })
+}
+
+/// What is known of a part whose selectors may be met at other times than those at which it was tried.
+pub(super) fn unless_met_elsewhere(met: &stretches::Search, finding: Finding) -> Finding {
+    let reason = match known(&finding).decided() {
+        Some(Truth::True | Truth::Void) => met.open.clone().or(met.touches.clone()),
+        Some(Truth::False) | None => None,
+    };
+    match reason {
+        Some(reason) => reopened(finding, Possible::ANY, reason),
+        None => finding,
+    }
+}
+
+/// What is known of a part that is true, or void, and may have a value at a single time of a stretch without one; or that is
+/// false at such a time.
+pub(super) fn unless_valued_between(
+    trial: &Trial,
+    measured: &Measurements,
+    of: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
+    tried: &Tried,
+    finding: Finding,
+) -> Finding {
+    let part = of(measured);
+    let seen = match known(&finding).decided() {
+        Some(Truth::True | Truth::Void) => None,
+        Some(Truth::False) => match &finding.evidence().witness {
+            Some(witness) => Some(witness.t),
+            None => return finding,
+        },
+        None => return finding,
+    };
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let counts = |t: &&f64| seen.is_none_or(|seen| (seen - **t).abs() <= SINGLE * (to - from));
+    let missing = |i: usize| {
+        let mut groups = measured.selectors.iter().chain([part]);
+        groups.any(|g| g.signs.iter().flatten().any(|series| series.difference(i).is_err()))
+    };
+    let single = |t: &&f64| {
+        let before = tried.times.partition_point(|x| x < t).checked_sub(1);
+        let after = tried.times.partition_point(|x| x <= t);
+        let beside = [before, Some(after)].into_iter().flatten().filter(|i| *i < tried.times.len());
+        beside.into_iter().any(missing)
+    };
+    let zeros = || trial.program.closed_edges().filter_map(|e| trial.course.zeros(e));
+    // What passes through 0 at an end of the span has a value at that time alone, if beside it there is none.
+    let at_end = |t: &&f64| (**t - from).min(to - **t) <= SINGLE * (to - from);
+    let touching = zeros().flat_map(|z| z.touching.iter().chain(z.times.iter().filter(at_end)));
+    // Or it has one on a side on which a selector, or another edge, leaves nothing.
+    let lives = |t: f64| {
+        let point = trial.course.points_at(trial.program, &[t]);
+        let measured = measure(trial.program, &point, None);
+        let has_values = |g: &MeasuredGroup| g.signs.iter().any(|sign| sign.iter().all(|s| s.difference(0).is_ok()));
+        let judged = |g| Judged::new(g, trial.claim.precision).at(0).decided();
+        from <= t
+            && t <= to
+            && has_values(of(&measured))
+            && measured.selectors.iter().all(|g| !matches!(judged(g), Some(Truth::False | Truth::Void)))
+    };
+    let alone = |t: &&f64| !at_end(t) && ![-BESIDE, BESIDE].iter().any(|share| lives(**t + share * (to - from)));
+    let crossing = || zeros().flat_map(|z| &z.times).filter(counts).find(alone);
+    match touching.into_iter().filter(counts).find(single).or_else(crossing) {
+        Some(&t) => {
+            let reason = format!("near t = {} it may have a value at a single time", short(t));
+            reopened(finding, Possible::ANY, reason)
+        }
+        None => finding,
+    }
+}
+
+/// What is known of a part with ± that is true at the samples, where at single times between them some of it has no value, and
+/// the rest is judged by the other sign.
+pub(super) fn unless_one_sided(trial: &Trial, group: &Group, finding: Finding) -> Finding {
+    if known(&finding).decided() != Some(Truth::True) {
+        return finding;
+    }
+    let single = |&e: &Expr| {
+        let zeros = trial.course.zeros(e)?;
+        let gaps = zeros.incomplete.iter().map(|gap| gap.stretch().0);
+        zeros.times.iter().chain(&zeros.touching).copied().chain(gaps).next()
+    };
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    // Where the formulas of the motion, or their rates, have no value, that of some parts may be all that is left.
+    let motion = &trial.course.motion;
+    let gaps = motion.unresolved().iter().filter(|gap| matches!(gap, Incomplete::NoValue { .. }));
+    let absent = gaps.map(Incomplete::stretch).chain(motion.corners().iter().map(|&t| (t, t)));
+    let parts = group.chooses() && group.comparisons.len() > 1;
+    let inside = absent.filter(|&(start, end)| parts && start <= to && end >= from).map(|(start, _)| start.max(from));
+    match group.one_sided.iter().find_map(single).or(inside.min_by(f64::total_cmp)) {
+        Some(t) => {
+            let reason = format!(
+                "near t = {} some of it may have no value with one sign of ±, and be false with the other",
+                short(t)
+            );
+            reopened(finding, Possible::OPEN, reason)
+        }
+        None => finding,
+    }
+}
+
+/// Why there may be more events than those that were found; of gaps in the search those count that `counts` says.
+pub(super) fn open_events(trial: &Trial, events: &Events, counts: impl Fn(&Incomplete) -> bool) -> Option<String> {
+    let text = trial.claim.at.as_ref().map_or("", |at| at.equation.text.as_str());
+    let zeros = &events.zeros;
+    if trial.program.leaps_at {
+        return Some(format!(
+            "an angle or a whole part in `{text}` leaps, and whether the sides meet there cannot be told"
+        ));
+    }
+    if let Some(doubt) = &events.doubt {
+        return Some(doubt.clone());
+    }
+    if let Some(t) = leap_of_the_motion(trial) {
+        return Some(format!(
+            "near t = {} the motion may leap, and whether `{text}` happens there cannot be told",
+            short(t)
+        ));
+    }
+    if let Some(&t) = zeros.touching.first() {
+        return Some(format!(
+            "the sides of `{text}` touch near t = {} without crossing: whether they meet there cannot be told",
+            short(t)
+        ));
+    }
+    let open = zeros.incomplete.iter().find(|i| counts(i));
+    open.map(|problem| format!("the search for `{text}` is incomplete: {}", incomplete(problem)))
+}
+
+/// A time in the span at which a state leaps, or may, that an event names.
+fn leap_of_the_motion(trial: &Trial) -> Option<f64> {
+    let Trial { graph, claim, program, course, .. } = *trial;
+    let moves = |l: &Leaf| matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    if !course.motion.leaps() || !graph.leaves(program.at).iter().any(moves) {
+        return None;
+    }
+    let (from, to) = course.stage.span(course.trajectory);
+    let known = |gap: &&Incomplete| matches!(gap, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    let gaps = course.motion.unresolved().iter().filter(|gap| !known(gap)).map(Incomplete::stretch);
+    gaps.filter(|(start, end)| *start <= to && *end >= from).map(|(start, _)| start).next()
+}
+
+/// Events at an end of the span, up to the error of their times: whether they lie in it is not known.
+pub(super) fn beyond_the_span(trial: &Trial, zeros: &Zeros, left: &mut [Left]) {
+    let span = trial.course.stage.span(trial.course.trajectory);
+    for ((&t, &slack), left) in zeros.times.iter().zip(&zeros.slack).zip(left) {
+        if *left == Left::In && may_lie_beyond(span, t, slack) {
+            *left =
+                Left::Open(format!("whether the event near t = {} lies in the span cannot be told", short(t)).into());
+        }
+    }
+}
+
+/// What is known of a part that was tried at events: where some may be missing, it is not known to be true, or void.
+pub(super) fn only_at_events(trial: &Trial, events: &Events, finding: Finding) -> Finding {
+    // Where the sides have no value, they do not meet.
+    let counts = |i: &Incomplete| !matches!(i, Incomplete::NoValue { reason: NoValue::OutOfDomain, .. });
+    // What is found at a leap is no event for certain, either.
+    let refutes = trial.program.leaps_at || events.all;
+    match (known(&finding).decided(), open_events(trial, events, counts)) {
+        (Some(truth), Some(reason)) if refutes || truth != Truth::False => {
+            let reason = format!("it was tried at {} events, but {reason}", events.zeros.times.len());
+            reopened(finding, Possible::ANY, reason)
+        }
+        _ => finding,
+    }
+}
+
+/// What is known of a part that is true, where the motion is not known from samples, or not as far as its span: it stays
+/// open, and times without a value are named.
+pub(super) fn unless_unresolved(trial: &Trial, part: &Part, finding: Finding) -> Finding {
+    let Trial { graph, claim, course, .. } = *trial;
+    if !matches!(known(&finding).decided(), Some(Truth::True | Truth::Void)) || matches!(part.what, What::Limit(_)) {
+        return finding;
+    }
+    // What was not reached was not tried.
+    if let Some(problem) = course.motion.problem() {
+        return reopened(finding, Possible::ANY, problem.to_string());
+    }
+    let gaps = course.motion.unresolved();
+    let (from, to) = course.stage.span(course.trajectory);
+    let inside = |gap: &&Incomplete| gap.stretch().0 <= to && gap.stretch().1 >= from;
+    if known(&finding) != Possible::TRUE || !gaps.iter().any(|gap| inside(&gap)) {
+        return finding;
+    }
+    let moves =
+        |l: &Leaf| l.instant.is_none() && matches!(claim.scope.role(l.symbol), Some(Role::State | Role::Observable));
+    let asserted = part.group.asserted
+        && graph.leaves(part.group.comparisons.iter().flat_map(|c| [c.left, c.right])).iter().any(moves);
+    let open = |gap: &&Incomplete| match gap {
+        Incomplete::NoValue { reason: NoValue::OutOfDomain, .. } => asserted,
+        Incomplete::NoValue { .. } => asserted || course.motion.leaps(),
+        Incomplete::Vanishing { .. } | Incomplete::Unresolved { .. } => true,
+    };
+    if let Some(gap) = gaps.iter().filter(inside).find(open) {
+        let (start, end) = gap.stretch();
+        let near = match short(start) == short(end) {
+            true => format!("near t = {}", short(start)),
+            false => format!("between t = {} and t = {}", short(start), short(end)),
+        };
+        let reason = match gap {
+            Incomplete::NoValue { reason, .. } => format!("{near} the formulas of the motion have no value ({reason})"),
+            _ => format!(
+                "{near} the formulas of the motion do more than samples can show; a part of the span by itself may decide"
+            ),
+        };
+        return reopened(finding, Possible::OPEN, reason);
+    }
+    let mut evidence = finding.evidence().clone();
+    for gap in gaps.iter().filter(inside) {
+        let (start, end) = (gap.stretch().0.max(from), gap.stretch().1.min(to));
+        if !evidence.excluded.iter().any(|e| e.from <= end && start <= e.to) {
+            let reason = "the formulas of the motion have no value there".to_owned();
+            evidence.excluded.push(Exclusion { from: start, to: end, reason });
+        }
+    }
+    evidence.excluded.sort_by(|a, b| a.from.total_cmp(&b.from));
+    Finding::sampled(Possible::TRUE, evidence)
+}

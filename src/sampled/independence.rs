@@ -1,0 +1,367 @@
+//! Independence of functions of the state.
+//!
+//! Functions f₁ … f_k are independent at a point of the set on which constraints g hold when their gradients are linearly
+//! independent of one another and of those of the constraints: rank(∇g, ∇f) = rank(∇g) + k. The gradients are exact
+//! derivatives of the expressions; the rank is read off singular values of the matrix with normalised rows.
+
+use nalgebra::DMatrix;
+
+use crate::course::Trial;
+use crate::derivation::{Derivation, Form, Motion, Written};
+use crate::describe::Left;
+use crate::expr::tape::Tape;
+use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
+use crate::flow::VectorField;
+use crate::judged::Tried;
+use crate::latex::{Role, Scope, Statement};
+use crate::number::{Bounded, NoValue};
+use crate::systems::Fields;
+use crate::verdict::{Evidence, Finding, Possible, Witness};
+use claim::comparison::{GUARD, traced_now};
+
+/// Singular values below this share of the largest count as zero.
+const ZERO: f64 = 5e-15;
+/// Singular values above this share of the largest count as nonzero; between the two nothing is concluded.
+const NONZERO: f64 = 1e-6;
+/// Most minima of the smallest singular value that are followed between samples.
+const MINIMA: usize = 12;
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// How far beside an event the rank is taken, too: this share of the span.
+const BESIDE: f64 = 1e-3;
+/// Number of sample times at which the rank is taken.
+const POINTS: usize = 33;
+
+/// The gradients of constraints and functions, ready to be evaluated.
+#[derive(Clone, Debug)]
+pub struct Gradients {
+    constraints: usize,
+    functions: usize,
+    variables: Vec<Leaf>,
+    entries: Vec<Expr>,
+    text: String,
+}
+
+impl Gradients {
+    /// The gradients that a claim asks for; `None` if it asks for none. A rate that a system gives is what it gives; on motions by
+    /// formulas, without a system, rates are variables of their own.
+    ///
+    /// # Errors
+    /// A function without a derivative among the known operations; rates that several systems give differently.
+    pub fn of_claim(derivation: &mut Derivation, claim: usize, fields: &Fields) -> Option<Result<Gradients, String>> {
+        let Derivation { graph, claims, trajectories, .. } = derivation;
+        let claim = &claims[claim];
+        let (functions, subject_to) = claim.forms.iter().find_map(|form| match form {
+            Form::Independent { functions, subject_to } => Some((functions, subject_to)),
+            _ => None,
+        })?;
+        let system = |t: &usize| match trajectories[*t].motion {
+            Motion::Integrated { system, .. } => Some(system),
+            Motion::Formula { .. } | Motion::Derived { .. } => None,
+        };
+        let mut systems: Vec<Option<usize>> = claim.trajectories.iter().map(system).collect();
+        systems.sort_unstable();
+        systems.dedup();
+        let mut found: Option<Gradients> = None;
+        for system in systems {
+            let field = system.map(|s| &fields.all()[s]);
+            let one = Gradients::new(graph, &claim.scope, field, &fields.state_leaves, functions, subject_to);
+            let one = match one {
+                Ok(one) => one,
+                Err(reason) => return Some(Err(reason)),
+            };
+            if found.as_ref().is_some_and(|f| (&f.variables, &f.entries) != (&one.variables, &one.entries)) {
+                let reason =
+                    "the rates in the functions are others for each of the systems: ask for one system at a time";
+                return Some(Err(reason.to_owned()));
+            }
+            found = Some(one);
+        }
+        found.map(Ok)
+    }
+
+    /// Gradients on the motions of one system, or of none.
+    fn new(
+        graph: &mut Graph,
+        scope: &Scope,
+        field: Option<&VectorField>,
+        states: &[Leaf],
+        functions: &[Written<Tensor>],
+        subject_to: &[Written<Statement>],
+    ) -> Result<Gradients, String> {
+        let mut rows: Vec<Expr> = Vec::new();
+        for relation in subject_to.iter().flat_map(|w| &w.value.relations) {
+            for (&l, &r) in relation.left.components.iter().zip(&relation.right.components) {
+                rows.push(graph.sub(l, r));
+            }
+        }
+        let constraints = rows.len();
+        rows.extend(functions.iter().flat_map(|w| &w.value.components));
+        for row in &mut rows {
+            *row = traced_now(graph, scope, *row);
+            if let Some(field) = field {
+                *row = with_rates(graph, field, *row);
+            }
+        }
+        let mut variables = states.to_vec();
+        let moves = |l: &Leaf| l.instant.is_none() && l.rate > 0 && scope.role(l.symbol) == Some(Role::State);
+        if field.is_none() {
+            variables.extend(graph.leaves(rows.iter().copied()).into_iter().filter(moves));
+            variables.sort_unstable();
+            variables.dedup();
+        }
+        if let Some(leaf) = graph.leaves(rows.iter().copied()).iter().find(|l| moves(l) && !variables.contains(l)) {
+            return Err(format!("a function names a rate of order {} that the system does not give", leaf.rate));
+        }
+        let mut entries = Vec::new();
+        for &row in &rows {
+            for &variable in &variables {
+                let slope = graph.partial_derivative(row, variable).map_err(|e: NoDerivative| e.to_string())?;
+                // Where a function has no value, it has no gradient.
+                entries.push(graph.rate_of(row, slope, |_| false));
+            }
+        }
+        let names: Vec<&str> = functions.iter().map(|w| w.text.as_str()).collect();
+        let text = format!("rank of the gradients of {}", names.join(", "));
+        Ok(Gradients { constraints, functions: rows.len() - constraints, variables, entries, text })
+    }
+
+    /// The number of constraints, and the gradients: those of the constraints first.
+    pub fn rows(&self) -> (usize, Vec<&[Expr]>) {
+        (self.constraints, self.entries.chunks(self.variables.len().max(1)).collect())
+    }
+
+    /// The leaves that must be known.
+    pub fn leaves(&self, graph: &Graph) -> Vec<Leaf> {
+        graph.leaves(self.entries.iter().copied())
+    }
+}
+
+/// A function with the rates that a system gives put in. Higher rates than those stay.
+fn with_rates(graph: &mut Graph, field: &VectorField, e: Expr) -> Expr {
+    graph.substitute(e, |_, leaf| {
+        let below = Leaf { rate: leaf.rate.checked_sub(1)?, ..leaf };
+        let given = leaf.instant.is_none() && !field.states().contains(&leaf);
+        let at = field.states().iter().position(|s| given && *s == below)?;
+        field.rates().get(at).copied()
+    })
+}
+
+/// Tries the independence along a motion.
+pub(super) fn try_on(of: &Gradients, trial: &Trial, tried: &Tried) -> Finding {
+    let Trial { graph, course, .. } = *trial;
+    let Ok(tape) = Tape::compile(graph, course.leaves, &of.entries) else {
+        return Finding::open("the functions depend on something that this motion does not have");
+    };
+    let mut slots = tape.slots::<Bounded>(&());
+    let mut evidence = Evidence::default();
+    let step = (tried.points.len() / POINTS).max(1);
+    let (mut unclear, mut smallest) = (None, f64::INFINITY);
+    let mut dependent = 0;
+    let mut selected = 0;
+    // Spread over the times that count.
+    let counting: Vec<usize> = (0..tried.times.len()).filter(|&i| tried.left[i] == Left::In).collect();
+    let spread = if counting.len() < POINTS * 2 { 1 } else { step.min(counting.len() / POINTS) };
+    for &i in counting.iter().step_by(spread.max(1)) {
+        let t = tried.times[i];
+        selected += 1;
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+        let all = normalised(rows, n, &values);
+        let some = normalised(of.constraints, n, &values[..of.constraints * n]);
+        let (full, full_gap) = rank(&all);
+        let (base, base_gap) = rank(&some);
+        evidence.samples += 1;
+        smallest = smallest.min(full_gap);
+        match (full, base) {
+            (Some(full), Some(base)) if full == base + of.functions => {}
+            (Some(full), Some(base)) => {
+                let found = full.saturating_sub(base);
+                dependent += 1;
+                evidence.witness.get_or_insert(Witness {
+                    t,
+                    formula: of.text.clone(),
+                    left: found as f64,
+                    right: of.functions as f64,
+                    bound: 0.0,
+                    values: vec![],
+                });
+                evidence
+                    .reason
+                    .get_or_insert(format!("only {found} of the {} functions are independent there", of.functions));
+            }
+            _ => unclear = Some((t, full_gap.min(base_gap))),
+        }
+    }
+    if dependent > 0 && dependent == evidence.samples {
+        // The time of an event is a number of binary64: the rank that falls there alone may be whole at the event itself.
+        if trial.program.at.is_some() && !dependent_beside(of, trial, &tape, evidence.witness.as_ref()) {
+            return Finding::open("the rank falls at the event alone, whose time is not known exactly");
+        }
+        return Finding::sampled(Possible::FALSE, evidence);
+    }
+    if dependent > 0 {
+        return Finding::open(format!(
+            "dependent at {dependent} of {} samples only: independence is generic at best",
+            evidence.samples
+        ));
+    }
+    if let Some((t, gap)) = unclear {
+        return Finding::open(format!("the rank is unclear at t = {t}: a singular value of {gap:.1e}"));
+    }
+    if evidence.samples == 0 {
+        let out = |l: &Left| match l {
+            Left::Out(reason) | Left::Open(reason) => Some(reason.to_string()),
+            Left::In => None,
+        };
+        let open = tried.left.iter().any(|l| matches!(l, Left::Open(_)));
+        return match (selected, open) {
+            (0, false) => {
+                let reason = tried.left.iter().find_map(out);
+                let reason = reason.unwrap_or_else(|| "there is no time at which it could be tried".to_owned());
+                Finding::sampled(Possible::VOID, Evidence::because(reason))
+            }
+            (0, true) => Finding::open("there is no time of which it is known that it counts"),
+            _ => Finding::open("the gradients have no value at any sample"),
+        };
+    }
+    let open = |l: &Left| match l {
+        Left::Open(reason) => Some(reason.to_string()),
+        Left::In | Left::Out(_) => None,
+    };
+    if let Some(reason) = tried.left.iter().find_map(open) {
+        return Finding::open(reason);
+    }
+    if let Some((t, gap)) = lost_between(of, trial, tried, &tape) {
+        return Finding::open(format!("near t = {t}, between two samples, a singular value falls to {gap:.1e}"));
+    }
+    evidence.reason = Some(format!("smallest singular value that counts as nonzero: {smallest:.2e}"));
+    Finding::sampled(Possible::TRUE, evidence)
+}
+
+/// Whether the functions are dependent also a little before and after a time.
+fn dependent_beside(of: &Gradients, trial: &Trial, tape: &Tape, witness: Option<&Witness>) -> bool {
+    let Some(t) = witness.map(|w| w.t) else { return false };
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    let mut slots = tape.slots::<Bounded>(&());
+    let beside = [-BESIDE, BESIDE].map(|d| t + d * (to - from)).into_iter().filter(|t| (from..=to).contains(t));
+    beside.into_iter().all(|t| {
+        let values = tape.evaluate(&(), &trial.course.values(t), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { return false };
+        let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0;
+        let full = rank(&normalised(rows, n, &values)).0;
+        full.zip(base).is_some_and(|(full, base)| full < base + of.functions)
+    })
+}
+
+/// A time between samples near which the rank may fall, with the smallest singular value in units of the largest: where it is
+/// smallest among samples, it is followed by the golden section.
+fn lost_between(of: &Gradients, trial: &Trial, tried: &Tried, tape: &Tape) -> Option<(f64, f64)> {
+    if trial.program.at.is_some() {
+        return None;
+    }
+    let mut slots = tape.slots::<Bounded>(&());
+    let (n, rows) = (of.variables.len(), of.constraints + of.functions);
+    // The lengths of gradients, which normalised rows do not show: against the longest of each along the motion.
+    let mut longest = vec![0.0_f64; rows];
+    let lengths = |values: &[Bounded]| -> Vec<f64> {
+        values.chunks(n.max(1)).map(|row| row.iter().map(|x| x.value * x.value).sum::<f64>().sqrt()).collect()
+    };
+    for i in 0..tried.times.len() {
+        let values = tape.evaluate(&(), &tried.points.row(i), &mut slots);
+        let Ok(values) = values.into_iter().collect::<Result<Vec<Bounded>, _>>() else { continue };
+        longest.iter_mut().zip(lengths(&values)).for_each(|(most, now)| *most = most.max(now));
+    }
+    // Redundant constraints are no loss.
+    let mut smallest = |point: &[Result<Bounded, NoValue>]| -> Option<f64> {
+        let values = tape.evaluate(&(), point, &mut slots);
+        let values = values.into_iter().collect::<Result<Vec<Bounded>, _>>().ok()?;
+        let shrunk = lengths(&values).into_iter().zip(&longest).skip(of.constraints);
+        let shrunk = shrunk.filter(|(_, most)| **most > 0.0).map(|(now, most)| now / most).fold(1.0, f64::min);
+        let base = rank(&normalised(of.constraints, n, &values[..of.constraints * n])).0?;
+        let mut all: Vec<f64> = normalised(rows, n, &values).0.singular_values().iter().copied().collect();
+        all.sort_by(|a, b| b.total_cmp(a));
+        let wanted = base + of.functions;
+        Some(if wanted > all.len() { 0.0 } else { shrunk * all[wanted - 1] / all[0].max(f64::MIN_POSITIVE) })
+    };
+    let along: Vec<Option<f64>> = (0..tried.times.len()).map(|i| smallest(&tried.points.row(i))).collect();
+    let mut lowest: Vec<usize> = (1..tried.times.len().saturating_sub(1))
+        .filter(|&i| match (along[i - 1], along[i], along[i + 1]) {
+            (Some(a), Some(b), Some(c)) => b <= a && b <= c && tried.left[i] == Left::In,
+            _ => false,
+        })
+        .collect();
+    lowest.sort_by(|a, b| along[*a].unwrap_or(1.0).total_cmp(&along[*b].unwrap_or(1.0)));
+    for &i in lowest.iter().take(MINIMA) {
+        let (mut a, mut b) = (tried.times[i - 1], tried.times[i + 1]);
+        // Where a selector may change, the loss is at a time that does not count.
+        if changes(trial, (a, b)) {
+            continue;
+        }
+        let mut least = (tried.times[i], along[i]?);
+        for _ in 0..60 {
+            let (x, y) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+            let (Some(u), Some(v)) = (smallest(&trial.course.values(x)), smallest(&trial.course.values(y))) else {
+                break;
+            };
+            for (t, size) in [(x, u), (y, v)] {
+                if size < least.1 {
+                    least = (t, size);
+                }
+            }
+            if u < v { b = y } else { a = x }
+        }
+        if least.1 <= NONZERO {
+            return Some(least);
+        }
+    }
+    None
+}
+
+/// Whether the sides of a selector change their order between two times.
+fn changes(trial: &Trial, (a, b): (f64, f64)) -> bool {
+    let program = trial.program;
+    let points = trial.course.points_at(program, &[a, b]);
+    let selected = program.selectors.iter().map(|s| s.part.group.comparisons.len()).sum();
+    program.measure((&points, 2), 1.0).iter().take(selected).any(|series| {
+        let signs = [0, 1].map(|i| series.difference(i).ok().map(|d| d.value.signum()));
+        signs[0] != signs[1]
+    })
+}
+
+/// Gradients with rows scaled to length 1, and how far the whole may be off; rows of zeros stay.
+fn normalised(rows: usize, columns: usize, values: &[Bounded]) -> (DMatrix<f64>, f64) {
+    let mut m = DMatrix::from_fn(rows, columns, |i, j| values[i * columns + j].value);
+    let mut off = 0.0_f64;
+    for (mut row, of) in m.row_iter_mut().zip(values.chunks(columns.max(1))) {
+        let (length, error) = (row.norm(), of.iter().map(|x| x.error).fold(0.0, f64::hypot));
+        if length > 0.0 {
+            row /= length;
+        }
+        // A row that may vanish has any direction.
+        off = off.hypot(if error == 0.0 {
+            0.0
+        } else if error < length {
+            error / length
+        } else {
+            f64::INFINITY
+        });
+    }
+    (m, off)
+}
+
+/// Rank, or `None` when a singular value lies in between, or no farther from 0 than errors reach; with the smallest one that is not
+/// zero.
+fn rank((m, off): &(DMatrix<f64>, f64)) -> (Option<usize>, f64) {
+    if m.nrows() == 0 {
+        return (Some(0), f64::INFINITY);
+    }
+    let values = m.clone().singular_values();
+    let largest = values.max();
+    let gap = values.iter().copied().filter(|&s| s > ZERO * largest).fold(f64::INFINITY, f64::min);
+    let sure = values.iter().filter(|&&s| s > (NONZERO * largest).max(GUARD * off)).count();
+    let zero = values.iter().filter(|&&s| s <= ZERO * largest).count();
+    ((sure + zero == values.len()).then_some(sure), gap)
+}

@@ -1,0 +1,113 @@
+//! What a motion is made from.
+//!
+//! **In:** a trajectory as it is declared, with the motion that it is derived from. **Out:** a [`Setup`] for `flow`, and the symbols that
+//! the motion knows: a leaf of any other has no value on it.
+
+use std::sync::Arc;
+
+use crate::systems::{Fields, leaves_of, paired};
+use derivation::{Derivation, Motion as Given, SymbolEntry, Trajectory};
+use expr::{Expr, Graph, Leaf, Symbol};
+use flow::{Guess, Motion, Observable, Setup, Source, Start};
+use latex::Role;
+
+/// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
+/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`.
+pub fn setup<'a>(
+    derivation: &Derivation,
+    fields: &'a Fields,
+    graph: &mut Graph,
+    trajectory: &Trajectory,
+    from: Option<(Arc<Motion>, &[Symbol])>,
+    exact: bool,
+) -> (Setup<'a>, Vec<Symbol>) {
+    let Derivation { scope, systems, symbols, claims, .. } = derivation;
+    let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
+    let mut known = vec![fields.time.symbol];
+    for (symbol, value) in &trajectory.parameters {
+        parameters.retain(|(l, _)| l.symbol != *symbol);
+        let mut number = |&e: &Expr| if exact { e } else { rounded(graph, e) };
+        let values: Vec<Expr> = value.value.iter().map(&mut number).collect();
+        parameters.extend(paired(graph, *symbol, 0, &values));
+        known.push(*symbol);
+    }
+    let source = match (&trajectory.motion, from) {
+        (Given::Integrated { system, initial, start }, _) => {
+            known.extend(&systems[*system].states);
+            let values = initial.iter().flat_map(|(s, rate, w)| paired(graph, *s, *rate, &w.value)).collect();
+            let start = start.as_ref().map_or_else(Start::default, |start| Start {
+                guesses: start
+                    .unknowns
+                    .iter()
+                    .map(|u| Guess { leaf: u.leaf, name: u.name.clone(), near: u.near, within: u.within })
+                    .collect(),
+                differences: start.differences.clone(),
+            });
+            Source::Integrated { field: &fields.fields[*system], initial: values, start }
+        }
+        (Given::Formula { states }, _) => {
+            known.extend(states.iter().map(|(s, _)| *s));
+            Source::Formula { states: states.iter().flat_map(|(s, w)| paired(graph, *s, 0, &w.value)).collect() }
+        }
+        (Given::Derived { map, .. }, from) => {
+            let mut states: Vec<(Leaf, Expr)> = Vec::new();
+            let kept = from.as_ref().map_or(&[][..], |(_, known)| known);
+            for &symbol in kept.iter().filter(|&&s| scope.role(s) == Some(Role::State)) {
+                if map.iter().any(|(s, _)| *s == symbol) {
+                    continue;
+                }
+                for leaf in leaves_of(graph, symbol) {
+                    let e = graph.leaf(leaf);
+                    states.push((leaf, e));
+                }
+                known.push(symbol);
+            }
+            for (symbol, w) in map {
+                states.extend(paired(graph, *symbol, 0, &w.value));
+                known.push(*symbol);
+            }
+            match from {
+                Some((motion, _)) => Source::Derived { from: motion, states },
+                None => Source::Formula { states },
+            }
+        }
+    };
+    let mut observables = Vec::new();
+    let entries: Vec<&SymbolEntry> = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols)).collect();
+    for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
+        let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
+        let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
+        if known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
+            continue;
+        }
+        known.push(entry.symbol);
+        for (leaf, e) in paired(graph, entry.symbol, 0, &definition.components) {
+            observables.push(Observable { leaf, definition: e, angle: entry.angle });
+        }
+    }
+    let (span, initial_time) = (trajectory.span, trajectory.initial_time);
+    (Setup { time: fields.time, span, initial_time, parameters, source, observables }, known)
+}
+
+/// A number rounded to binary64, exactly: the motion that is tried is the one with these parameters, so that what is equal
+/// in the file is equal without an error.
+fn rounded(graph: &mut Graph, e: Expr) -> Expr {
+    let nearest = graph.as_constant(e).map(|r| r.to_f64().value());
+    match nearest.and_then(|x| expr::Rational::try_from(x).ok()) {
+        Some(r) => graph.constant(r),
+        None => e,
+    }
+}
+
+/// Whether a leaf has a meaning on a motion that knows these symbols.
+pub fn is_known(graph: &Graph, known: &[Symbol], leaf: Leaf) -> bool {
+    known.contains(&leaf.symbol) && leaf.instant.is_none_or(|e| all_known(graph, known, &[e]))
+}
+
+/// Whether every leaf of the expressions belongs to a known symbol.
+fn all_known(graph: &Graph, known: &[Symbol], roots: &[Expr]) -> bool {
+    graph
+        .leaves(roots.iter().copied())
+        .iter()
+        .all(|l| known.contains(&l.symbol) && l.instant.is_none_or(|e| all_known(graph, known, &[e])))
+}

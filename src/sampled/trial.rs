@@ -1,0 +1,381 @@
+//! One claim on one motion.
+//!
+//! **In:** a compiled claim, and a [`Course`](crate::course::Course): the points of a motion. **Out:** a verdict, from a finding for each part of the
+//! claim and each hypothesis. The same few steps for every part: see which times count, measure, weigh, look between.
+
+use std::sync::Arc;
+
+use crate::between::between_samples;
+use crate::course::Trial;
+use crate::derivation::{Derivation, Event};
+use crate::describe::{Describer, Left, short};
+use crate::doubt::{
+    beyond_the_span, known, only_at_events, open_events, reopened, unless_met_elsewhere, unless_one_sided,
+    unless_unresolved, unless_valued_between,
+};
+use crate::events::Events;
+use crate::flow::Points;
+use crate::independence::Gradients;
+use crate::judged::{Judged, Tried, selected};
+use crate::limit::limit;
+use crate::verdict::{Evidence, Finding, Possible, Truth, Verdict};
+use crate::weigh::weigh;
+use crate::{across, events, independence, peaks, same_motion, stretches};
+use claim::measured::{MeasuredGroup, Measurements, measure, measure_first};
+use claim::mute::silence;
+use claim::program::{Assumption, What};
+
+/// The most parts of a claim that are looked at closer, each by itself.
+const MANY: usize = 64;
+
+/// Tries a claim on a motion. `gradients` are those of a claim of independence.
+pub fn try_claim(derivation: &Derivation, trial: &Trial, gradients: Option<&Result<Gradients, String>>) -> Verdict {
+    let Trial { program, course, .. } = *trial;
+    let decide = |parts: Vec<Finding>, hypotheses: Vec<Finding>| {
+        Verdict::decide(program.claim.clone(), parts.into_iter().chain(hypotheses).collect())
+    };
+    if let Some(unmet) = unmet_at_once(trial) {
+        let parts = program.parts.iter().map(|_| Finding::open("it was not tried, since an assumption is not met"));
+        return decide(parts.collect(), unmet);
+    }
+    let mut met = stretches::look(trial);
+    // Other motions and gradients need more values than the comparisons of the claim.
+    let special = |p: &claim::program::Part| matches!(p.what, What::SameMotion(..) | What::Independent | What::Across);
+    if program.parts.iter().any(special) && met.more.take().is_some() {
+        met.open.get_or_insert("the assumptions are met on stretches between the samples".to_owned());
+    }
+    let shared = same_motion::times_of_both(trial);
+    let (times, points) = match (&met.more, &shared) {
+        (Some(more), _) => (&more.times, &more.points),
+        (None, Some((times, points))) => (times, points),
+        (None, None) => (&course.times, &course.points),
+    };
+    let describer = Describer::new(trial, times, points);
+    let mut measured = measure(program, points, None);
+    silence(trial.graph, program, course.leaves, points, &mut measured);
+    let left = selected(trial, &measured, &describer);
+    let along = Tried { times, points, left };
+    let hypotheses: Vec<Finding> =
+        (0..program.hypotheses.len()).map(|h| met_on(trial, &describer, &measured, (h, &along), &met)).collect();
+    // Parts at events, or at all of these times.
+    let events = events::of_claim(trial.graph, (trial.claim, program), course);
+    let parts = match (&program.at, &events) {
+        (None, _) => {
+            let each = |position| {
+                let finding = part(derivation, trial, (&measured, &describer), &along, position, gradients);
+                let finding = unless_met_elsewhere(&met, finding);
+                unless_valued_between(trial, &measured, &|m| &m.parts[position], &along, finding)
+            };
+            (0..program.parts.len()).map(each).collect()
+        }
+        (Some(event), Some(found)) if !found.zeros.times.is_empty() => {
+            let zeros = &found.zeros;
+            let events: Vec<_> = zeros.times.iter().copied().zip(zeros.slack.iter().copied().map(Some)).collect();
+            let points = match program.parts.iter().any(special) {
+                true => {
+                    let at = |&(t, slack): &(f64, Option<f64>)| course.values_at_event(t, slack.unwrap_or(0.0));
+                    Arc::new(events.iter().map(at).collect())
+                }
+                false => course.points_at_events(program, &events),
+            };
+            let describer = Describer::new(trial, &zeros.times, &points);
+            let along = measured;
+            let mut measured = measure(program, &points, None);
+            measured.at_events(trial.graph, *event, &along);
+            silence(trial.graph, program, course.leaves, &points, &mut measured);
+            let mut left = selected(trial, &measured, &describer);
+            beyond_the_span(trial, zeros, &mut left);
+            let tried = Tried { times: &zeros.times, points: &points, left };
+            let each = |position| {
+                let finding = part(derivation, trial, (&measured, &describer), &tried, position, gradients);
+                only_at_events(trial, found, finding)
+            };
+            (0..program.parts.len()).map(each).collect()
+        }
+        (Some(_), found) => program.parts.iter().map(|_| no_event(trial, found.as_ref())).collect(),
+    };
+    decide(parts, hypotheses)
+}
+
+/// What is known of the hypotheses of a claim, if one of them is false at the first time, which counts.
+fn unmet_at_once(trial: &Trial) -> Option<Vec<Finding>> {
+    let Trial { program, course, .. } = *trial;
+    if program.hypotheses.is_empty() {
+        return None;
+    }
+    let times = &course.times[..1.min(course.times.len())];
+    let describer = Describer::new(trial, times, &course.points);
+    let measured = measure_first(program, &course.points, times.len());
+    let left = selected(trial, &measured, &describer);
+    let along = Tried { times, points: &course.points, left };
+    let false_here = |h: usize| {
+        let compared = matches!(program.hypotheses[h].part.what, What::Every);
+        let judged = Judged::new(&measured.hypotheses[h], trial.claim.precision);
+        compared && along.left.first() == Some(&Left::In) && judged.at(0) == Possible::FALSE
+    };
+    let count = program.hypotheses.len();
+    (0..count).any(false_here).then(|| {
+        let none = stretches::Search::default();
+        let each = |h: usize| match false_here(h) {
+            true => met_on(trial, &describer, &measured, (h, &along), &none),
+            false => Finding::open("it was not looked at"),
+        };
+        (0..count).map(each).collect()
+    })
+}
+
+/// What is known of a hypothesis.
+fn met_on(
+    trial: &Trial,
+    describer: &Describer,
+    measured: &Measurements,
+    (position, along): (usize, &Tried),
+    met: &stretches::Search,
+) -> Finding {
+    let Assumption { text, part } = &trial.program.hypotheses[position];
+    let finding = match &part.what {
+        What::Limit(point) => limit_where(trial, along, &|m| &m.hypotheses[position], point),
+        _ => weigh(describer.setting(along.left.clone()), &measured.hypotheses[position]),
+    };
+    let sides = |what: &str| match &finding.evidence().witness {
+        Some(w) => format!(
+            "the assumption `{text}` {what}: at t = {} its sides are {} and {} (error bound {:.1e})",
+            short(w.t),
+            short(w.left),
+            short(w.right),
+            w.bound
+        ),
+        None => format!("the assumption `{text}` {what}"),
+    };
+    let reason = match known(&finding).decided() {
+        Some(Truth::True) => None,
+        Some(Truth::False) => Some(sides("is not met")),
+        Some(Truth::Void) => finding.evidence().reason.clone(),
+        None => {
+            let why = finding.evidence().reason.clone().unwrap_or_default();
+            Some(format!("the assumption `{text}` cannot be decided: {why}"))
+        }
+    };
+    // What is left out where a hypothesis has no value is no matter of the claim.
+    let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
+    let finding = unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence));
+    let finding = unless_one_sided(trial, &part.group, finding);
+    let finding = unless_met_elsewhere(met, finding);
+    unless_valued_between(trial, measured, &|m| &m.hypotheses[position], along, finding)
+}
+
+/// What is known of one part of a claim, at the times that count.
+fn part(
+    derivation: &Derivation,
+    trial: &Trial,
+    (measured, describer): (&Measurements, &Describer),
+    tried: &Tried,
+    position: usize,
+    gradients: Option<&Result<Gradients, String>>,
+) -> Finding {
+    let program = trial.program;
+    let part = &program.parts[position];
+    let setting = || describer.setting(tried.left.clone());
+    let weighed = || weigh(setting(), &measured.parts[position]);
+    // What is tried at events only is not looked at between them.
+    // Further times are looked at for each part by itself: not for those of a chain of a thousand relations.
+    let closer = |finding: Finding| match program.at {
+        _ if program.parts.len() > MANY => finding,
+        Some(_) => finding,
+        None => at_peaks(trial, measured, position, look_closer(trial, measured, position, finding)),
+    };
+    let between = |finding: Finding| match program.at {
+        Some(_) => finding,
+        None => between_samples(trial, measured, position, finding),
+    };
+    let finding = match &part.what {
+        What::Every | What::Defined => between(closer(weighed())),
+        What::Denied => {
+            let mut setting = setting();
+            setting.first = true;
+            denied(trial, between(weigh(setting, &measured.parts[position])))
+        }
+        What::Constant => constant(trial, (measured, describer), tried, position, closer),
+        What::Value => Finding::open("nothing is said of it by itself"),
+        What::Limit(point) => limit_where(trial, tried, &|m| &m.parts[position], point),
+        What::SameMotion(other, of) => same_motion::try_on(derivation, trial, tried, *other, of),
+        What::Across => across::try_on(derivation, trial, tried, position),
+        What::Independent => match gradients {
+            Some(Ok(gradients)) => independence::try_on(gradients, trial, tried),
+            Some(Err(reason)) => Finding::open(reason.clone()),
+            None => Finding::open("no gradients were computed"),
+        },
+    };
+    let finding = match program.at {
+        Some(_) => finding,
+        None => unless_one_sided(trial, &part.group, finding),
+    };
+    unless_unresolved(trial, part, finding)
+}
+
+/// A limit, where some time counts: without one, nothing is said of it.
+fn limit_where(
+    trial: &Trial,
+    tried: &Tried,
+    group: &dyn for<'m, 'p> Fn(&'m Measurements<'p>) -> &'m MeasuredGroup<'p>,
+    point: &latex::LimitPoint,
+) -> Finding {
+    let out = |l: &Left| match l {
+        Left::Out(reason) => Some(reason.to_string()),
+        Left::In | Left::Open(_) => None,
+    };
+    let reason = || tried.left.iter().find_map(out).unwrap_or_else(|| "no time counts".to_owned());
+    if tried.left.contains(&Left::In) {
+        // Selectors may cut off the point itself: enclosures look on each side of it.
+        return match trial.program.selectors.is_empty() {
+            true => limit(trial, group, point),
+            false => Finding::open("a limit through the times that assumptions leave is not seen from samples"),
+        };
+    }
+    match tried.left.iter().all(|l| matches!(l, Left::Out(_))) {
+        true => Finding::sampled(Possible::VOID, Evidence::because(reason())),
+        false => Finding::open("whether any time counts cannot be told"),
+    }
+}
+
+/// A part that says that something never happens, for a claim that it happens: with words of the happening.
+fn denied(trial: &Trial, finding: Finding) -> Finding {
+    let mut evidence = finding.evidence().clone();
+    let (from, to) = trial.course.stage.span(trial.course.trajectory);
+    match (known(&finding).decided(), &evidence.witness) {
+        (Some(Truth::False), Some(w)) => {
+            let found = evidence.residual.as_ref().is_some_and(|r| r.at == w.t);
+            let reason = match trial.course.times.binary_search_by(|t| t.total_cmp(&w.t)) {
+                Ok(_) => format!("first seen at the sample t = {}", short(w.t)),
+                Err(_) => format!("happens first at t = {:.12}", w.t),
+            };
+            evidence.reason = Some(reason);
+            if !found {
+                evidence.residual = None;
+            }
+            evidence.samples = evidence.samples.max(1);
+        }
+        (Some(Truth::True), _) => {
+            evidence.reason = Some(format!("not seen between t = {from} and t = {to}, the span of the motion"));
+        }
+        (Some(Truth::Void), _) => {}
+        (None, _) | (Some(Truth::False), None) => {
+            let why = evidence.reason.as_ref().map_or(String::new(), |r| format!(": {r}"));
+            evidence.reason = Some(format!(
+                "not seen at {} samples between t = {from} and t = {to}, the span of the motion{why}",
+                evidence.samples
+            ));
+        }
+    }
+    Finding::sampled(known(&finding), evidence)
+}
+
+/// That a quantity is the same at all times that count: as at the start, if that counts; else as at the first that does.
+fn constant(
+    trial: &Trial,
+    (measured, describer): (&Measurements, &Describer),
+    tried: &Tried,
+    position: usize,
+    closer: impl Fn(Finding) -> Finding,
+) -> Finding {
+    let Trial { program, course, .. } = *trial;
+    let group = &measured.parts[position];
+    let start = course.stage.initial_time(course.trajectory);
+    let valued = |group: &MeasuredGroup, i: usize| {
+        group.signs.iter().all(|s| s.iter().all(|series| series.difference(i).is_ok()))
+    };
+    let counts = |i: usize| tried.left[i] == Left::In;
+    let at_start = tried.times.binary_search_by(|t| t.total_cmp(&start)).ok();
+    let compared = at_start.is_some_and(|i| counts(i) && valued(group, i)) && program.at.is_none();
+    let values = program.parts.get(position + 1).filter(|p| matches!(p.what, What::Value));
+    if compared || values.is_none() {
+        return closer(weigh(describer.setting(tried.left.clone()), group));
+    }
+    let all = measure(program, tried.points, None);
+    let Some(mut values) = all.parts.into_iter().nth(position + 1) else {
+        return Finding::open("its values were not measured");
+    };
+    values.relative_to_the_first(tried.times.len(), counts);
+    weigh(describer.setting(tried.left.clone()), &values)
+}
+
+/// Tries a part that is true at further times around its worst sample: the worst of all times lies between samples.
+fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
+    let Trial { course, .. } = *trial;
+    let (Possible::TRUE, Some(worst)) = (known(&finding), &finding.evidence().residual) else { return finding };
+    let Some(at) = course.times.iter().position(|&t| t == worst.at) else { return finding };
+    let near = course.near(at);
+    let points = course.points_at(trial.program, &near);
+    let Some(closer) = at_further_times(trial, along, position, &near, &points) else { return finding };
+    match (known(&closer), &closer.evidence().residual) {
+        (Possible::FALSE, _) => closer,
+        (Possible::TRUE, Some(r)) if r.max * worst.bound > worst.max * r.bound => {
+            let samples = finding.evidence().samples + closer.evidence().samples;
+            let residual = Some(r.clone());
+            Finding::sampled(Possible::TRUE, Evidence { samples, residual, ..finding.evidence().clone() })
+        }
+        _ => finding,
+    }
+}
+
+/// What is known of a part at further times; `None` where none of them counts.
+fn at_further_times(
+    trial: &Trial,
+    along: &Measurements,
+    position: usize,
+    times: &[f64],
+    points: &Arc<Points>,
+) -> Option<Finding> {
+    let describer = Describer::new(trial, times, points);
+    let measured = measure(trial.program, points, Some(along));
+    let left = selected(trial, &measured, &describer);
+    left.contains(&Left::In).then(|| weigh(describer.setting(left), &measured.parts[position]))
+}
+
+/// Tries a part at further times, where exponentials in it may have peaks between the samples.
+fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Finding) -> Finding {
+    let Trial { program, course, .. } = *trial;
+    let holds = match known(&finding).decided() {
+        Some(Truth::True) => true,
+        None => false,
+        Some(Truth::False | Truth::Void) => return finding,
+    };
+    let Some(times) = peaks::times(trial) else {
+        if !holds {
+            return finding;
+        }
+        let reason = "an exponential in it has too many peaks that samples may miss".to_owned();
+        return reopened(finding, Possible::OPEN, reason);
+    };
+    if times.is_empty() {
+        return finding;
+    }
+    let points = course.points_at(program, &times);
+    let Some(closer) = at_further_times(trial, along, position, &times, &points) else { return finding };
+    match known(&closer).decided() {
+        Some(Truth::False) => closer,
+        None if holds => closer,
+        Some(Truth::True) if holds => {
+            let samples = finding.evidence().samples + closer.evidence().samples;
+            Finding::sampled(Possible::TRUE, Evidence { samples, ..finding.evidence().clone() })
+        }
+        _ => finding,
+    }
+}
+
+/// What is known of a part where the event of a claim is not found.
+fn no_event(trial: &Trial, events: Option<&Events>) -> Finding {
+    let course = trial.course;
+    if let Some(reason) = events.and_then(|found| open_events(trial, found, |_| true)) {
+        return Finding::open(reason);
+    }
+    if let Some(problem) = course.motion.problem() {
+        return Finding::open(problem.to_string());
+    }
+    let event = trial.claim.at.as_ref().map(Event::says).unwrap_or_default();
+    let (from, to) = course.stage.span(course.trajectory);
+    Finding::sampled(
+        Possible::VOID,
+        Evidence::because(format!("{event} does not happen between t = {from} and t = {to}")),
+    )
+}

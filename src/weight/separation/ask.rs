@@ -1,0 +1,226 @@
+//! How conditions stand on motions, as far as that is asked.
+//!
+//! **In:** conditions, compiled, and the motions of a check. **Out:** how a condition stands on a motion: met, not met, or
+//! undecided, exactly as a claim would be judged there.
+//!
+//! Most conditions fail on most motions at once: a few points show it. What is not refuted there is judged like any claim,
+//! with a search between the samples, which costs more than everything else; so that is done only for what can matter for
+//! some claim. A condition that is met somewhere where a claim fails, and not met somewhere where it holds, explains nothing of
+//! it, whatever the other motions say.
+
+use std::collections::BTreeSet;
+
+use rayon::prelude::*;
+
+use super::candidates::Candidate;
+use crate::derivation::{Claim, Derivation};
+use crate::flow::Points;
+use crate::verdict::Possible;
+use claim::comparison::judge;
+use claim::program::{Program, What};
+use sampled::course::{Course, Trial};
+use sampled::recall::Recall;
+use sampled::trial::try_claim;
+
+/// Points of a motion at which a condition is tried first.
+const FIRST: usize = 8;
+
+/// What is known of a condition on a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stand {
+    /// It was not refuted at a few points; more was not asked.
+    Open,
+    /// Met, not met, or undecided.
+    Judged(Option<bool>),
+}
+
+/// Conditions and motions.
+pub(super) struct Ask<'a> {
+    pub derivation: &'a Derivation,
+    pub candidates: &'a [Candidate],
+    /// One for each of the candidates and initial time.
+    pub programs: &'a [Vec<Program>],
+    pub start_of: &'a [usize],
+    pub recall: &'a dyn Recall,
+}
+
+/// How every condition stands on every motion.
+pub(super) struct Stands {
+    /// `[candidate][column]`.
+    all: Vec<Vec<Stand>>,
+}
+
+/// The columns of the motions on which a claim holds, and of those on which it fails.
+#[derive(Clone, Debug)]
+pub(super) struct Sides {
+    pub holds: Vec<usize>,
+    pub fails: Vec<usize>,
+}
+
+impl Ask<'_> {
+    /// Tries every condition at a few points of every motion.
+    pub fn first(&self, courses: &[Course]) -> Stands {
+        let on_one = |course: &Course| -> Vec<Stand> {
+            let few = few(course);
+            let refuted = |k: usize| self.program(k, course).is_some_and(|p| is_refuted(p, &few));
+            let each = (0..self.candidates.len()).map(refuted);
+            each.map(|refuted| if refuted { Stand::Judged(Some(false)) } else { Stand::Open }).collect()
+        };
+        let columns: Vec<Vec<Stand>> = courses.par_iter().with_max_len(1).map(on_one).collect();
+        let of = |k: usize| columns.iter().map(|column| column[k]).collect();
+        Stands { all: (0..self.candidates.len()).map(of).collect() }
+    }
+
+    fn program(&self, k: usize, course: &Course) -> Option<&Program> {
+        self.programs.get(k)?.get(*self.start_of.get(course.trajectory)?)
+    }
+
+    /// Judges what is asked for: candidates and columns.
+    pub fn judge(&self, stands: &mut Stands, asked: &BTreeSet<(usize, usize)>, courses: &[Course]) {
+        // Long motions first: what is left at the end is short.
+        let mut order: Vec<(usize, usize)> = asked.iter().copied().collect();
+        order.sort_by_key(|(_, column)| std::cmp::Reverse(courses[*column].motion.steps()));
+        let judged = |&(k, column): &(usize, usize)| self.standing(k, &courses[column]);
+        let found: Vec<Option<bool>> = order.par_iter().with_max_len(1).map(judged).collect();
+        for ((k, column), met) in order.into_iter().zip(found) {
+            stands.all[k][column] = Stand::Judged(met);
+        }
+    }
+
+    fn standing(&self, k: usize, course: &Course) -> Option<bool> {
+        let candidate = self.candidates.get(k)?;
+        let name = &candidate.name;
+        let says = [name.id.as_deref(), Some(&name.formula), name.says.as_deref()].map(Option::unwrap_or_default);
+        self.recall.standing(self.derivation, &says, course.trajectory, &|| self.tried(k, &candidate.claim, course))
+    }
+
+    fn tried(&self, k: usize, claim: &Claim, course: &Course) -> Option<bool> {
+        let program = self.program(k, course)?;
+        let trial = Trial { graph: &self.derivation.graph, claim, program, course, shown: false };
+        try_claim(self.derivation, &trial, None).is_met()
+    }
+}
+
+/// A few points, spread evenly.
+fn few(course: &Course) -> Points {
+    let count = course.points.len();
+    let used = count.min(FIRST);
+    (0..used).map(|i| course.points.row(i * count.saturating_sub(1) / used.max(2).saturating_sub(1))).collect()
+}
+
+/// Whether a condition is violated at one of the points, whatever the size of its terms elsewhere: then it fails.
+fn is_refuted(program: &Program, points: &Points) -> bool {
+    if !program.selectors.is_empty() || !program.hypotheses.is_empty() || program.at.is_some() || program.is_branching()
+    {
+        return false;
+    }
+    let measured = program.measure((points, points.len()), 1.0);
+    let mut first = 0;
+    for part in &program.parts {
+        let group = &part.group;
+        let of = &measured[first.min(measured.len())..(first + group.comparisons.len()).min(measured.len())];
+        first += group.comparisons.len();
+        if !matches!(part.what, What::Every | What::Constant) || group.formula.is_some() {
+            continue;
+        }
+        for point in 0..points.len() {
+            // Where one of them has no value, none counts.
+            let all =
+                of.iter().zip(&group.comparisons).map(|(series, c)| Some((c.kind, series.difference(point).ok()?)));
+            let Some(all) = all.collect::<Option<Vec<_>>>() else { continue };
+            // With a size of 0 nothing is small: what is violated then is so for every size.
+            let violated = |(kind, difference): &(_, _)| judge(*kind, *difference, 0.0, 0.0) == Possible::FALSE;
+            if all.iter().any(violated) {
+                return true;
+            }
+        }
+    }
+    false
+}
+
+impl Stands {
+    fn at(&self, k: usize, column: usize) -> Stand {
+        self.all[k][column]
+    }
+
+    fn open<'s>(
+        &'s self,
+        k: usize,
+        columns: impl Iterator<Item = &'s usize> + 's,
+    ) -> impl Iterator<Item = (usize, usize)> + 's {
+        columns.filter(move |c| self.at(k, **c) == Stand::Open).map(move |c| (k, *c))
+    }
+
+    /// Whether a condition may be met wherever a claim holds, and unmet somewhere where it fails; or unmet wherever it fails,
+    /// and met somewhere where it holds. What is undecided, or was not asked, may be anything.
+    pub fn may_explain(&self, k: usize, sides: &Sides) -> bool {
+        let (met, unmet) = (Stand::Judged(Some(true)), Stand::Judged(Some(false)));
+        let may_be = |columns: &[usize], not: Stand| columns.iter().all(|c| self.at(k, *c) != not);
+        let somewhere = |columns: &[usize], not: Stand| columns.iter().any(|c| self.at(k, *c) != not);
+        let necessary = may_be(&sides.holds, unmet) && somewhere(&sides.fails, met);
+        let sufficient = may_be(&sides.fails, met) && somewhere(&sides.holds, unmet);
+        necessary || sufficient
+    }
+
+    /// What has to be judged next to know whether a condition explains something of a claim; nothing when that is known.
+    pub fn asked(&self, k: usize, sides: &Sides) -> Vec<(usize, usize)> {
+        if !self.may_explain(k, sides) {
+            return Vec::new();
+        }
+        let unmet = Stand::Judged(Some(false));
+        let necessary = sides.holds.iter().all(|c| self.at(k, *c) != unmet);
+        let tells = sides.fails.iter().any(|c| self.at(k, *c) == unmet);
+        let in_fails: Vec<_> = self.open(k, sides.fails.iter()).collect();
+        if necessary && tells {
+            return self.open(k, sides.holds.iter().chain(&sides.fails)).collect();
+        }
+        // One motion on which it is met though the claim fails settles it, or all must be unmet.
+        match (necessary, in_fails.first()) {
+            (false, Some(first)) => vec![*first],
+            (true, Some(_)) => in_fails,
+            (_, None) => self.open(k, sides.holds.iter()).collect(),
+        }
+    }
+
+    /// What is left to be judged of a condition.
+    pub fn left(&self, k: usize) -> Vec<(usize, usize)> {
+        (0..self.all[k].len()).filter(|c| self.at(k, *c) == Stand::Open).map(|c| (k, c)).collect()
+    }
+
+    /// How a condition stands on every motion; what was not asked is undecided.
+    pub fn truth(&self, k: usize) -> super::Truth {
+        let of = |stand: &Stand| match stand {
+            Stand::Judged(met) => *met,
+            Stand::Open => None,
+        };
+        self.all[k].iter().map(of).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MET: Stand = Stand::Judged(Some(true));
+    const UNMET: Stand = Stand::Judged(Some(false));
+
+    #[test]
+    fn only_what_may_explain_is_asked() {
+        let sides = Sides { holds: vec![0, 1], fails: vec![2, 3] };
+        let asked = |stands: [Stand; 4]| Stands { all: vec![stands.to_vec()] }.asked(0, &sides);
+        let open = Stand::Open;
+        // Unmet where the claim holds and met where it fails: nothing that the others say matters.
+        assert!(asked([UNMET, open, MET, open]).is_empty());
+        // Met wherever it holds so far, unmet on one that fails: all must be known.
+        assert_eq!(asked([open, MET, UNMET, open]), [(0, 0), (0, 3)]);
+        // Unmet on one that holds: only what fails matters, one after the other.
+        assert_eq!(asked([UNMET, open, open, open]), [(0, 2)]);
+        assert_eq!(asked([UNMET, open, UNMET, UNMET]), [(0, 1)]);
+        // It may be met everywhere: then it tells nothing.
+        assert_eq!(asked([open, open, open, MET]), [(0, 2)]);
+        assert!(asked([open, open, MET, MET]).is_empty());
+        // Undecided may be anything.
+        let undecided = Stand::Judged(None);
+        assert_eq!(asked([undecided, MET, UNMET, open]), [(0, 3)]);
+    }
+}

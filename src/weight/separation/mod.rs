@@ -1,0 +1,227 @@
+//! Under which condition a claim holds, and which of its assumptions it needs.
+//!
+//! **In:** the verdicts of every claim on every trajectory. **Out:** a [`ConditionsAccount`] for each claim: for one that holds
+//! on some trajectories and fails on others, the weakest condition that is met exactly where it holds; for each assumption,
+//! whether the claim fails without it.
+//!
+//! **How:** a condition is a claim of its own, and is judged on every trajectory as claims are; an assumption
+//! is left out, and the claim is tried where it did not apply before. A condition that is undecided on a trajectory counts
+//! there neither as met nor as unmet, and so can never separate anything. **Weakest** means: met on most of the trajectories at
+//! hand, by inclusion. Trajectories are all the evidence that there is: what they cannot tell apart is said to be so.
+
+mod ask;
+mod assumptions;
+mod candidates;
+mod explain;
+
+pub use crate::findings::conditions::{
+    AssumptionAccount, ConditionName, ConditionsAccount, Explanation, Join, Need, Rival, Separation,
+};
+
+use std::collections::BTreeSet;
+
+use crate::derivation::{Claim, Derivation};
+use crate::expr::Rational;
+use crate::findings::{Account, PairAccount};
+use crate::verdict::Verdict;
+use ask::{Ask, Sides};
+use assumptions::Dropped;
+use candidates::Candidate;
+use claim::program::Program;
+use sampled::course::{Course, Trial};
+use sampled::independence::Gradients;
+use sampled::recall::Recall;
+use sampled::trial::try_claim;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How a condition stands on every trajectory that was tried: met throughout, not met, or undecided.
+type Truth = Vec<Option<bool>>;
+
+/// Conditions by their names, each as the claim that it is met at every time; `None` for one that the file does not give rise to.
+pub fn as_claims(derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>> {
+    let all = candidates::candidates(derivation);
+    let is_it = |known: &ConditionName, name: &ConditionName| {
+        (&known.id, &known.formula, &known.says) == (&name.id, &name.formula, &name.says)
+    };
+    names.iter().map(|name| all.iter().find(|c| is_it(&c.name, name)).map(|c| c.claim.clone())).collect()
+}
+
+/// Everything that may be asked once the verdicts are known: conditions, and claims without one of their assumptions.
+///
+/// It is compiled before the motions are built, and tried on the same samples of the same motions. It gets verdicts and
+/// nothing else: no identities, no variants.
+#[derive(Default)]
+pub struct Probes {
+    candidates: Vec<Candidate>,
+    dropped: Vec<Dropped>,
+    /// One for each of the candidates, then of the others, and initial time.
+    programs: Vec<Vec<Program>>,
+}
+
+impl Probes {
+    /// Everything that may be asked of the claims at the positions `claimed` on the trajectories `tried`.
+    pub fn new(derivation: &mut Derivation, claimed: &[usize], tried: &[usize], starts: &[Rational]) -> Probes {
+        let several = |c: &usize| derivation.claims[*c].trajectories.iter().filter(|t| tried.contains(t)).count() > 1;
+        // What is tried on one trajectory does not separate any.
+        let may_split = claimed.iter().any(several);
+        let candidates = if may_split { candidates::candidates(derivation) } else { Vec::new() };
+        let dropped = assumptions::without_one(derivation, claimed);
+        let own = derivation.claims.len();
+        derivation.claims.extend(candidates.iter().map(|c| c.claim.clone()));
+        derivation.claims.extend(dropped.iter().map(|d| d.claim.clone()));
+        let conditions = own..own + candidates.len();
+        let mut compiled = |c: usize, start: &Rational| {
+            let mut program = Program::new(derivation, c, start);
+            program.tells_apart = conditions.contains(&c);
+            program
+        };
+        let last = own + candidates.len() + dropped.len();
+        let programs = (own..last).map(|c| starts.iter().map(|s| compiled(c, s)).collect()).collect();
+        derivation.claims.truncate(own);
+        Probes { candidates, dropped, programs }
+    }
+
+    /// Whether nothing can be asked.
+    pub fn is_empty(&self) -> bool {
+        self.programs.is_empty()
+    }
+
+    /// What is compiled.
+    pub fn programs(&self) -> impl Iterator<Item = &Program> {
+        self.programs.iter().flatten()
+    }
+
+    /// What is compiled of a claim without its assumptions, by its position among those that are checked.
+    pub fn without(&self, of: usize) -> impl Iterator<Item = &Program> {
+        let programs = self.programs.get(self.candidates.len()..).unwrap_or_default();
+        self.dropped.iter().zip(programs).filter(move |(d, _)| d.of == of).flat_map(|(_, programs)| programs)
+    }
+
+    /// What is compiled, to be completed.
+    pub fn programs_mut(&mut self) -> impl Iterator<Item = &mut Program> {
+        self.programs.iter_mut().flatten()
+    }
+
+    /// What may be asked, with its programs, one for each initial time.
+    pub fn asked(&self) -> impl Iterator<Item = (&Claim, &[Program])> {
+        let claims = self.candidates.iter().map(|c| &c.claim).chain(self.dropped.iter().map(|d| &d.claim));
+        claims.zip(self.programs.iter().map(Vec::as_slice))
+    }
+
+    /// The verdicts on one motion of the claims without each of their assumptions, where these may be another than those with
+    /// them, `verdicts`. `gradients` belong to the claims that are checked, `start` is the initial time of the motion. A claim
+    /// that is marked among `failed` is not asked: see [`Probes::separate`]. What is known from before is not tried again.
+    pub fn without_each(
+        &self,
+        derivation: &Derivation,
+        gradients: &[Option<Result<Gradients, String>>],
+        (start, course): (usize, &Course),
+        verdicts: &[Option<Verdict>],
+        (failed, recall): (&[AtomicBool], &dyn Recall),
+    ) -> Vec<Option<Verdict>> {
+        let t = course.trajectory;
+        let count = self.candidates.len();
+        let verdict = |(d, dropped): (usize, &Dropped)| {
+            let known = verdicts.get(dropped.of)?.as_ref()?;
+            let wanted = assumptions::is_open(known, dropped.selects) && dropped.claim.trajectories.contains(&t);
+            let fails = failed.get(dropped.of).is_some_and(|f| f.load(Ordering::Relaxed));
+            let program = self.programs.get(count + d)?.get(start).filter(|_| wanted && !fails)?;
+            let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
+            let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
+            let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
+            Some(recall.without(derivation, asked, t, &|| try_claim(derivation, &trial, gradients)))
+        };
+        self.dropped.iter().enumerate().map(verdict).collect()
+    }
+
+    /// The leaves of conditions, by their positions in a point: what is asked once all verdicts are known.
+    pub fn asked_later(&self) -> impl Iterator<Item = usize> + '_ {
+        let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
+        programs.iter().flatten().flat_map(|p| p.inputs().iter().copied())
+    }
+
+    /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs.
+    ///
+    /// `without` are the verdicts of [`Probes::without_each`] on the trajectories of the account, in their order; `start_of`
+    /// names the initial time of every trajectory. Only claims that fail nowhere are asked what they need.
+    pub fn separate(
+        &self,
+        derivation: &Derivation,
+        without: &[Vec<Option<Verdict>>],
+        start_of: &[usize],
+        recall: &dyn Recall,
+        courses: &[Course],
+        account: &mut Account,
+    ) {
+        if account.claims.iter().any(explain::is_split) {
+            self.explain(derivation, start_of, recall, courses, account);
+        }
+        for (d, drop) in self.dropped.iter().enumerate() {
+            let Some(claim) = account.claims.get_mut(drop.of).filter(|c| assumptions::is_asked(c)) else { continue };
+            let pair = |(course, verdicts): (&Course, &Vec<Option<Verdict>>)| {
+                let (trajectory, verdict) = (&derivation.trajectories[course.trajectory].id, verdicts.get(d)?.clone()?);
+                Some(PairAccount { trajectory: trajectory.clone(), verdict, expected: None, discrimination: None })
+            };
+            let without: Vec<PairAccount> = courses.iter().zip(without).filter_map(pair).collect();
+            let need = assumptions::need(claim, &without, &drop.text);
+            claim.conditions.assumptions.push(need);
+        }
+    }
+
+    /// Adds to every claim that holds on some trajectories and fails on others what separates them.
+    fn explain(
+        &self,
+        derivation: &Derivation,
+        start_of: &[usize],
+        recall: &dyn Recall,
+        courses: &[Course],
+        account: &mut Account,
+    ) {
+        let programs = self.programs.get(..self.candidates.len()).unwrap_or_default();
+        let ask = Ask { derivation, candidates: &self.candidates, programs, start_of, recall };
+        let ids: Vec<String> = courses.iter().map(|c| derivation.trajectories[c.trajectory].id.clone()).collect();
+        let split: Vec<usize> = (0..account.claims.len()).filter(|&k| explain::is_split(&account.claims[k])).collect();
+        let sides: Vec<Sides> = split.iter().map(|&k| explain::sides(&account.claims[k], &ids)).collect();
+        let all = || 0..self.candidates.len();
+        let mut stands = ask.first(courses);
+        // Those of the file may be used the other way round, too.
+        let from_file = |k: &usize| self.candidates[*k].name.id.is_some();
+        let mut asked: BTreeSet<(usize, usize)> = all().filter(from_file).flat_map(|k| stands.left(k)).collect();
+        loop {
+            for sides in &sides {
+                asked.extend(all().flat_map(|k| stands.asked(k, sides)));
+            }
+            if asked.is_empty() {
+                break;
+            }
+            ask.judge(&mut stands, &asked, courses);
+            asked.clear();
+        }
+        // What may explain a claim is compared on all other motions, too: which is the weakest, and where they differ.
+        for sides in &sides {
+            asked.extend(all().filter(|&k| stands.may_explain(k, sides)).flat_map(|k| stands.left(k)));
+        }
+        ask.judge(&mut stands, &asked, courses);
+        let judged: Vec<(&Candidate, Truth)> = all().map(|k| (&self.candidates[k], stands.truth(k))).collect();
+        for (&at, sides) in split.iter().zip(&sides) {
+            let claim = &mut account.claims[at];
+            // A claim explains nothing about itself, and neither does a part of it.
+            let same = |c: &&derivation::Claim| c.id == claim.id && c.reading == claim.reading;
+            let said = |c: &derivation::Claim| candidates::said(&derivation.graph, c);
+            let own = derivation.claims.iter().find(same).map(said).unwrap_or_default();
+            if all().filter(from_file).any(|k| !own.is_empty() && said(&self.candidates[k].claim) == own) {
+                // It is a condition of the file itself: where it holds is what it says.
+                continue;
+            }
+            let others = all().filter(|&k| {
+                let condition = said(&self.candidates[k].claim);
+                condition.is_empty() || !condition.iter().all(|part| own.contains(part))
+            });
+            let others: Vec<usize> = others.collect();
+            let may = |k: &&usize| from_file(k) || stands.may_explain(**k, sides);
+            let useful: Vec<(&Candidate, &Truth)> =
+                others.iter().filter(may).map(|&k| (judged[k].0, &judged[k].1)).collect();
+            claim.conditions.separation = Some(explain::separation(claim, &ids, &useful, others.len()));
+        }
+    }
+}
