@@ -84,6 +84,26 @@ fn a_witness_has_both_members() {
 }
 
 #[test]
+fn a_scaling_law_has_a_slope_over_the_whole_family() {
+    let account = account();
+    // The period of a pendulum less 2π grows as A², and at the largest amplitudes a little faster.
+    let found = on(&account, "square-too-closely").slope.clone().expect("a slope");
+    assert_eq!((found.pairs, found.power), (on(&account, "square-too-closely").counts.members - 1, 2.0));
+    assert!(found.least >= 2.0 && found.least < found.slope && found.slope < found.greatest, "{found:?}");
+    let error = found.standard_error.expect("more than one pair");
+    assert!(error > 0.0 && (found.slope - 2.0).abs() < found.greatest - 2.0, "{found:?}");
+    assert_eq!(found.contains, (found.slope - 2.0).abs() <= 2.0 * error + found.bound);
+    assert!(found.cells.windows(2).all(|w| w[0].value < w[1].value && w[0].logarithm < w[1].logarithm), "{found:?}");
+    // Between values of different signs there is no slope; of the pairs that are left there is.
+    let found = on(&account, "no-logarithm").slope.clone().expect("a slope");
+    assert_eq!(found.pairs, 2);
+    // What is no scaling law has none.
+    let with: Vec<&str> =
+        account.claims.iter().filter(|c| c.families.iter().any(|f| f.slope.is_some())).map(|c| c.id.as_str()).collect();
+    assert_eq!(with, ["square", "square-too-closely", "inverse", "energy", "energy-square", "no-logarithm"]);
+}
+
+#[test]
 fn what_has_no_meaning_is_refused() {
     let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/across.toml"));
     let text = text.expect("the corpus");
@@ -181,6 +201,7 @@ fn every_report_says_what_is_compared() {
         let words = text.contains("Scales as a power of") && text.contains("whose exponent is 2 to within 0.01");
         assert!(text.contains("Is largest at") && text.contains("to within 0.01"), "{text}");
         assert!(text.contains("Tends to") && text.contains("by extrapolation"), "{text}");
+        assert!(text.contains("east squares give the slope"), "{text}");
         assert!(words && text.contains("Grows with") && !text.contains("The motion is that of"), "{text}");
     }
     let text = report::explain(&derivation, &account, &["square".to_owned()], false);
@@ -233,4 +254,81 @@ fn the_witness_of_an_extremum_flies_farther_and_that_of_a_limit_is_estimated() {
     assert_eq!(value(1), value(0) / 1024.0);
     assert!((value(4) - 2.0 * std::f64::consts::PI).abs() < 1e-8, "{}", value(4));
     assert!((witness.left - 1e-6).abs() < 1e-8 && witness.right == 1e-7, "{witness:?}");
+}
+
+#[test]
+fn what_cannot_be_told_of_two_members_is_not_told() {
+    let head = r#"
+[derivation]
+title = "T"
+concerns = "C"
+[symbols]
+'t' = { role = "time" }
+'a' = { role = "parameter" }
+'k' = { role = "parameter", positive = true }
+'x' = { role = "state" }
+[system.spring]
+states = ['x']
+equations = ['\ddot x=-kx']
+[[trajectory]]
+id = "touching"
+formula = { 'x' = '(t-a)^2' }
+parameters = { 'a' = 1 }
+span = [0, 2]
+[[trajectory]]
+id = "swing"
+system = "spring"
+parameters = { 'k' = 1 }
+initial = { 'x' = 1, '\dot x' = 0 }
+span = [0, 3]
+[[trajectory]]
+id = "quarter"
+formula = { 'x' = '\cos(at)' }
+parameters = { 'a' = 1 }
+span = [0, 1.5707963267948966]
+[[family]]
+id = "three"
+of = "touching"
+vary = { 'a' = { values = [1, 2, 3] } }
+[[family]]
+id = "row"
+of = "touching"
+vary = { 'a' = { from = 0, to = 1, count = 3 } }
+[[family]]
+id = "springs"
+of = "swing"
+vary = { 'k' = { values = [1, 2, 3] } }
+[[family]]
+id = "quarters"
+of = "quarter"
+vary = { 'a' = { values = [1, 2] } }
+"#;
+    let found = |family: &str, claim: &str| {
+        let text = format!("{head}[[claim]]\nid = 'c'\nsays = 's'\nfamilies = ['{family}']\n{claim}\n");
+        let source = Source { path: "t.toml".into(), text };
+        let mut derivation = parse(source, "t").unwrap_or_else(|found| panic!("{claim}\n{}", render(&found, false)));
+        let options = Options { plain: true, ..Options::default() };
+        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{claim}: {e:?}"));
+        on(&account, "c").clone()
+    };
+    // Holds, fails, does not apply, undecided.
+    for (family, claim, counts) in [
+        // Beside 0.1 on the side of 0 lies no motion of the family, and 0 is too near.
+        ("row", "extremum = { of = '0.1-a', with = 'a', kind = 'maximum', at = 0.1, to = 0.2 }", (2, 0, 1, 0)),
+        ("three", r"monotone = { of = '\sqrt{a-1.5}', with = 'a', direction = 'increasing' }", (1, 0, 2, 0)),
+        // A law that is true, asked for more closely than it is known.
+        ("springs", "at = 'x=0'\nscales-as = { of = 't', with = 'k', power = -0.5, to = 1e-15 }", (0, 0, 1, 2)),
+        ("springs", "at = 'x=0'\nscales-as = { of = 't', with = 'k', power = -0.5, to = 1e-6 }", (2, 0, 1, 0)),
+        // Whether it touches 0 cannot be told.
+        ("three", "at = 'x=0'\nmonotone = { of = 't', with = 'a', direction = 'increasing' }", (0, 0, 1, 2)),
+        // Nor whether this lies in the span.
+        ("quarters", "at = 'x=0'\nmonotone = { of = 't', with = 'a', direction = 'decreasing' }", (0, 0, 1, 1)),
+    ] {
+        let of = found(family, claim).counts;
+        assert_eq!((of.holds, of.fails, of.not_applicable, of.undecided), counts, "{family}: {claim}");
+    }
+    // All are compared with the first.
+    let of = found("three", "independent-of = { of = 'a^2', with = 'a' }");
+    let witness = of.first_failing.as_ref().and_then(|m| m.verdict.evidence().witness.clone()).expect("a witness");
+    assert_eq!(witness.values[..2], [("a".to_owned(), 2.0), ("a of the other".to_owned(), 1.0)]);
 }

@@ -221,6 +221,22 @@ always = ['\dot x=k\cos kt']
 ";
 
 #[test]
+fn the_ten_lines_of_the_page_are_a_family() {
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scale.md")).expect("the page");
+    let pieces = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let text: String = pieces.collect();
+    assert_eq!(
+        text.split("[[family]]").nth(1).map(|lines| lines.lines().filter(|l| l.contains('=')).count()),
+        Some(10)
+    );
+    let place = Place::new();
+    std::fs::write(place.path("ten.toml"), text).expect("written");
+    let (code, out, error) = place.run("1", &["check", "ten.toml", "--matrix"]);
+    assert_eq!(code, Some(0), "{out}{error}");
+    assert!(out.contains("olds on all 200 members tried") && out.contains("1.5 %"), "{out}");
+}
+
+#[test]
 fn ten_thousand_parts_are_joined() {
     let place = Place::new();
     std::fs::write(place.path(FILE), MANY).expect("it is written");

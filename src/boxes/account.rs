@@ -129,7 +129,9 @@ pub fn point(account: &RegionAccount, cell: &Cell) -> Vec<(String, f64)> {
 
 /// What the identity test said of equations.
 pub fn identities(account: &mut RegionAccount, question: &Question) {
-    for (text, bound, given) in &question.identities {
+    // Of a formula with components that are no identities nothing is said of those that are.
+    let whole = |text: &String| !question.equations.contains(text);
+    for (text, bound, given) in question.identities.iter().filter(|(text, ..)| whole(text)) {
         if *given {
             account.remarks.push(format!(
                 "${text}$ follows from what is assumed and from the signs of the ranges, by random evaluation with an error \

@@ -132,14 +132,6 @@ impl Graph {
         })
     }
 
-    /// The derivative of that order.
-    ///
-    /// # Errors
-    /// See [`Graph::derivative_by`].
-    pub fn derivative_of_order(&mut self, e: Expr, partials: Partials) -> Result<Expr, NoDerivative> {
-        partials.steps().try_fold(e, |e, at| self.derivative_by(e, at))
-    }
-
     /// An expression with fields replaced by their formulas, and their derivatives by those of the formulas. The formulas name
     /// no other fields, and coordinates by themselves.
     ///
@@ -161,9 +153,12 @@ impl Graph {
         let mut images = super::FastMap::default();
         for leaf in self.leaves([e]) {
             if let Some(value) = formula(self.field_of(leaf.symbol), leaf.component) {
-                let derivative = self.derivative_of_order(value, leaf.partials)?;
-                // Where the field has no value, its derivatives have none.
-                let mut image = self.rate_of(value, derivative, |_| false);
+                // Where the field has no value, its derivatives have none, and where one of these has none, its own have none.
+                let mut image = value;
+                for at in leaf.partials.steps() {
+                    let derivative = self.derivative_by(image, at)?;
+                    image = self.rate_of(image, derivative, |_| false);
+                }
                 if let Some(place) = self.place(leaf.symbol).cloned() {
                     let coordinates: Vec<Leaf> = self.coordinates().collect();
                     let mut values = Vec::with_capacity(place.at.len());

@@ -76,6 +76,8 @@ pub(super) struct Counted<'a> {
     pub stopped: Option<&'a str>,
     /// What separates them.
     pub separation: Option<&'a FamilySeparation>,
+    /// The scale of what a scaling law is along, the power, and how far it may be off.
+    pub law: Option<(&'a Scale, f64, f64)>,
 }
 
 /// A member that was tried again, and turned out otherwise than it was counted.
@@ -173,6 +175,9 @@ impl Counted<'_> {
                 boundary: self.boundary.cloned(),
             }),
             separation: self.separation.cloned(),
+            slope: self
+                .law
+                .and_then(|(scale, power, to)| tally.slopes.account(&scale.axis.name, &scale.middles(), (power, to))),
         })
     }
 }

@@ -29,7 +29,7 @@ mod troupe;
 pub use crate::findings::family::{
     Axis, Boundary, Counts, Crossing, Distribution, Exception, ExtremeAccount, FailingShare, FamilyAccount, FamilyMap,
     FamilySeparation, Join, Joined, MOST_PARTS, MeasureAccount, MemberAccount, Part, PartFault, Ranked, Row, SHARES,
-    Swept, SweptClaim, SweptMeasure, Tally,
+    SlopeAccount, SlopeCell, Slopes, Swept, SweptClaim, SweptMeasure, Tally,
 };
 pub use confidence::{CONFIDENCE, failing_share};
 pub use separate::Checker;

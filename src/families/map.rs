@@ -44,6 +44,12 @@ fn cell(position: u64, count: u64) -> u64 {
 }
 
 impl Scale {
+    /// The middle of each cell, with the logarithm of its size.
+    pub fn middles(&self) -> Vec<(f64, f64)> {
+        let middle = |(from, to): &(f64, f64)| 0.5 * (from + to);
+        self.axis.cells.iter().map(middle).map(|x| (x, ln(x.abs()))).collect()
+    }
+
     /// The scale of a symbol, with the numbers of its spread and the value at each position of a row.
     pub fn new(name: &str, spread: &Spread, numbers: &[f64], at: &dyn Fn(u64) -> f64) -> Scale {
         let drawn = |from: f64, to: f64, logarithmic: bool| {

@@ -11,7 +11,7 @@ use super::map::Scale;
 use diag::Diagnostic;
 use expr::tape::Tape;
 
-use crate::derivation::{Derivation, Drawing, Family, Spread, Varied};
+use crate::derivation::{Claim, Dependence, Derivation, Drawing, Family, Form, Spread, Varied};
 use crate::expr::{Expr, Leaf};
 use crate::latex::RelationKind;
 use crate::number::Bounded;
@@ -30,6 +30,17 @@ pub(super) struct Members {
     kinds: Vec<RelationKind>,
     /// The sides, then what must be positive; nothing where members need satisfy nothing.
     tape: Option<Tape>,
+}
+
+/// A scaling law along something that varies.
+pub(super) struct Law {
+    /// Its position among what varies.
+    pub varied: usize,
+    pub scale: Scale,
+    /// The power that is claimed.
+    pub power: f64,
+    /// How far it may be off.
+    pub to: f64,
 }
 
 /// What a number gives.
@@ -84,29 +95,43 @@ impl Members {
 
     /// The two scales of the map, if it has one: across, and up.
     pub fn scales(&self) -> Option<[Scale; 2]> {
-        let scale = |n: usize| {
-            let (varied, numbers) = (self.family.vary.get(n)?, self.numbers.get(n)?);
-            let at = |position: u64| match &varied.spread {
-                Spread::Grid { count, logarithmic, .. } => {
-                    on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
-                }
-                Spread::Values(_)
-                | Spread::Uniform(..)
-                | Spread::LogUniform(..)
-                | Spread::Polar(..)
-                | Spread::Normal(..) => f64::NAN,
-            };
-            Some(Scale::new(&varied.name, &varied.spread, numbers, &at))
-        };
         let [across, up] = self.family.map?;
-        Some([scale(across)?, scale(up)?])
+        Some([self.scale(across)?, self.scale(up)?])
+    }
+
+    /// The scale of something that varies.
+    pub fn scale(&self, varied: usize) -> Option<Scale> {
+        let (of, numbers) = (self.family.vary.get(varied)?, self.numbers.get(varied)?);
+        let at = |position: u64| match &of.spread {
+            Spread::Grid { count, logarithmic, .. } => {
+                on_grid((numbers[0], numbers[1]), (position, *count), *logarithmic)
+            }
+            Spread::Values(_)
+            | Spread::Uniform(..)
+            | Spread::LogUniform(..)
+            | Spread::Polar(..)
+            | Spread::Normal(..) => f64::NAN,
+        };
+        Some(Scale::new(&of.name, &of.spread, numbers, &at))
+    }
+
+    /// The cell of a scale in which a member lies.
+    pub fn place(&self, scale: &Scale, varied: usize, number: u64, values: &[f64]) -> Option<usize> {
+        Some(scale.place(*self.positions(number).get(varied)?, *values.get(varied)?))
+    }
+
+    /// The scaling law that a claim is, along something that varies here.
+    pub fn law(&self, claim: &Claim) -> Option<Law> {
+        let Some(Form::Across(across)) = claim.forms.first() else { return None };
+        let Dependence::Power { power, to } = across.dependence else { return None };
+        let varied = self.family.vary.iter().position(|v| v.leaf == across.with)?;
+        Some(Law { varied, scale: self.scale(varied)?, power, to })
     }
 
     /// The cell of the map in which a member lies.
     pub fn cell(&self, scales: &[Scale; 2], number: u64, values: &[f64]) -> Option<usize> {
         let [across, up] = self.family.map?;
-        let positions = self.positions(number);
-        let place = |scale: &Scale, n: usize| Some(scale.place(*positions.get(n)?, *values.get(n)?));
+        let place = |scale: &Scale, n: usize| self.place(scale, n, number, values);
         Some(place(&scales[1], up)? * scales[0].axis.cells.len() + place(&scales[0], across)?)
     }
 

@@ -14,12 +14,12 @@ use super::beside::{Beside, compared_with};
 use super::boundary::{self, Found, Width};
 use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::map::Scale;
-use super::member::{MOST_DRAWS, Member, Members};
+use super::member::{Law, MOST_DRAWS, Member, Members};
 use super::separate::{Checker, separations};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
-use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Sums, Tally};
+use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
 use crate::findings::{ClaimAccount, Measurement, PairAccount};
 use crate::flow::Motion;
 use crate::verdict::Verdict;
@@ -154,14 +154,17 @@ impl Families {
             for (place, (n, (tally, claim))) in places.into_iter().zip(tallies.iter().zip(&asked).enumerate()) {
                 let expected = claim.families.iter().position(|f| *f == at).and_then(|i| claim.expect_of_families[i]);
                 let (size, precision) = (members.family.size(), claim.precision);
+                let law = members.law(claim);
                 // A map of another size is none of this family.
-                if tally.map.len() != scales.as_ref().map_or(0, cells) {
+                let sizes = (scales.as_ref().map_or(0, cells), law.as_ref().map_or(0, |l| l.scale.axis.cells.len()));
+                if (tally.map.len(), tally.slopes.cells.len()) != sizes {
                     return Err(troupe.otherwise(Otherwise(1), joined.is_some()));
                 }
                 let scales = scales.as_ref();
                 let (stopped, boundary) = (stopped.as_deref(), boundaries[n].as_ref());
                 let separation = separations[n].as_ref();
-                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation };
+                let law = law.as_ref().map(|law| (&law.scale, law.power, law.to));
+                let counted = Counted { size, precision, tally, scales, boundary, stopped, separation, law };
                 let member = |number: u64| {
                     let one: &One = again.get(&number)?;
                     Some((one.values.as_deref()?, one.verdicts.get(n)?))
@@ -296,9 +299,15 @@ impl<'a> Troupe<'a> {
         let prepared = self.prepared();
         let claims = &self.derivation.claims;
         let scales = self.members.scales();
-        let empty = Tally { map: vec![[0; 4]; scales.as_ref().map_or(0, cells)], ..Tally::default() };
+        let laws: Vec<Option<Law>> = claims.iter().map(|claim| self.members.law(claim)).collect();
+        let map = vec![[0; 4]; scales.as_ref().map_or(0, cells)];
+        let empty = |law: &Option<Law>| Tally {
+            map: map.clone(),
+            slopes: Slopes::empty(law.as_ref().map_or(0, |law| law.scale.axis.cells.len())),
+            ..Tally::default()
+        };
         let distributions = vec![Distribution::default(); self.derivation.measures.len()];
-        let mut sums = Sums { tallies: vec![empty; claims.len()], distributions };
+        let mut sums = Sums { tallies: laws.iter().map(empty).collect(), distributions };
         let (first, last) = numbers.into_inner();
         let mut next = first;
         while next <= last {
@@ -332,10 +341,14 @@ impl<'a> Troupe<'a> {
                         distribution.count(number, found, of.reason.is_some());
                     }
                     each(&Row { number, values: &values, verdicts: &verdicts, measured: &measured });
-                    let of_claims = sums.tallies.iter_mut().zip(claims).zip(&verdicts);
-                    for ((tally, claim), verdict) in of_claims {
+                    let of_claims = sums.tallies.iter_mut().zip(claims).zip(&laws).zip(&verdicts);
+                    for (((tally, claim), law), verdict) in of_claims {
                         tally.count(number, verdict, claim.precision);
                         cell.iter().for_each(|cell| tally.locate(*cell, verdict));
+                        if let (Some(law), Some(rise)) = (law, &verdict.evidence().rise) {
+                            let cell = self.members.place(&law.scale, law.varied, number, &values);
+                            cell.iter().for_each(|cell| tally.slopes.count(*cell, rise));
+                        }
                     }
                 }
             }

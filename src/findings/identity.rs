@@ -54,9 +54,10 @@ pub struct Place {
     pub left: String,
     /// The right side.
     pub right: String,
-    /// LaTeX name and value of everything that the sides depend on; `\cos x` and `\sin x` where these are rational and x is
-    /// not.
+    /// LaTeX name and value of everything that the sides name; `\cos x` and `\sin x` where these are rational and x is not.
     pub point: Vec<(String, String)>,
+    /// The same of what the premises ask for beyond that.
+    pub beyond: Vec<(String, String)>,
 }
 
 /// What is asked.

@@ -377,6 +377,8 @@ pub enum Least {
     Product,
     /// Only what is one factor.
     Factor,
+    /// Nothing: there are parentheses.
+    Never,
 }
 
 /// How tightly a formula holds together: what it may stand beside without parentheses. Every writer of formulas asks here.

@@ -1,9 +1,11 @@
 //! Syntax trees as LaTeX, as near as possible to what was written.
 //!
-//! A tree that came from a text reads back as the same tree, up to places. A tree that was altered gets the parentheses
-//! that it needs; whether the result is clear enough to be read is for the reader to say.
+//! A tree that came from a text reads back as the same tree, up to places, and where derivatives occur up to parentheses around
+//! them and what they act on, and to dots between factors. A tree that was altered gets the parentheses that it needs: how far a derivative reaches can be seen,
+//! and what is printed of products of derivatives is read as the same products.
 
 use super::name;
+use super::parse::MOST_PRIMES;
 use super::syntax::{
     Bracket, Chain, Least, Nabla, Node, NodeKind, PartialForm, RelationKind, Sign, SubItem, SymbolNode, Target,
     tightness,
@@ -69,7 +71,7 @@ impl Text {
     }
 
     fn node(&mut self, node: &Node, least: Least) {
-        if tightness(node) < least {
+        if tightness(node) < least || least > Least::Dot && has_dots(node) {
             self.put("(");
             self.bare(node);
             self.put(")");
@@ -85,6 +87,22 @@ impl Text {
             }
             self.node(node, least);
         }
+    }
+
+    /// Parts with something between them. What has no visible end gets parentheses where something follows it.
+    fn followed(&mut self, nodes: &[Node], between: &str, least: Least) {
+        for (i, node) in nodes.iter().enumerate() {
+            if i > 0 {
+                self.put(between);
+            }
+            let fits = i + 1 == nodes.len() || end(node) == End::Seen;
+            self.node(node, if fits { least } else { Least::Never });
+        }
+    }
+
+    /// What a derivative acts on: a power would be one of the derivative as well, and digits look like its order.
+    fn operand(&mut self, of: &Node) {
+        self.node(of, if is_raised(of) || of.begins_with_number() { Least::Never } else { Least::Factor });
     }
 
     fn braced(&mut self, node: &Node) {
@@ -111,8 +129,8 @@ impl Text {
             }
             NodeKind::Scripted { base, sub, sup, sup_first } => {
                 match &base.kind {
-                    NodeKind::Symbol(s) if s.arguments.is_none() => self.braced(base),
-                    _ => self.node(base, Least::Factor),
+                    NodeKind::Symbol(s) if s.arguments.is_none() && s.sup.is_none() => self.braced(base),
+                    _ => self.node(base, if is_one_piece(base) { Least::Factor } else { Least::Never }),
                 }
                 self.scripts(sub.as_deref(), sup.as_deref(), *sup_first);
             }
@@ -129,20 +147,22 @@ impl Text {
                 }
             }
             NodeKind::Product(parts) => {
+                let fits = fitting(parts);
                 for (i, part) in parts.iter().enumerate() {
-                    if let Some(before) = i.checked_sub(1).map(|i| &parts[i]) {
-                        self.put(between(before, part));
+                    if let Some(before) = i.checked_sub(1) {
+                        self.put(between((&parts[before], fits[before]), (part, fits[i])));
                     }
-                    self.node(part, Least::Factor);
+                    self.node(part, if fits[i] { Least::Factor } else { Least::Never });
                 }
             }
-            NodeKind::Dot(parts) => self.joined(parts, r"\cdot", Least::Cross),
+            NodeKind::Dot(parts) => self.followed(parts, r"\cdot", Least::Cross),
             NodeKind::Cross { left, right, bracket } => {
                 let (open, middle, close, least) =
                     if *bracket { ("[", ",", "]", Least::Sum) } else { ("", r"\times", "", Least::Product) };
                 self.put(open);
                 // `a\times b\times c` of numbers.
-                self.node(left, if *bracket { least } else { Least::Cross });
+                let before = if *bracket { least } else { Least::Cross };
+                self.node(left, if *bracket || end(left) == End::Seen { before } else { Least::Never });
                 self.put(middle);
                 self.node(right, least);
                 self.put(close);
@@ -153,8 +173,8 @@ impl Text {
                 self.braced(bottom);
             }
             NodeKind::Quotient { top, bottom, slash: true } => {
-                let slashed = matches!(top.kind, NodeKind::Quotient { slash: true, .. });
-                self.node(top, if slashed { Least::Factor } else { Least::Product });
+                let fits = end(top) == End::Seen && !ends_with_bare_argument(top);
+                self.node(top, if fits { Least::Product } else { Least::Never });
                 self.put("/");
                 self.node(bottom, Least::Factor);
             }
@@ -187,7 +207,7 @@ impl Text {
                 self.put(d);
                 self.put(&power);
                 if !operator {
-                    self.node(of, Least::Factor);
+                    self.operand(of);
                 }
                 self.put("}{");
                 self.put(d);
@@ -195,7 +215,7 @@ impl Text {
                 self.put(&power);
                 self.put("}");
                 if *operator {
-                    self.node(of, Least::Factor);
+                    self.operand(of);
                 }
             }
             NodeKind::Partial { of, by, form } => {
@@ -210,13 +230,13 @@ impl Text {
                         self.put(&power(run.len()));
                     }
                     self.put(" ");
-                    return self.node(of, Least::Factor);
+                    return self.operand(of);
                 }
                 self.put(r"\frac{\partial");
                 self.put(&power(by.len()));
                 self.put(" ");
                 if *form == PartialForm::Fraction {
-                    self.node(of, Least::Factor);
+                    self.operand(of);
                 }
                 self.put("}{");
                 for run in runs {
@@ -226,7 +246,7 @@ impl Text {
                 }
                 self.put("}");
                 if *form == PartialForm::Operator {
-                    self.node(of, Least::Factor);
+                    self.operand(of);
                 }
             }
             NodeKind::Nabla { of, action } => {
@@ -235,7 +255,7 @@ impl Text {
                     Nabla::Following { fraction: false } => self.put(r"\frac{D}{Dt}"),
                     Nabla::Following { fraction: true } => {
                         self.put(r"\frac{D");
-                        self.node(of, Least::Factor);
+                        self.operand(of);
                         return self.put("}{Dt}");
                     }
                     Nabla::Gradient => self.put(r"\nabla "),
@@ -249,11 +269,12 @@ impl Text {
                         self.put(r"\cdot\nabla)");
                     }
                 }
-                self.node(of, Least::Factor);
+                self.operand(of);
             }
             NodeKind::Variation { of, by } => {
                 self.put(r"\frac{\delta ");
-                self.node(of, Least::Factor);
+                let named = matches!(of.kind, NodeKind::Symbol(_) | NodeKind::Group(..)) && !is_raised(of);
+                self.node(of, if named { Least::Factor } else { Least::Never });
                 self.put(r"}{\delta ");
                 self.node(by, Least::Factor);
                 self.put("}");
@@ -270,7 +291,7 @@ impl Text {
                 self.node(of, Least::Factor);
             }
             NodeKind::At { of, time, bar: None } => {
-                self.node(of, Least::Factor);
+                self.node(of, if end(of) == End::Seen { Least::Factor } else { Least::Never });
                 self.put("(");
                 self.node(time, Least::Sum);
                 self.put(")");
@@ -338,7 +359,15 @@ impl Text {
                 let as_it_is = match &one.kind {
                     NodeKind::Symbol(s) => s.sup.is_none(),
                     NodeKind::Scripted { sup, .. } => sup.is_none(),
-                    NodeKind::Function(..) | NodeKind::Matrix(_) | NodeKind::Cross { .. } => false,
+                    NodeKind::Function(..) | NodeKind::Matrix(_) | NodeKind::Cross { .. } | NodeKind::Poisson(..) => {
+                        false
+                    }
+                    NodeKind::Product(parts) => parts.iter().all(is_letter_or_number) && !has_dots(one),
+                    _ if end(one) != End::Seen
+                        || matches!(one.kind, NodeKind::Partial { .. } | NodeKind::Nabla { .. }) =>
+                    {
+                        false
+                    }
                     _ => {
                         tightness(one) >= Least::Product && !matches!(one.kind, NodeKind::Quotient { slash: true, .. })
                     }
@@ -364,8 +393,10 @@ impl Text {
             self.put(&format!(r"\{}ot", "d".repeat(usize::from(s.dots))));
         }
         self.put(&name::to_latex(&s.name));
-        if s.primed {
-            self.put(&"'".repeat(usize::from(s.dots)));
+        match s.dots {
+            n if s.primed && usize::from(n) > MOST_PRIMES => self.put(&format!("^{{({n})}}")),
+            n if s.primed => self.put(&"'".repeat(usize::from(n))),
+            _ => {}
         }
         self.scripts(s.sub.as_deref(), s.sup.as_deref(), s.sup_first);
         if let Some(arguments) = &s.arguments {
@@ -400,33 +431,160 @@ impl Text {
 }
 
 /// What stands between two factors, so that they are read as two factors.
-fn between(before: &Node, after: &Node) -> &'static str {
+///
+/// Of each it is known whether it stands there without parentheses that the writer adds.
+fn between((before, bare): (&Node, bool), (after, fits): (&Node, bool)) -> &'static str {
     // `x(y)` would be a value of x, `x2` no product that is printed.
     let number = matches!(before.kind, NodeKind::Number(_));
     let mixed = number && matches!(after.kind, NodeKind::Quotient { slash: false, .. }) && after.is_numeric();
-    // Nobody could say how far such a derivative reaches; the reader refuses it.
-    let open = match &before.kind {
-        NodeKind::Derivative { of, operator: true, .. }
-        | NodeKind::Partial { of, form: PartialForm::Operator | PartialForm::Subscript, .. }
-        | NodeKind::Nabla { of, .. } => {
-            let closed = matches!(before.kind, NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. });
-            !closed && !matches!(of.kind, NodeKind::Group(..))
-        }
-        _ => false,
-    };
-    if open || after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
+    if bare && end(before) == End::Clear {
+        return "";
+    }
+    let derivative = names_derivative(before) || matches!(before.kind, NodeKind::Poisson(..));
+    // Behind what shows what it depends on, it could be a value at a time or place.
+    if !fits || (!bare || derivative || names_derivative(after)) && begins_with_parenthesis(after) {
+        return r"\cdot ";
+    }
+    if after.begins_with_number() || mixed || !before.is_numeric() && could_be_argument(after) {
         return r"\cdot ";
     }
     // A space that is printed ends the argument of a function.
-    let bare = match &before.kind {
+    let ends_alike = matches!(after.kind, NodeKind::Function(..));
+    if bare && ends_with_bare_argument(before) && !ends_alike { r"\," } else { "" }
+}
+
+/// Whether a formula ends with the argument of a function that stands without parentheses.
+fn ends_with_bare_argument(node: &Node) -> bool {
+    match &node.kind {
         NodeKind::Function(name, _, arguments) => {
             super::parse::takes_bare_argument(name)
                 && matches!(arguments.as_slice(), [one] if !matches!(one.kind, NodeKind::Group(..) | NodeKind::Absolute(_) | NodeKind::Matrix(_)))
         }
+        NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.last().is_some_and(ends_with_bare_argument),
         _ => false,
-    };
-    let ends_alike = matches!(after.kind, NodeKind::Function(..));
-    if bare && !ends_alike { r"\," } else { "" }
+    }
+}
+
+/// Whether the end of a formula can be seen in print.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    /// Anything may follow.
+    Seen,
+    /// A derivative of a symbol: another derivative may follow.
+    Clear,
+    /// Nobody could say how far its last derivative reaches, or what belongs to its denominator: the reader refuses it.
+    Open,
+}
+
+/// How a formula ends that is printed without parentheses around it.
+fn end(node: &Node) -> End {
+    match &node.kind {
+        NodeKind::Product(parts) | NodeKind::Dot(parts) => parts.last().map_or(End::Seen, end),
+        NodeKind::Cross { right, bracket: false, .. } => end(right),
+        NodeKind::Quotient { slash: true, .. } => End::Open,
+        NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. }
+        | NodeKind::Partial { form: PartialForm::Fraction, .. }
+        | NodeKind::Derivative { operator: false, .. } => End::Seen,
+        NodeKind::Derivative { of, .. } | NodeKind::Partial { of, .. } | NodeKind::Nabla { of, .. } => match &of.kind {
+            _ if tightness(of) < Least::Factor || is_raised(of) || of.begins_with_number() => End::Seen,
+            NodeKind::Group(..) => End::Seen,
+            NodeKind::Symbol(s) if s.arguments.is_some() => End::Clear,
+            _ if matches!(node.kind, NodeKind::Derivative { .. }) => End::Open,
+            NodeKind::Poisson(..) => End::Seen,
+            NodeKind::Symbol(_)
+            | NodeKind::Nabla { action: Nabla::Following { fraction: true }, .. }
+            | NodeKind::Partial { form: PartialForm::Fraction, .. } => End::Clear,
+            NodeKind::Partial { .. } | NodeKind::Nabla { .. } => end(of),
+            _ => End::Open,
+        },
+        _ => End::Seen,
+    }
+}
+
+/// Of each factor, whether the next one may follow it as it is: otherwise it gets parentheses.
+fn fitting(parts: &[Node]) -> Vec<bool> {
+    let mut fits = vec![true; parts.len()];
+    for at in (1..parts.len()).rev() {
+        let (before, after) = (&parts[at - 1], &parts[at]);
+        let derivative = match &after.kind {
+            NodeKind::Derivative { .. } | NodeKind::Partial { .. } => true,
+            NodeKind::Nabla { action, .. } => {
+                !matches!(action, Nabla::Along(_) | Nabla::Following { .. } | Nabla::Laplacian { delta: true })
+            }
+            _ => false,
+        };
+        fits[at - 1] = match end(before) {
+            End::Seen => !ends_with_bare_argument(before) || fits[at] && !begins_with_parenthesis(after),
+            End::Clear => derivative && fits[at],
+            End::Open => false,
+        };
+    }
+    fits
+}
+
+/// Whether the factors of a product are joined by dots, in part at least.
+fn has_dots(node: &Node) -> bool {
+    let NodeKind::Product(parts) = &node.kind else { return false };
+    let fits = fitting(parts);
+    let joint = |at: usize| between((&parts[at - 1], fits[at - 1]), (&parts[at], fits[at]));
+    (1..parts.len()).any(|at| joint(at) == r"\cdot ")
+}
+
+/// Whether a factor is printed with a parenthesis first.
+fn begins_with_parenthesis(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Group(_, Bracket::Round) | NodeKind::Tuple(_) => true,
+        NodeKind::Nabla { action: Nabla::Along(_), .. } => true,
+        NodeKind::Scripted { base, .. } => !is_one_piece(base) || begins_with_parenthesis(base),
+        NodeKind::At { of, bar: None, .. } => end(of) != End::Seen || begins_with_parenthesis(of),
+        _ => tightness(node) < Least::Factor,
+    }
+}
+
+/// Whether a derivative occurs in something.
+fn names_derivative(node: &Node) -> bool {
+    let is_one = matches!(
+        node.kind,
+        NodeKind::Partial { .. } | NodeKind::Nabla { .. } | NodeKind::Derivative { .. } | NodeKind::Variation { .. }
+    );
+    is_one || node.children().into_iter().any(names_derivative)
+}
+
+/// What stands in an argument without parentheses beside others.
+fn is_letter_or_number(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Number(_) | NodeKind::Pi => true,
+        NodeKind::Symbol(s) => s.sup.is_none() && s.arguments.is_none(),
+        _ => false,
+    }
+}
+
+/// Whether a script behind something belongs to all of it.
+fn is_one_piece(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Partial { .. }
+        | NodeKind::Nabla { .. }
+        | NodeKind::Derivative { .. }
+        | NodeKind::Variation { .. }
+        | NodeKind::Quotient { .. }
+        | NodeKind::Root(..)
+        | NodeKind::Exponential { .. }
+        | NodeKind::Factorial(_)
+        | NodeKind::Scripted { .. }
+        | NodeKind::At { bar: Some(_), .. } => false,
+        NodeKind::Function(name, power, _) => power.is_none() && super::parse::whole_part(name).is_some(),
+        NodeKind::Symbol(s) => s.sup.is_none(),
+        _ => true,
+    }
+}
+
+/// Whether something has a power.
+fn is_raised(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Symbol(s) => s.sup.is_some(),
+        NodeKind::Scripted { sup, .. } => sup.is_some(),
+        _ => false,
+    }
 }
 
 /// Whether something in parentheses could be the argument of what stands before it.
@@ -438,7 +596,8 @@ fn could_be_argument(node: &Node) -> bool {
             _ => true,
         },
         // With indices it is no time.
-        NodeKind::Scripted { base, sub, .. } => sub.is_none() && could_be_argument(base),
+        NodeKind::Scripted { base, sub, .. } => sub.is_none() && (!is_one_piece(base) || could_be_argument(base)),
+        NodeKind::Nabla { action: Nabla::Along(_), .. } => true,
         NodeKind::Number(r) => *r < Rational::ZERO,
         NodeKind::Sum(_) => node.is_numeric(),
         // What gets its parentheses from the writer.
@@ -473,3 +632,6 @@ fn number(r: &Rational) -> String {
     let (whole, fraction) = padded.split_at(padded.len() - places);
     format!("{sign}{whole}.{fraction}")
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,6 +20,8 @@ pub struct Memory {
     open: Vec<(Asked, Reason)>,
     /// Questions that the present one has led to so far.
     led_to: usize,
+    /// How many nodes the graph had when the first question was asked.
+    begun: usize,
     pub(super) structure: Rc<RefCell<Structure>>,
 }
 
@@ -52,11 +54,19 @@ impl Asked {
 /// Most questions that one may lead to: each may lead to as many again, at each depth.
 const MOST_QUESTIONS: usize = 160;
 
+/// Most nodes that all of them may make: as many as a few single questions are allowed.
+const MOST_MADE: usize = 60_000;
+
 impl Memory {
-    /// Whether one more question may be asked, `depth` questions below the first one, with which counting begins.
-    pub(super) fn may_ask(&mut self, depth: u32) -> bool {
-        self.led_to = if depth == 0 { 0 } else { self.led_to + 1 };
-        self.led_to <= MOST_QUESTIONS
+    /// Whether one more question may be asked, `depth` questions below the first one, with which counting begins; the graph has so
+    /// many nodes now.
+    pub(super) fn may_ask(&mut self, depth: u32, nodes: usize) -> bool {
+        if depth == 0 {
+            (self.led_to, self.begun) = (0, nodes);
+            return true;
+        }
+        self.led_to += 1;
+        self.led_to <= MOST_QUESTIONS && nodes.saturating_sub(self.begun) <= MOST_MADE
     }
 
     pub(super) fn why_open(&self, asked: &Asked) -> Option<Reason> {

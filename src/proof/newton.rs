@@ -285,5 +285,6 @@ fn judged(
         .zip(&place.exact)
         .zip(&place.boxes)
         .map(|((&leaf, exact), b)| (leaf, PointValue { exact: exact.clone(), circle: None, decimal: b.mid() }));
-    Some(Refutation { equation, point: Point { values: point.collect() }, left: side(l), right: side(r), second: None })
+    let point = Point { values: point.collect() };
+    Some(Refutation { equation, point, named: Vec::new(), left: side(l), right: side(r), second: None })
 }

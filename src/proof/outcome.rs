@@ -161,6 +161,8 @@ pub struct Refutation {
     pub equation: usize,
     /// The point.
     pub point: Point,
+    /// What the sides name. The other values of a point are what the premises ask for.
+    pub named: Vec<Leaf>,
     /// Left side there.
     pub left: Side,
     /// Right side there.
@@ -168,6 +170,21 @@ pub struct Refutation {
     /// Another point that satisfies the premises, with another difference of the sides: the premises do not fix it.
     pub second: Option<(Point, Side, Side)>,
 }
+
+impl Refutation {
+    /// The values of one of its points that the sides name, and those that the premises ask for beyond that. A point of few values, or
+    /// whose values are all of the second kind, is not parted.
+    pub fn parted<'p>(&self, point: &'p Point) -> [Vec<&'p (Leaf, PointValue)>; 2] {
+        let (named, beyond): (Vec<_>, Vec<_>) = point.values.iter().partition(|(leaf, _)| self.named.contains(leaf));
+        match named.is_empty() || point.values.len() <= FEW_VALUES {
+            true => [point.values.iter().collect(), Vec::new()],
+            false => [named, beyond],
+        }
+    }
+}
+
+/// A point of no more values is shown as a whole.
+const FEW_VALUES: usize = 8;
 
 /// Why an identity is undecided.
 #[derive(Clone, Debug, PartialEq)]

@@ -79,12 +79,16 @@ pub(super) fn identity_at(
     options: &Options,
     depth: u32,
 ) -> Identity {
-    if !memory.may_ask(depth) {
+    if !memory.may_ask(depth, graph.len()) {
         return Identity::Undecided(Reason::TooLarge);
     }
     match decide(memory, graph, equations, given, options) {
         Ok(proof) => Identity::Proved(proof),
-        Err(Stop::Refuted(refutation)) => Identity::Refuted(refutation),
+        Err(Stop::Refuted(mut refutation)) => {
+            let sides = equations.get(refutation.equation).map(|&(l, r)| [l, r]);
+            refutation.named = graph.leaves(sides.into_iter().flatten());
+            Identity::Refuted(refutation)
+        }
         Err(Stop::Undecided(reason) | Stop::Empty(reason, _)) => {
             let settled = settle(memory, graph, equations, given, (options, depth), &reason);
             settled.unwrap_or(Identity::Undecided(reason))

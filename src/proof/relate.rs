@@ -31,6 +31,8 @@ use std::collections::BTreeMap;
 
 type Pairs = Vec<(Expr, Expr)>;
 
+/// Points that are tried for a question of which only a proof is wanted.
+const FEW_POINTS: u32 = 12;
 /// Questions within questions.
 pub(super) const DEEPEST: u32 = 4;
 /// Pairs of arguments that are compared.
@@ -191,6 +193,7 @@ fn numbers(
                 let refutation = Refutation {
                     equation: at,
                     point: Point { values: Vec::new() },
+                    named: Vec::new(),
                     left: side(0)?,
                     right: side(1)?,
                     second: None,
@@ -263,9 +266,10 @@ struct Related<'a> {
 }
 
 impl Related<'_> {
-    /// Whether an equation is proved, with these premises.
+    /// Whether an equation is proved, with these premises. What is false need not be refuted, so few points are tried.
     fn proves(&mut self, equation: (Expr, Expr), given: &Premises) -> bool {
-        match identity_at(self.memory, self.graph, &[equation], given, self.options, self.depth + 1) {
+        let options = Options { attempts: self.options.attempts.min(FEW_POINTS), ..*self.options };
+        match identity_at(self.memory, self.graph, &[equation], given, &options, self.depth + 1) {
             Identity::Proved(proof) => {
                 match &mut self.proof {
                     Some(all) => all.absorb(proof),

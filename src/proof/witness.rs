@@ -586,7 +586,7 @@ pub(super) fn refutation(found: &[Found]) -> Option<Refutation> {
         .find(|f| (gap(f) - gap(best)).abs() > 1e-6 * gap(best).abs())
         .map(|f| (f.point.clone(), f.sides[equation].0.clone(), f.sides[equation].1.clone()));
     let (left, right) = best.sides[equation].clone();
-    Some(Refutation { equation, point: best.point.clone(), left, right, second })
+    Some(Refutation { equation, point: best.point.clone(), named: Vec::new(), left, right, second })
 }
 
 /// The first of these expressions that may vanish at a point; what has no value there counts as not vanishing.

@@ -10,8 +10,8 @@
 use crate::expr::{Expr, Graph, Leaf};
 use findings::{Counterexample, IdentityEvidence, Place, Trials};
 use proof::{
-    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, Premises, Proof, Reason,
-    Refutation, Side, branches_test, by_domain, certify, identity_test,
+    Branches, Certificate, Condition, Effort, Identity, NoCertificate, Options, Point, PointValue, Premises, Proof,
+    Reason, Refutation, Side, branches_test, by_domain, certify, identity_test,
 };
 
 /// A formula with ±: the leaf that stands for the sign, and what is claimed of it.
@@ -227,8 +227,10 @@ fn side(side: &Side) -> String {
 }
 
 fn counterexample(graph: &Graph, refutation: &Refutation) -> Counterexample {
-    let place =
-        |p: &Point, left: &Side, right: &Side| Place { left: side(left), right: side(right), point: point(graph, p) };
+    let place = |p: &Point, left: &Side, right: &Side| {
+        let [point, beyond] = refutation.parted(p).map(|values| self::point(graph, &values));
+        Place { left: side(left), right: side(right), point, beyond }
+    };
     Counterexample {
         equation: refutation.equation,
         first: place(&refutation.point, &refutation.left, &refutation.right),
@@ -236,9 +238,9 @@ fn counterexample(graph: &Graph, refutation: &Refutation) -> Counterexample {
     }
 }
 
-fn point(graph: &Graph, point: &Point) -> Vec<(String, String)> {
+fn point(graph: &Graph, values: &[&(Leaf, PointValue)]) -> Vec<(String, String)> {
     let mut out = Vec::new();
-    for (leaf, value) in &point.values {
+    for (leaf, value) in values {
         let name = graph.leaf_latex(*leaf);
         match (&value.exact, &value.circle) {
             (Some(r), _) => out.push((name, r.to_string())),

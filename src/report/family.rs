@@ -3,7 +3,7 @@
 use super::conditions::explanation_in_words;
 use super::numbers::{count, size, time, value};
 use crate::derivation::{Claim, Dependence, End, Event, Form, Measure};
-use findings::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES};
+use findings::family::{FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount};
 use findings::{FamilyAccount, MemberAccount};
 
 /// What a claim says of a quantity of members, for the heading of its formula, without an end; names are formulas between dollars.
@@ -113,7 +113,28 @@ fn confidence(family: &FamilyAccount) -> Option<String> {
 /// What is said of a family beside its counts, each a sentence without its end; names are formulas between dollars.
 pub(super) fn remarks(family: &FamilyAccount) -> Vec<String> {
     let found = confidence(family).into_iter().chain(family.map.as_ref().and_then(boundary));
-    found.chain(family.separation.as_ref().map(separation)).collect()
+    found.chain(family.slope.as_ref().map(slope)).chain(family.separation.as_ref().map(separation)).collect()
+}
+
+/// The slope of a scaling law over all members, and whether the claimed power lies in it: a sentence without its end.
+fn slope(found: &SlopeAccount) -> String {
+    let rounded = |x: f64| value(format!("{x:.5e}").parse().unwrap_or(x));
+    let error = found.standard_error.map(|e| format!(" ± {e:.1e} (standard error)")).unwrap_or_default();
+    let bound = if found.bound > 0.0 {
+        format!(", errors of the quantities up to {:.1e} aside", found.bound)
+    } else {
+        String::new()
+    };
+    let lies =
+        if found.contains { "lies within two standard errors" } else { "does not lie within two standard errors" };
+    format!(
+        "over {}, least squares give the slope {}{error}{bound}: the claimed power {} {lies}; single slopes are between {} and {}",
+        count(usize::try_from(found.pairs).unwrap_or(usize::MAX), "pair"),
+        rounded(found.slope),
+        value(found.power),
+        rounded(found.least),
+        rounded(found.greatest),
+    )
 }
 
 /// Which condition separates the members, and what it says of fresh ones: a sentence without its end; names are formulas between

@@ -11,7 +11,7 @@ use crate::derivation::{ClaimRole, Derivation};
 use ::paper::Comparison;
 use diag::shown::in_json;
 use findings::family::{
-    Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES,
+    Axis, Boundary, Exception, ExtremeAccount, FamilyMap, FamilySeparation, MeasureAccount, SHARES, SlopeAccount,
 };
 use findings::{Account, ClaimAccount, FamilyAccount, MemberAccount, PairAccount, Trials, Witness};
 
@@ -289,7 +289,28 @@ fn on_family(family: &FamilyAccount) -> Value {
     if let Some(found) = &family.separation {
         out["separation"] = separation(found);
     }
+    if let Some(found) = &family.slope {
+        out["slope"] = slope(found);
+    }
     out
+}
+
+/// The slope of a scaling law over a family.
+fn slope(of: &SlopeAccount) -> Value {
+    let cells = of.cells.iter().map(|c| json!([number(c.value), number(c.least), number(c.greatest)]));
+    json!({
+        "with": of.with,
+        "pairs": of.pairs,
+        "slope": number(of.slope),
+        "standard_error": of.standard_error.map(number),
+        "bound": number(of.bound),
+        "least": number(of.least),
+        "greatest": number(of.greatest),
+        "power": number(of.power),
+        "to": number(of.to),
+        "contains_power": of.contains,
+        "cells": cells.collect::<Vec<_>>(),
+    })
 }
 
 /// What separates the members of a family.

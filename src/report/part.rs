@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use derivation::Derivation;
-use findings::family::{Counts, Distribution, Part, Ranked, Swept, SweptClaim, SweptMeasure, Tally};
+use findings::family::{Counts, Distribution, Part, Ranked, Slopes, Swept, SweptClaim, SweptMeasure, Tally};
 
 /// A hash in hexadecimal digits.
 fn digits(hash: Sha256) -> String {
@@ -21,6 +21,19 @@ fn digits(hash: Sha256) -> String {
 /// A number as text, from which the same number is read: JSON has no infinity.
 fn ranked(of: Option<Ranked>) -> Value {
     of.map_or(Value::Null, |r| json!({ "number": r.number, "measure": format!("{:?}", r.measure) }))
+}
+
+/// Whole numbers that are too long for JSON are texts, as numbers are that need all their bits.
+fn slopes(of: &Slopes) -> Value {
+    let whole = |sums: &[i128]| sums.iter().map(i128::to_string).collect::<Vec<_>>();
+    let cell =
+        |cell: &Option<(f64, f64)>| cell.map(|(least, greatest)| [format!("{least:?}"), format!("{greatest:?}")]);
+    json!({
+        "pairs": of.pairs,
+        "sums": whole(&of.sums),
+        "errors": whole(&of.errors),
+        "cells": of.cells.iter().map(cell).collect::<Vec<_>>(),
+    })
 }
 
 /// The file of a part: a head, a line for each claim, and a last line that closes it.
@@ -51,6 +64,9 @@ pub fn part_text(derivation: &Derivation, swept: &Swept) -> String {
         });
         if !c.tally.map.is_empty() {
             line["map"] = json!(c.tally.map);
+        }
+        if c.tally.slopes != Slopes::default() {
+            line["slopes"] = slopes(&c.tally.slopes);
         }
         line
     };
@@ -114,6 +130,24 @@ fn cells(of: &Value) -> Option<Vec<[u64; 4]>> {
     of.as_array()?.iter().map(counts).collect()
 }
 
+fn read_slopes(of: &Value) -> Option<Slopes> {
+    let texts = |of: &Value| of.as_array()?.iter().map(|t| t.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>();
+    let whole = |key: &str| -> Option<Vec<i128>> { texts(of.get(key)?)?.iter().map(|t| t.parse().ok()).collect() };
+    let cell = |cell: &Value| match cell {
+        Value::Null => Some(None),
+        pair => match texts(pair)?.as_slice() {
+            [least, greatest] => Some(Some((least.parse().ok()?, greatest.parse().ok()?))),
+            _ => None,
+        },
+    };
+    Some(Slopes {
+        pairs: count(of, "pairs")?,
+        sums: whole("sums")?.try_into().ok()?,
+        errors: whole("errors")?.try_into().ok()?,
+        cells: of.get("cells")?.as_array()?.iter().map(cell).collect::<Option<_>>()?,
+    })
+}
+
 fn rank(of: &Value) -> Option<Ranked> {
     Some(Ranked { number: count(of, "number")?, measure: text(of, "measure")?.parse().ok()? })
 }
@@ -154,6 +188,7 @@ fn claim(of: &Value) -> Option<SweptClaim> {
         first_undecided: or_null(of, "first_undecided", Value::as_u64)?,
         first_defect: or_null(of, "first_defect", Value::as_u64)?,
         map: of.get("map").map_or(Some(Vec::new()), cells)?,
+        slopes: of.get("slopes").map_or(Some(Slopes::default()), read_slopes)?,
     };
     let reading = or_null(of, "reading", |v| v.as_str().map(str::to_owned))?;
     Some(SweptClaim { id: text(of, "claim")?, reading, tally })
@@ -214,6 +249,12 @@ mod tests {
             clearest_failing: Some(Ranked { number: 9, measure: f64::INFINITY }),
             closest_call: Some(Ranked { number: 1 << 40, measure: 0.1 + 0.2 }),
             map: vec![[0; 4], [1 << 60, 5, 0, u64::MAX]],
+            slopes: Slopes {
+                pairs: 6,
+                sums: [i128::MAX, i128::MIN, 0],
+                errors: [1 << 100, 3],
+                cells: vec![None, Some((-0.1, 1e-300))],
+            },
             ..Tally::default()
         };
         let mut distribution = Distribution { rejected: 3, bound: 0.1, ..Distribution::default() };

@@ -103,8 +103,14 @@ fn routes(account: &IdentityAccount) -> String {
 }
 
 fn counterexample(found: &Counterexample, given: bool) -> String {
-    let place = |Place { left, right, point }: &Place| {
-        let values: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let place = |Place { left, right, point, beyond }: &Place| {
+        let mut values: Vec<String> = point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        if !beyond.is_empty() {
+            values.push(format!(
+                "and {} more values, by which what is given holds (--format json lists them)",
+                beyond.len()
+            ));
+        }
         let at = if values.is_empty() { "as it stands".to_owned() } else { format!("at {}", values.join("; ")) };
         format!("{}    left   {left}\n    right  {right}\n", paragraph(&at, 2))
     };
@@ -124,8 +130,12 @@ fn counterexample(found: &Counterexample, given: bool) -> String {
 pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) -> String {
     let evidence = &account.evidence;
     let place = |place: &Place| -> Value {
-        let point: Map<String, Value> =
-            place.point.iter().map(|(name, value)| (name.clone(), Value::String(value.clone()))).collect();
+        let point: Map<String, Value> = place
+            .point
+            .iter()
+            .chain(&place.beyond)
+            .map(|(name, value)| (name.clone(), Value::String(value.clone())))
+            .collect();
         json!({ "left": place.left, "right": place.right, "point": point })
     };
     let document = json!({

@@ -393,7 +393,27 @@ fn family(verdicts: &[&str], expected: &[Value], witness: &Value) -> Value {
         ("fresh", fresh),
         ("exception", or_null(exception)),
     ]);
-    with_optional(family, &[("map", map), ("separation", separation)])
+    let error = json!({ "type": ["number", "null"], "description": "Its standard error; null of one pair" });
+    let slope = object(&[
+        ("with", text("What varies")),
+        ("pairs", whole("Pairs of members that follow one another")),
+        ("slope", number("The slope of the logarithms that fits all pairs best, by least squares")),
+        ("standard_error", error),
+        ("bound", number("By how much errors of the quantities may have moved it")),
+        ("least", number("The least slope of a pair")),
+        ("greatest", number("The greatest slope of a pair")),
+        ("power", number("The power that is claimed")),
+        ("to", number("How far it may be off")),
+        ("contains_power", flag("Whether the claimed power is nearer than two standard errors and the bound")),
+        (
+            "cells",
+            list(json!({
+                "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3,
+                "description": "What varies, in the middle of a cell, and the least and the greatest slope of pairs that begin there"
+            })),
+        ),
+    ]);
+    with_optional(family, &[("map", map), ("separation", separation), ("slope", slope)])
 }
 
 /// What one motion alone could have decided.

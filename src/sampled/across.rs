@@ -26,7 +26,7 @@ use crate::flow::{Incomplete, Points};
 use crate::judged::Tried;
 use crate::latex::RelationKind;
 use crate::number::{Bounded, NoValue, Number};
-use crate::verdict::{Evidence, Finding, Possible};
+use crate::verdict::{Evidence, Finding, Possible, Rise};
 use crate::weigh::weigh;
 use crate::{events, extrapolate};
 use claim::comparison::{Comparison, Group};
@@ -175,6 +175,7 @@ fn rank(finding: &Finding) -> u8 {
 /// Compares two members.
 fn compare(trial: &Trial, across: &Across, ours: &Taking, theirs: &Taking, quantity: Expr) -> Finding {
     let (text, own, q, r) = (&across.of.text, (ours.x, theirs.x), ours.of, theirs.of);
+    let mut rise = None;
     let compared = match across.dependence {
         Dependence::Independent => both(text, q, r, RelationKind::Equal),
         Dependence::Increasing => both(text, q, r, ordered(own, RelationKind::Less, RelationKind::Greater)),
@@ -182,7 +183,8 @@ fn compare(trial: &Trial, across: &Across, ours: &Taking, theirs: &Taking, quant
         Dependence::Extremum { maximum: true, .. } => both(text, q, r, RelationKind::Less),
         Dependence::Extremum { maximum: false, .. } => both(text, q, r, RelationKind::Greater),
         Dependence::Power { power, to } => match slope((q, r), own) {
-            Ok(slope) => {
+            Ok((slope, found)) => {
+                rise = Some(found);
                 // What the subtraction rounds.
                 let error = slope.error + 4.0 * f64::EPSILON * (slope.value.abs() + power.abs() + to);
                 let off = Bounded { value: slope.value - power, error };
@@ -198,7 +200,12 @@ fn compare(trial: &Trial, across: &Across, ours: &Taking, theirs: &Taking, quant
         (text.clone(), q.value),
         (format!("{text} of the other"), r.value),
     ];
-    told(trial, &ours.at, compared, quantity, values)
+    let finding = told(trial, &ours.at, compared, quantity, values);
+    match rise {
+        // Of what is not decided the slope counts, too.
+        Some(rise) => Finding::sampled(known(&finding), Evidence { rise: Some(rise), ..finding.evidence().clone() }),
+        None => finding,
+    }
 }
 
 /// Whether the quantity tends to a value along a sequence of motions.
@@ -291,7 +298,7 @@ fn ordered((own, other): (f64, f64), smaller: RelationKind, larger: RelationKind
 }
 
 /// The slope of ln|q| against ln|x| between two members, with its error.
-fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<Bounded, Box<Finding>> {
+fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<(Bounded, Rise), Box<Finding>> {
     if own * other <= 0.0 {
         let reason = "what varies changes its sign, or vanishes: there is no slope of logarithms";
         return Err(Finding::sampled(Possible::VOID, Evidence::because(reason)).into());
@@ -317,7 +324,8 @@ fn slope((q, r): (Bounded, Bounded), (own, other): (f64, f64)) -> Result<Bounded
     let value = rise.value / run.value;
     // |rise/run − exact| ≤ (δrise + |value| δrun)/(|run| − δrun), and rounding.
     let error = (rise.error + value.abs() * run.error) / (run.value.abs() - run.error);
-    Ok(Bounded { value, error: error * (1.0 + 1e-10) + f64::EPSILON * value.abs() })
+    let slope = Bounded { value, error: error * (1.0 + 1e-10) + f64::EPSILON * value.abs() };
+    Ok((slope, Rise { run: run.value, rise: rise.value, error: rise.error + value.abs() * run.error }))
 }
 
 /// The value of the quantity from the values of all leaves.

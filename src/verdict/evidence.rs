@@ -110,6 +110,17 @@ pub struct ResidualPoint {
     pub limit: f64,
 }
 
+/// By how much the logarithm of a quantity rises from one member of a family to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rise {
+    /// How far the logarithm of what varies runs.
+    pub run: f64,
+    /// How much that of the quantity rises.
+    pub rise: f64,
+    /// Its error bound.
+    pub error: f64,
+}
+
 /// What a verdict rests on.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Evidence {
@@ -131,6 +142,8 @@ pub struct Evidence {
     pub enclosed: Option<Enclosed>,
     /// The proof behind it.
     pub proof: Option<Proof>,
+    /// Of a scaling law, what was compared.
+    pub rise: Option<Rise>,
 }
 
 impl Evidence {

@@ -2,6 +2,7 @@
 
 use super::distribution::Distribution;
 use super::map::FamilyMap;
+use super::slope::SlopeAccount;
 use super::tally::Counts;
 use crate::account::Measurement;
 use crate::conditions::Explanation;
@@ -94,6 +95,8 @@ pub struct FamilyAccount {
     pub map: Option<FamilyMap>,
     /// Which condition separates the members on which it holds from those on which it fails.
     pub separation: Option<FamilySeparation>,
+    /// The slope of a scaling law over all members.
+    pub slope: Option<SlopeAccount>,
 }
 
 impl FamilyAccount {

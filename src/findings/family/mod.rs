@@ -4,6 +4,7 @@ mod account;
 mod distribution;
 mod map;
 mod parts;
+mod slope;
 mod sums;
 mod tally;
 
@@ -13,5 +14,6 @@ pub use account::{
 pub use distribution::{Distribution, SHARES};
 pub use map::{Axis, Boundary, Crossing, FamilyMap};
 pub use parts::{Join, Joined, MOST_PARTS, Part, PartFault, Swept, SweptClaim, SweptMeasure};
+pub use slope::{SlopeAccount, SlopeCell, Slopes};
 pub use sums::Sums;
 pub use tally::{Counts, Ranked, Tally, deviation, gap};

@@ -9,6 +9,7 @@
 
 use std::ops::RangeInclusive;
 
+use super::slope::Slopes;
 use verdict::{Outcome, Verdict};
 
 /// A member, and by how much it tells.
@@ -70,6 +71,8 @@ pub struct Tally {
     pub first_defect: Option<u64>,
     /// On how many members of each cell of the family's map it holds, fails, does not apply, is undecided; nothing without a map.
     pub map: Vec<[u64; 4]>,
+    /// The slopes of a scaling law; nothing of other claims.
+    pub slopes: Slopes,
 }
 
 /// How far the sides of a refuting point are apart, in units of the error bound of their difference. Rounding alone is an error.
@@ -146,6 +149,7 @@ impl Tally {
         self.closest_call = leading(self.closest_call, other.closest_call, |x| x);
         self.first_undecided = first(self.first_undecided, other.first_undecided);
         self.first_defect = first(self.first_defect, other.first_defect);
+        self.slopes.join(&other.slopes);
         // A tally of no members has no cells.
         self.map.resize(self.map.len().max(other.map.len()), [0; 4]);
         for (here, there) in self.map.iter_mut().zip(&other.map) {
@@ -173,6 +177,8 @@ impl Tally {
             Some("its counts do not add up")
         } else if !self.map.is_empty() && all.iter().enumerate().any(|(kind, n)| mapped(kind) != Some(*n)) {
             Some("its map does not add up")
+        } else if self.slopes.fault(members) {
+            Some("its slopes do not add up")
         } else if looked_at != Some(size) {
             Some("it does not count every number")
         } else if self.kept().any(|n| !numbers.contains(&n)) || measured.iter().flatten().any(|r| r.measure.is_nan()) {
@@ -294,6 +300,12 @@ mod tests {
             Tally { clearest_failing: Some(Ranked { number: 7, measure: f64::NAN }), ..good.clone() },
             Tally { first_undecided: Some(6), ..good.clone() },
             Tally { first_defect: Some(6), ..good.clone() },
+            Tally { slopes: Slopes { pairs: 4, ..Slopes::default() }, ..good.clone() },
+            Tally { slopes: Slopes { pairs: 1, sums: [-1, 0, 0], ..Slopes::default() }, ..good.clone() },
+            Tally {
+                slopes: Slopes { pairs: 1, cells: vec![Some((1.0, f64::NAN))], ..Slopes::default() },
+                ..good.clone()
+            },
         ];
         for tally in bad {
             assert!(tally.fault(&numbers, false).is_some(), "{tally:?}");

@@ -390,9 +390,20 @@ impl Elaborator<'_> {
                 Ok(tensor::of_numbers(self.graph, Shape::vector(n as u16), &parts))
             }
             Nabla::Laplacian { .. } => {
+                if curved && n == 3 && vector(&value) {
+                    // By definition ∇(∇·A) − ∇×(∇×A).
+                    let parts = (0..n).map(|i| component(&value, i)).collect();
+                    let flow = self.divergence(parts, &space, span)?;
+                    let forth = self.gradient(&flow, &space, span)?;
+                    let once = self.curl(&value, &space, span)?;
+                    let back = self.curl(&once, &space, span)?;
+                    let forth = tensor::of_numbers(self.graph, Shape::vector(3), &forth);
+                    let pairs = forth.components.iter().zip(&back.components);
+                    let components = pairs.map(|(&a, &b)| self.graph.sub(a, b)).collect();
+                    return Ok(Tensor { shape: forth.shape, components });
+                }
                 if curved && !number {
-                    let hint = r"write `\nabla(\nabla\cdot{\bf A})-\nabla\times(\nabla\times{\bf A})`";
-                    return refuse("latex::unsupported", turning, &of.span, hint);
+                    return refuse("latex::unsupported", turning, &of.span, "write the components out");
                 }
                 let slopes = self.gradient(&value, &space, span)?;
                 self.divergence(slopes, &space, span)
@@ -409,20 +420,7 @@ impl Elaborator<'_> {
                     let message = "the curl is that of a vector of three components, with three coordinates of space";
                     return refuse("latex::shape", message, &of.span, "");
                 }
-                let mut parts = Vec::new();
-                for i in 0..3 {
-                    let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-                    let [(at_j, h_j), (at_k, h_k)] = [space[j], space[k]];
-                    let [along_j, along_k] =
-                        [(j, h_j), (k, h_k)].map(|(i, h)| self.each(component(&value, i), |g, e| g.mul(h, e)));
-                    let forth = self.by_coordinate(along_k, at_j, span)?;
-                    let back = self.by_coordinate(along_j, at_k, span)?;
-                    let pairs = forth.components.iter().zip(&back.components);
-                    let components = pairs.map(|(&a, &b)| self.graph.sub(a, b)).collect();
-                    let area = self.graph.mul(h_j, h_k);
-                    parts.push(self.each(Tensor { shape: forth.shape, components }, |g, e| g.div(e, area)));
-                }
-                Ok(tensor::of_numbers(self.graph, Shape::vector(3), &parts))
+                self.curl(&value, &space, span)
             }
             Nabla::Wave => {
                 if curved && !number {
@@ -453,18 +451,67 @@ impl Elaborator<'_> {
                 if along.shape.is_complex() || !vector(&along) {
                     return refuse("latex::shape", vectors, span, "");
                 }
-                if curved && !number {
+                if curved && !number && !vector(&value) {
                     return refuse("latex::unsupported", turning, &of.span, "write the components out");
                 }
                 let slopes = self.gradient(&value, &space, span)?;
                 let each = slopes.into_iter().zip(&along.components);
                 let mut terms: Vec<Tensor> = each.map(|(slope, &by)| self.each(slope, |g, e| g.mul(by, e))).collect();
+                if curved && !number {
+                    terms.push(self.turned(&value, &along, &space, span)?);
+                }
                 if matches!(action, Nabla::Following { .. }) {
                     terms.insert(0, self.by_time(value.clone(), span)?);
                 }
                 Ok(self.sum_of(terms).unwrap_or(value))
             }
         }
+    }
+
+    /// ∇×A of three components.
+    fn curl(&mut self, of: &Tensor, space: &[(usize, Expr)], span: &Range<usize>) -> Elaborated<Tensor> {
+        let mut parts = Vec::new();
+        for i in 0..3 {
+            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+            let [(at_j, h_j), (at_k, h_k)] = [space[j], space[k]];
+            let [along_j, along_k] = [(j, h_j), (k, h_k)].map(|(i, h)| self.each(component(of, i), |g, e| g.mul(h, e)));
+            let forth = self.by_coordinate(along_k, at_j, span)?;
+            let back = self.by_coordinate(along_j, at_k, span)?;
+            let pairs = forth.components.iter().zip(&back.components);
+            let components = pairs.map(|(&a, &b)| self.graph.sub(a, b)).collect();
+            let area = self.graph.mul(h_j, h_k);
+            parts.push(self.each(Tensor { shape: forth.shape, components }, |g, e| g.div(e, area)));
+        }
+        Ok(tensor::of_numbers(self.graph, Shape::vector(3), &parts))
+    }
+
+    /// What (v·∇)A has beyond the derivatives of its components, since the unit vectors turn:
+    /// Σₖ Aₖ (vᵢ ∂ₖhᵢ − vₖ ∂ᵢhₖ)/(hᵢ hₖ) along the i-th.
+    fn turned(
+        &mut self,
+        of: &Tensor,
+        along: &Tensor,
+        space: &[(usize, Expr)],
+        span: &Range<usize>,
+    ) -> Elaborated<Tensor> {
+        let mut parts = Vec::new();
+        for (i, &(at_i, h_i)) in space.iter().enumerate() {
+            let mut terms = Vec::new();
+            for (k, &(at_k, h_k)) in space.iter().enumerate() {
+                let forth = self.by_coordinate(Tensor::scalar(h_i), at_k, span)?.components[0];
+                let back = self.by_coordinate(Tensor::scalar(h_k), at_i, span)?.components[0];
+                let forth = self.graph.mul(along.components[i], forth);
+                let back = self.graph.mul(along.components[k], back);
+                let (top, area) = (self.graph.sub(forth, back), self.graph.mul(h_i, h_k));
+                if !self.graph.is_zero(top) {
+                    let by = self.graph.div(top, area);
+                    terms.push(self.each(component(of, k), |g, e| g.mul(by, e)));
+                }
+            }
+            let none = self.each(component(of, i), |g, _| g.integer(0));
+            parts.push(self.sum_of(terms).unwrap_or(none));
+        }
+        Ok(tensor::of_numbers(self.graph, Shape::vector(space.len() as u16), &parts))
     }
 
     /// The derivative by the time, all places being held fixed.

@@ -4,9 +4,10 @@ use super::super::lexer::Kind;
 use super::super::name::{self, NAMES, canonical};
 use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, refuse};
+use expr::HIGHEST_ORDER;
 
 /// Most primes that are derivatives: as many as there are commands for dots.
-const MOST_PRIMES: usize = 4;
+pub(in super::super) const MOST_PRIMES: usize = 4;
 
 impl Parser<'_> {
     pub(super) fn symbol(&mut self, dots: u8) -> Parsed<Node> {
@@ -101,7 +102,30 @@ impl Parser<'_> {
         refuse("latex::unknown-symbol", message, start..self.last_end(), hint)
     }
 
+    /// `^{(4)}` behind a field of one coordinate: the order of its derivative.
+    fn order_in_parentheses(&mut self, name: &Name, dots: u8) -> Parsed<Option<u8>> {
+        let is_open = self.is('^') && *self.kind_after(1) == Kind::Sign('{') && *self.kind_after(2) == Kind::Sign('(');
+        let is_closed = *self.kind_after(4) == Kind::Sign(')') && *self.kind_after(5) == Kind::Sign('}');
+        let Kind::Number(digits) = self.kind_after(3) else { return Ok(None) };
+        if !is_open || !is_closed || dots > 0 || !self.scope.is_of_one_coordinate(name, None) {
+            return Ok(None);
+        }
+        let span = self.span();
+        let order = digits.parse::<u8>().ok().filter(|n| (1..=HIGHEST_ORDER).contains(&u32::from(*n)));
+        let Some(order) = order else {
+            let message = format!("a derivative is at most of order {HIGHEST_ORDER}, and at least of order 1");
+            return refuse("latex::derivative", message, span, "");
+        };
+        self.at += 6;
+        if self.is('^') {
+            let hint = "put the derivative into parentheses";
+            return refuse("latex::double-script", "a second superscript", self.span(), hint);
+        }
+        Ok(Some(order))
+    }
+
     fn scripted_symbol(&mut self, mut name: Name, dots: u8, under: Option<Vec<SubItem>>, start: usize) -> Parsed<Node> {
+        let order = self.order_in_parentheses(&name, dots)?;
         let (sub, mut sup, sup_first) = self.script_pair()?;
         // `y_1''` is printed as `y''_1`.
         if sub.is_some() && sup.is_none() && self.primes(&mut name) {
@@ -115,7 +139,7 @@ impl Parser<'_> {
         }
         let sub = under.or(sub);
         let before = dots;
-        let dots = self.primed_rate(&mut name, dots, sub.as_deref());
+        let dots = order.unwrap_or_else(|| self.primed_rate(&mut name, dots, sub.as_deref()));
         let primed = dots > before;
         let mut symbol =
             SymbolNode { name, dots, primed, sub, sup, sup_first, arguments: None, arguments_text: String::new() };

@@ -108,9 +108,13 @@ impl Step<'_> {
     /// Adds the assumptions of a claim but those with the given numbers.
     ///
     /// Whether all of them could be used: a limit says nothing of present values, and a sign of another claim is not known.
+    ///
+    /// Equations of fields are assumed at all places; where an equation says at which places, they are assumed there alone, and
+    /// nothing is known of their derivatives.
     fn assume(&mut self, claim: &Claim, without: &[usize], premises: &mut Premises) -> bool {
         let used = claim.assuming.iter().enumerate().filter(|(i, _)| !without.contains(i));
         let mut complete = true;
+        let before = premises.equations.len();
         for relation in used.flat_map(|(_, w)| &w.value.relations) {
             if relation.limit.is_some() || relation.has_branches && self.sign.is_none() {
                 complete = false;
@@ -126,6 +130,19 @@ impl Step<'_> {
                     RelationKind::LessEqual => premises.not_negative.push(self.graph.sub(r, l)),
                 }
             }
+        }
+        let graph = &self.graph;
+        let of_fields = |(l, r): &(Expr, Expr)| !graph.fields([*l, *r]).is_empty();
+        let is_place = |pair: &(Expr, Expr)| {
+            let leaves = graph.leaves_within([pair.0, pair.1]);
+            !of_fields(pair) && leaves.iter().any(|l| graph.coordinate(*l).is_some())
+        };
+        if premises.equations[before..].iter().any(is_place) {
+            let (there, everywhere) = premises.equations.drain(before..).partition::<Pairs, _>(of_fields);
+            premises.equations.extend(everywhere);
+            // Along such places they may be meant to hold together: no point refutes that.
+            complete &= there.is_empty();
+            premises.only_now.extend(there);
         }
         complete
     }

@@ -9,7 +9,7 @@ use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use crate::latex::{RelationKind, Role};
 use order::{Question, Requirement};
-use proof::{Condition, Identity, Point, PointValue, Reason, Side, domains, order};
+use proof::{Condition, Identity, Point, PointValue, Reason, Refutation, Side, domains, order};
 
 /// Most characters of a formula that is shown whole.
 const LONGEST: usize = 160;
@@ -292,7 +292,7 @@ impl Step<'_> {
         }
     }
 
-    fn point(&self, point: &Point) -> String {
+    fn point(&self, refutation: &Refutation, point: &Point) -> String {
         let value = |(leaf, value): &(Leaf, PointValue)| {
             let name = self.graph.leaf_latex(*leaf);
             match (&value.exact, &value.circle) {
@@ -301,7 +301,12 @@ impl Step<'_> {
                 (None, None) => format!("{name} = {}", value.decimal),
             }
         };
-        point.values.iter().map(value).collect::<Vec<_>>().join("; ")
+        let [named, beyond] = refutation.parted(point);
+        let more = match beyond.len() {
+            0 => None,
+            n => Some(format!("{n} more values, by which what is given holds")),
+        };
+        named.into_iter().map(value).chain(more).collect::<Vec<_>>().join("; ")
     }
 
     /// What an answer says of the claim, nothing being given.
@@ -372,14 +377,14 @@ impl Step<'_> {
                     "left {}, right {} at {}",
                     side(&refutation.left),
                     side(&refutation.right),
-                    self.point(&refutation.point)
+                    self.point(&refutation, &refutation.point)
                 );
                 if let Some((point, left, right)) = &refutation.second {
                     text.push_str(&format!(
                         " — and left {}, right {} at {}: what is given leaves the difference open",
                         side(left),
                         side(right),
-                        self.point(point)
+                        self.point(&refutation, point)
                     ));
                 }
                 out.witness = Some(text);

@@ -29,7 +29,9 @@ pub(super) fn block(claim: &ClaimAccount, scope: &Scope) -> Markup {
             }
             @for note in region::notes(of) { p.quiet { (prose(&note, scope)) "." } }
             @if let Some(map) = &of.map { (figure(claim, of, map, scope)) }
-            @for portrait in &of.portraits { (portrait::figure(of, portrait, scope)) }
+            @if !of.portraits.is_empty() {
+                div.pictures { @for portrait in &of.portraits { (portrait::figure(of, portrait, scope)) } }
+            }
         }
     }
 }

@@ -65,6 +65,23 @@ pub(super) fn bare(text: &str) -> String {
     commandless(text).replace(['{', '}', '\u{2063}'], "")
 }
 
+/// What stands in the braces with which a text begins, and what follows them.
+fn braced(text: &str) -> Option<(&str, &str)> {
+    let inner = text.strip_prefix('{')?;
+    let mut depth = 1;
+    for (at, c) in inner.char_indices() {
+        depth += match c {
+            '{' => 1,
+            '}' => -1,
+            _ => 0,
+        };
+        if depth == 0 {
+            return Some((&inner[..at], &inner[at + 1..]));
+        }
+    }
+    None
+}
+
 fn commandless(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
@@ -73,14 +90,28 @@ fn commandless(text: &str) -> String {
         let tail = &rest[at + 1..];
         let length = tail.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(tail.len());
         let (command, after) = tail.split_at(length);
+        if command == "frac"
+            && let Some((top, bottom, after)) =
+                braced(after).and_then(|(a, rest)| braced(rest).map(|(b, rest)| (a, b, rest)))
+        {
+            let part = |of: &str| match of.contains(['+', '-']) {
+                true => format!("({})", commandless(of)),
+                false => commandless(of),
+            };
+            out.push_str(&format!("{}/{}", part(top), part(bottom)));
+            rest = after;
+            continue;
+        }
         out.push_str(match command {
+            "partial" => "∂",
+            "nabla" => "∇",
             "cdot" => "·",
             "sqrt" => "√",
             "ldots" => "…",
             "bf" | "boldsymbol" | "left" | "right" | "" => "",
             name => mathml::letter(name).unwrap_or(name),
         });
-        rest = after;
+        rest = if command == "partial" { after.trim_start() } else { after };
     }
     out.push_str(rest);
     out
@@ -225,6 +256,8 @@ mod tests {
             (r"I_1^2+m_i", "I₁²+mᵢ"),
             (r"x_Q", "x_Q"),
             (r"\theta", "θ"),
+            (r"\frac{\partial u}{\partial t}+6u=\frac{a+1}{b}", "∂u/∂t+6u=(a+1)/b"),
+            (r"\nabla^2u=\frac{1", "∇²u=frac1"),
             ("x_", "x_"),
             ("", ""),
         ] {
