@@ -26,8 +26,6 @@ use claim::program::{Program, Values};
 pub const DENSITY: usize = 6;
 /// Most sample times of a motion: a long one is sampled more thinly, at every n-th time.
 const MOST_SAMPLES: usize = 1_500;
-/// Every how many samples dual numbers are compared with the bounds.
-const CROSS_CHECK: usize = 8;
 
 /// So many motions are integrated together: as many as there are lanes.
 const TOGETHER: usize = 8;
