@@ -290,7 +290,7 @@ fn derived_motions() {
         }
         assert!((x[3].unwrap().value - 1.9 * y[2].unwrap().value).abs() <= x[3].unwrap().error);
         let norm = x[4].unwrap();
-        assert!((norm.value - 1.0).abs() <= norm.error && norm.error < 4e-12);
+        assert!((norm.value - 1.0).abs() <= norm.error && norm.error < 1e-12);
         assert_eq!(x[5].unwrap().value, -y[3].unwrap().value);
     }
     assert!((m.at(2.0)[6].unwrap().value - 1.0).abs() < 1e-14);

@@ -370,7 +370,11 @@ fn wildcards(text: &str) -> usize {
             &code[(i + 1).min(code.len())
                 ..closing(&code, i.min(code.len())).saturating_sub(1).max(i + 1).min(code.len())],
         );
-        let over = |p: &String| p.contains("Op::") || p.contains("Form::");
+        // `PartialForm::` is another type.
+        let names = |p: &str, what: &str| {
+            p.match_indices(what).any(|(at, _)| !p[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
+        };
+        let over = |p: &String| names(p, "Op::") || names(p, "Form::");
         let any = |p: &String| p == "_" || p.starts_with("_ if ");
         all.iter().any(over) && all.iter().any(any)
     };

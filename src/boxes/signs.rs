@@ -204,7 +204,7 @@ impl Signs {
             }
             derivatives.push(next);
             let at = graph.substitute(next, |_, l| (l == leaf).then_some(end));
-            if !is_null(graph, at) && !(faults::too_flat() && derivatives.len() == 1) {
+            if !(is_null(graph, at) || faults::too_flat() && derivatives.len() == 1) {
                 let derivatives =
                     Tape::compile(graph, &leaves(&self.variables), &derivatives).ok().filter(|_| derivatives.len() > 1);
                 return derivatives.map(|derivatives| Flat { variable, upper, derivatives });

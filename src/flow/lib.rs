@@ -34,7 +34,6 @@ mod cover;
 mod definitions;
 mod enclosure;
 mod error;
-mod estimate;
 mod expansion;
 mod field;
 mod hoist;

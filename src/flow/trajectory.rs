@@ -1,15 +1,13 @@
 //! A trajectory: the Taylor polynomials of all steps, and how far they may be from the truth.
 //!
-//! **Error estimate.** Where right sides are polynomials, differences are carried along the steps that were made: see the module
-//! `estimate`. Elsewhere the motion is integrated again, with another order and another sequence of steps; and where initial
+//! **Error estimate.** The motion is integrated again, with another order and another sequence of steps; and where initial
 //! values or constants are only known within a bound, twice more from opposite ends of it. At every step end of these
 //! companions the difference is compared; the largest so far, times a safety factor, plus a floor for rounding, is the
-//! error. The companions go side by side with the motion (see the module `abreast`). Both are estimates, no enclosures: they
-//! see truncation, rounding and the growth of both.
+//! error. The companions go side by side with the motion (see the module `abreast`). It is an estimate, no enclosure: it
+//! sees truncation, rounding and the growth of both, because rounding takes another course in every companion.
 
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
-use super::estimate::Estimate;
 use super::taylor::{Control, Flow, Step, Stop, Walker};
 use number::{Bounded, NoValue};
 
@@ -22,15 +20,13 @@ pub(super) const ORDER: usize = 20;
 
 /// Polynomials and errors from the initial time in one direction.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Branch {
+struct Branch {
     /// Step boundaries, from the initial time on; one more than steps.
-    pub(super) times: Vec<f64>,
+    times: Vec<f64>,
     /// For every step the coefficients of all states, order by order.
-    pub(super) coefficients: Vec<f64>,
+    coefficients: Vec<f64>,
     /// What the zeroth coefficients leave out, for every state of every step.
-    pub(super) low: Vec<f64>,
-    /// While it is not known how far it may be off: how far the slopes are from the rates at the end of every step.
-    pub(super) defects: Vec<f64>,
+    low: Vec<f64>,
     /// Error of every state up to the end of every step; never decreasing.
     error: Vec<f64>,
     problem: Option<Problem>,
@@ -95,11 +91,10 @@ impl Trajectory {
         plans: &[Plan],
     ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
         let ends = |plan: &Plan| [plan.span.1, plan.span.0];
-        let mut estimate = Estimate::new(flow);
         let mut runs: Vec<Run> = Vec::new();
         for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
             runs.push(Run::Whole(Whole::new(flow, plan, end)));
-            if end != plan.initial_time && estimate.is_none() {
+            if end != plan.initial_time {
                 runs.extend(Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end))));
             }
         }
@@ -116,30 +111,11 @@ impl Trajectory {
                 Some(Run::Ends(ends)) => Some(ends),
                 Some(Run::Whole(_)) | None => None,
             });
-            let mut checks: Vec<Ends> = checks.collect();
-            let mut whole = match whole {
-                Ok(whole) => whole,
-                Err(singular) => return Some(Err(singular)),
-            };
-            if let Some(estimate) = &mut estimate
-                && whole.times.len() > 1
-            {
-                if let Some(errors) = estimate.of(plan, &whole) {
-                    whole.raise(flow.dimension, &errors);
-                    return Some(Ok(whole));
-                }
-                let end = whole.times.last().copied().unwrap_or(plan.initial_time);
-                let again = Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end)));
-                let mut again: Vec<Run> = again.collect();
-                if !run(flow, &mut again) {
-                    return None;
-                }
-                checks.extend(again.into_iter().filter_map(|run| match run {
-                    Run::Ends(ends) => Some(ends),
-                    Run::Whole(_) => None,
-                }));
+            let checks: Vec<Ends> = checks.collect();
+            match whole {
+                Ok(whole) => whole.checked(&run, flow, plan, checks).map(Ok),
+                Err(singular) => Some(Err(singular)),
             }
-            whole.checked(&run, flow, plan, checks).map(Ok)
         };
         let trajectory = |plan: &Plan| {
             let (forward, backward) = (branch(plan)?, branch(plan)?);
@@ -191,12 +167,6 @@ impl Trajectory {
             if backward { branch.times.partition_point(|&s| s > t) } else { branch.times.partition_point(|&s| s <= t) };
         let step = before.saturating_sub(1).min(branch.times.len().saturating_sub(2));
         Place { backward, step, since: t - branch.times.get(step).copied().unwrap_or(t) }
-    }
-
-    /// The place of a time at the end of a step of the forward part.
-    #[cfg(test)]
-    pub(super) fn place_before(&self, t: f64, step: usize) -> Place {
-        Place { backward: false, step, since: t - self.forward.times[step] }
     }
 
     fn branch(&self, backward: bool) -> &Branch {
@@ -353,10 +323,9 @@ impl<'a> Runner<'a> for Whole<'a> {
         match event {
             Event::Started => self.started = true,
             Event::Stepped => {
-                let Step { coefficients, low, defects } = walker.made();
+                let Step { coefficients, low } = walker.made();
                 out.coefficients.extend_from_slice(coefficients);
                 out.low.extend_from_slice(low);
-                out.defects.extend_from_slice(defects);
                 out.times.push(walker.time);
                 for (i, l) in self.largest.iter_mut().enumerate() {
                     *l = l.max(walker.state[i].abs());
@@ -542,12 +511,6 @@ impl Branch {
         Some(self)
     }
 
-    /// Raises the errors to what was found, and makes them monotone.
-    fn raise(&mut self, n: usize, errors: &[f64]) {
-        self.error.iter_mut().zip(errors).for_each(|(error, found)| *error += found);
-        self.settle(n);
-    }
-
     /// Raises the errors where a companion differs; ends the branch where the companion ends.
     fn compare(&mut self, companion: &Ends) {
         let n = companion.walker.state.len();
@@ -601,7 +564,6 @@ impl Branch {
 
     /// Makes the errors monotone.
     fn settle(&mut self, n: usize) {
-        self.defects = Vec::new();
         for i in n..self.error.len() {
             self.error[i] = self.error[i].max(self.error[i - n]);
         }

@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use expr::Rational;
 
+/// Most primes that are derivatives: as many as there are commands for dots.
+pub const MOST_PRIMES: usize = 4;
+
 pub use super::write::to_latex;
 
 /// A node of the tree with its bytes in the formula.

@@ -5,7 +5,7 @@
 //! and what is printed of products of derivatives is read as the same products.
 
 use super::name;
-use super::parse::MOST_PRIMES;
+use super::syntax::MOST_PRIMES;
 use super::syntax::{
     Bracket, Chain, Least, Nabla, Node, NodeKind, PartialForm, RelationKind, Sign, SubItem, SymbolNode, Target,
     tightness,

@@ -775,7 +775,7 @@ impl<'a> Step<'a> {
                     let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
                     in_time.then_some(exponent)
                 }
-                _ => None,
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
             });
             let Some(exponent) = exponent else {
                 even.push((l, r));

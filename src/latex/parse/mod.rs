@@ -30,7 +30,6 @@ use expr::Rational;
 pub use function::whole_part;
 pub(super) use function::{spelled, takes_bare_argument};
 pub(super) use names::{WrittenName, read_name};
-pub(super) use symbol::MOST_PRIMES;
 
 /// What was read last, if its end cannot be seen in print.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,12 +2,9 @@
 
 use super::super::lexer::Kind;
 use super::super::name::{self, NAMES, canonical};
-use super::super::syntax::{Name, Node, NodeKind, SubItem, SymbolNode};
+use super::super::syntax::{MOST_PRIMES, Name, Node, NodeKind, SubItem, SymbolNode};
 use super::{Parsed, Parser, refuse};
 use expr::HIGHEST_ORDER;
-
-/// Most primes that are derivatives: as many as there are commands for dots.
-pub(in super::super) const MOST_PRIMES: usize = 4;
 
 impl Parser<'_> {
     pub(super) fn symbol(&mut self, dots: u8) -> Parsed<Node> {

@@ -110,7 +110,7 @@ fn drawn(draws: &mut Draws, depth: usize) -> Node {
             2 => NodeKind::Exponential { exponent: inner(draws), upright: false },
             _ => NodeKind::Group(inner(draws), Bracket::Round),
         },
-        8 | 9 | 10 | 11 => {
+        8..=11 => {
             let mut by: Vec<Node> = (0..1 + draws.below(3)).map(|_| symbol(draws.of(&["x", "t"]), None)).collect();
             by.sort_by_key(|n| n.is_named("t"));
             let form = draws.of(&[PartialForm::Fraction, PartialForm::Operator, PartialForm::Subscript]);
