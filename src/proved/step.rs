@@ -292,10 +292,21 @@ impl<'a> Step<'a> {
     /// # Errors
     /// A description of the contradiction, if the two routes disagree.
     pub fn of_one_expression(mut self, equations: &Pairs) -> Result<IdentityAccount, String> {
-        let gathered = self.gather(None);
-        let premises = self.premises(&gathered, equations, Definitions::All);
-        let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
-        Ok(self.of_identity(identity, evidence))
+        // A sign that stands in what is given is one of two: some must be possible.
+        let signs: &[Option<i64>] = if self.assumes_sign() { &[Some(1), Some(-1)] } else { &[None] };
+        let mut last = None;
+        for &sign in signs {
+            self.sign = sign;
+            let gathered = self.gather(None);
+            let premises = self.premises(&gathered, equations, Definitions::All);
+            let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
+            let account = self.of_identity(identity, evidence);
+            if account.finding.is_proved() {
+                return Ok(account);
+            }
+            last = Some(account);
+        }
+        last.ok_or_else(|| "a sign that is neither".to_owned())
     }
 
     /// Whether ± stands among the assumptions of the claim.
