@@ -4,7 +4,7 @@ use super::conditions::Conditions;
 use super::family::Family;
 use super::region::Region;
 use super::variants::{Discrimination, Variants};
-use super::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
+use super::value::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
 use crate::certificates::file_name;
 use crate::derivation::{ClaimRole, Derivation};
 use crate::tally::declared;

@@ -1,6 +1,6 @@
 //! A claim over ranges of values.
 
-use super::{Named, RangesStrength, Verdict, objects};
+use super::value::{Named, RangesStrength, Verdict, objects};
 use findings::region::{Part, Patch, RangeAccount, RegionAccount, RegionMap, RegionWitness, Shares as Parts};
 
 objects! {
