@@ -549,9 +549,8 @@ impl<'a> Troupe<'a> {
                 continue;
             };
             let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
-            // Beside the place of an extremum there need be none.
             let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
-                other.is_ok() || !matches!(which, Beside::Edge { .. })
+                other.is_ok() || !which.may_be_missing()
             };
             let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
                 across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
