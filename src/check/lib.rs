@@ -259,6 +259,7 @@ fn check_and(
         compiled.push(programs);
     }
     let requests = Requests {
+        settled: false,
         part: !options.claims.is_empty(),
         wanted: &wanted,
         tried: &tried,

@@ -489,6 +489,7 @@ impl<'a> Troupe<'a> {
         let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
         let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
         let requests = Requests {
+            settled: true,
             part: false,
             wanted: &self.wanted,
             tried: &tried,
