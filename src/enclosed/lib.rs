@@ -40,7 +40,7 @@ mod tests;
 
 use crate::derivation::Motion as Given;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::findings::ClaimAccount;
+use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
@@ -61,8 +61,12 @@ pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     // Long motions first: what is left at the end is short.
     let mut order = request.tried.to_vec();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
-    let changes: Vec<Vec<Change>> =
-        order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
+    let results = by_trajectory(claims);
+    let one = |&t: &usize| {
+        let here = results.get(request.derivation.trajectories[t].id.as_str());
+        one_motion(request, known, t, (claims, here.map_or(&[], Vec::as_slice)))
+    };
+    let changes: Vec<Vec<Change>> = order.par_iter().with_max_len(1).map(one).collect();
     for (k, at, verdict) in changes.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
     }
@@ -97,15 +101,17 @@ fn enclosure(
 /// What the systems conserve, in a graph that knows it.
 type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
-fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Vec<Change> {
+/// `here` are the results on the motion, by the positions of the claim and of the result.
+fn one_motion(
+    request: &Request,
+    known: Known,
+    t: usize,
+    (claims, here): (&[ClaimAccount], &[(usize, usize)]),
+) -> Vec<Change> {
     let trajectory = &request.derivation.trajectories[t];
-    let mut changes: Vec<Change> = Vec::new();
-    for (k, claim) in claims.iter().enumerate() {
-        let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
-        changes.extend(
-            here.filter(|(_, r)| !pair::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
-        );
-    }
+    let found = |&(k, at): &(usize, usize)| (k, at, &claims[k].results[at].verdict);
+    let open = here.iter().map(found).filter(|(.., verdict)| !pair::is_rigorous(verdict.outcome()));
+    let mut changes: Vec<Change> = open.map(|(k, at, verdict)| (k, at, verdict.clone())).collect();
     if changes.is_empty() {
         return changes;
     }

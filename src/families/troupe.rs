@@ -550,9 +550,8 @@ impl<'a> Troupe<'a> {
                 continue;
             };
             let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
-            let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
-                other.is_ok() || !which.may_be_missing()
-            };
+            let is_there =
+                |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| other.is_ok() || !which.may_be_missing();
             let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
                 across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
             let found: Result<Vec<f64>, NoOther> = std::iter::once(Ok(values[varied])).chain(found).collect();
