@@ -59,7 +59,7 @@ pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
     // Long motions first: what is left at the end is short.
-    let mut order = request.tried.to_vec();
+    let mut order = request.selection.tried.clone();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
     let results = by_trajectory(claims);
     let one = |&t: &usize| {
@@ -127,7 +127,7 @@ fn one_motion(
             return changes;
         }
     };
-    let program = |k: usize| &request.prepared[k][request.start_of[t]];
+    let program = |k: usize| &request.prepared[k][request.selection.start_of[t]];
     let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
     for (k, ..) in &changes {

@@ -50,7 +50,7 @@ pub struct Requests<'a> {
     /// The claims that are tried.
     pub claims: &'a [&'a Claim],
     /// Their programs, one for each initial time.
-    pub programs: &'a [&'a [Program]],
+    pub programs: &'a [Vec<&'a Program>],
     /// Which program belongs to a trajectory.
     pub start_of: &'a [usize],
     /// What is searched for on a motion beside what claims need.
