@@ -252,12 +252,15 @@ impl<'a> Troupe<'a> {
         }
         derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
         // As in the file with the member pasted into it: the motions share the memory.
-        let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
-        let count = derivation.claims.len();
+        let mut graph = derivation.graph.clone();
+        let fields = Fields::solve(&mut graph, &derivation).map_err(CheckError::Problems)?;
+        let Derivation { claims, systems, trajectories, .. } = &derivation;
         let mut programs: Vec<Vec<Program>> =
-            (0..count).map(|c| vec![Program::new(&mut derivation, c, &start)]).collect();
-        let gradients: Vec<_> = (0..count).map(|c| Gradients::of_claim(&mut derivation, c, &fields)).collect();
-        let measures = measure::compile(&mut derivation, true);
+            claims.iter().map(|c| vec![Program::new(&mut graph, systems, c, &start)]).collect();
+        let gradients: Vec<_> =
+            claims.iter().map(|c| Gradients::of_claim(&mut graph, trajectories, c, &fields)).collect();
+        let measures = measure::compile(&mut graph, &derivation.measures);
+        derivation.graph = graph;
         let graph = &derivation.graph;
         let mut wanted: Vec<Leaf> = programs.iter().flatten().flat_map(|p| p.leaves(graph)).collect();
         wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(graph)));
@@ -487,8 +490,9 @@ impl<'a> Troupe<'a> {
         }
         let tried: Vec<usize> = (slot..=slot + self.beside.len()).collect();
         let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
-        let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
+        let programs: Vec<Vec<&Program>> = self.programs.iter().map(|of| of.iter().collect()).collect();
         let requests = Requests {
+            settled: true,
             part: false,
             wanted: &self.wanted,
             tried: &tried,
@@ -549,10 +553,8 @@ impl<'a> Troupe<'a> {
                 continue;
             };
             let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
-            // Beside the place of an extremum there need be none.
-            let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
-                other.is_ok() || !matches!(which, Beside::Edge { .. })
-            };
+            let is_there =
+                |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| other.is_ok() || !which.may_be_missing();
             let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
                 across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
             let found: Result<Vec<f64>, NoOther> = std::iter::once(Ok(values[varied])).chain(found).collect();
