@@ -101,9 +101,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     }
     let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
-    let apart = match equation && !ready.part.is_definedness() && ready.group.allows() {
+    let within = found.gap > 0.0 || equation && !ready.part.is_definedness() && ready.group.allows();
+    let apart = match within {
         true => format!(", within {:.1e} where terms are {:.1e}", found.gap, ready.scale),
-        false if found.gap > 0.0 => format!(", where the sides may cross by {:.1e}", found.gap),
         false => String::new(),
     };
     let reason = format!("for every t of the span: in {looked} stretches{apart}");

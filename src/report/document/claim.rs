@@ -8,6 +8,7 @@ use super::variants::{Discrimination, Variants};
 use crate::certificates::file_name;
 use crate::derivation::{ClaimRole, Derivation};
 use crate::tally::declared;
+use crate::wording::slack;
 use findings::standing;
 
 objects! {
@@ -144,6 +145,9 @@ objects! {
         unexpected: bool = of.is_unexpected(),
         /// The worst point of a comparison.
         residual: Option<Residual> = evidence.residual.as_ref().map(Residual::of),
+        /// By how much a weak inequality may be violated at samples: the largest error bound at which its sides agree.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        slack: Option<f64> = slack(of),
         /// Times at which the claim was compared.
         samples: usize = evidence.samples,
         /// Why not applicable or undecided; a remark otherwise.
@@ -174,7 +178,8 @@ objects! {
     Enclosed of (of: &findings::Enclosed) {
         /// How many stretches were looked at, or events.
         places: usize = of.places,
-        /// For equations: |left − right| is at most this everywhere; 0 where nothing but a relation was decided.
+        /// For equations: |left − right| is at most this everywhere; for weak inequalities, by how much the wrong side may be the
+        /// larger one; 0 where neither was decided.
         gap: f64 = of.gap,
         /// The size of the terms that the gap is small against.
         scale: f64 = of.scale,
