@@ -78,6 +78,7 @@ fn what_a_report_always_has_is_required() {
         "unmet",
         "obstacle",
         "identities",
+        "slack",
     ];
     let objects = schema["definitions"].as_object().expect("definitions").values().chain([&schema]);
     for object in objects {
