@@ -60,6 +60,7 @@ fn empty(region: &Region) -> RegionAccount {
         depth: 0,
         witness: None,
         solutions: Vec::new(),
+        identities: Vec::new(),
         remarks: Vec::new(),
         map: None,
         portraits: Vec::new(),
@@ -133,6 +134,7 @@ pub fn identities(account: &mut RegionAccount, question: &Question) {
     let whole = |text: &String| !question.equations.contains(text);
     for (text, bound, given) in question.identities.iter().filter(|(text, ..)| whole(text)) {
         if *given {
+            account.identities.push((text.clone(), *bound));
             account.remarks.push(format!(
                 "${text}$ follows from what is assumed and from the signs of the ranges, by random evaluation with an error \
                  probability of at most 2^{}",
@@ -147,6 +149,7 @@ pub fn identities(account: &mut RegionAccount, question: &Question) {
         // Of several components the weakest bound.
         let same = question.identities.iter().filter(|(other, ..)| other == text).map(|(_, bound, _)| *bound);
         let bound = same.fold(*bound, f64::max);
+        account.identities.push((text.clone(), bound));
         account.remarks.push(format!(
             "${text}$ is an identity, by random evaluation with an error probability of at most 2^{}",
             bound.ceil()
@@ -160,6 +163,7 @@ pub fn identities(account: &mut RegionAccount, question: &Question) {
              are one number"
         ));
     }
+    account.identities.dedup();
     account.remarks.dedup();
 }
 

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use super::ready::Shown;
+use super::why::Why;
 use crate::expr::{Expr, Graph};
 use crate::flow::{Compiled, Enclosure, Reach, Reaches, Sharp, Stretch};
 use crate::number::{Interval, NoValue};
@@ -97,9 +98,9 @@ pub(super) enum Judgement {
     /// Enough.
     Settled,
     /// Not enough, and why.
-    Open(String),
+    Open(Why),
     /// What makes the rest superfluous.
-    Stop(String),
+    Stop(Why),
 }
 
 /// The ranges of all roots over one stretch.
@@ -285,18 +286,19 @@ impl Along {
         selection: &Selection,
         mut judge: impl FnMut(Interval, &Ranges) -> Judgement,
         hopeless: impl Fn(&Ranges) -> bool,
-    ) -> Result<usize, String> {
+    ) -> Result<usize, Why> {
         let shortest = SHORTEST * (self.span.1 - self.span.0);
         let mut todo = self.pieces.clone();
         todo.reverse();
         let mut looked = 0;
         while let Some(time) = todo.pop() {
             if self.left == 0 {
-                return Err(format!("the work limit of {MOST} operations was reached at t = {:.6}", time.lo()));
+                let reached = format!("the work limit of {MOST} operations was reached at t = {:.6}", time.lo());
+                return Err(reached.into());
             }
             if self.left_of_all == 0 {
                 let most = MOST_OF_ALL;
-                return Err(format!("the work limit of {most} operations for the motion was reached"));
+                return Err(format!("the work limit of {most} operations for the motion was reached").into());
             }
             looked += 1;
             let ranges = self.over(selection, time);
@@ -321,13 +323,13 @@ impl Along {
                 let now = Interval::point(middle);
                 let ranges = self.over(selection, now);
                 if hopeless(&ranges) && self.sharper(selection, now, &ranges).is_none_or(|ranges| hopeless(&ranges)) {
-                    return Err(format!("{why}, at t = {middle:.6}, where the enclosure is too wide"));
+                    return Err(why.at(middle));
                 }
             }
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.hi() - time.lo() < shortest || middle <= time.lo() || middle >= time.hi();
             let (false, Ok(first), Ok(second)) = (short, first, second) else {
-                return Err(format!("{why}, on [{:.6}, {:.6}]", time.lo(), time.hi()));
+                return Err(why.on(time));
             };
             todo.extend([second, first]);
         }

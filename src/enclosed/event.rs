@@ -8,6 +8,7 @@
 
 use super::cover::{Along, Judgement, Ranges};
 use super::ready::{Ready, Shown, certain, changes_sign};
+use super::why::Why;
 use crate::derivation::{Direction, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
@@ -22,7 +23,7 @@ const STEPS: usize = 40;
 ///
 /// # Errors
 /// The stretch on which there may be another one.
-pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, String> {
+pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut Along) -> Result<Vec<Interval>, Why> {
     let (mut found, mut ending) = (Vec::new(), Vec::new());
     // Events are counted, whether the assumptions are met at them or not.
     let all = !ready.occasion.is_any();
@@ -31,7 +32,7 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             return Judgement::Settled;
         }
         let Ok(reach) = &ranges[place] else {
-            return Judgement::Open("whether there is an event cannot be told".to_owned());
+            return Judgement::Open("whether there is an event cannot be told".into());
         };
         if certain(RelationKind::Equal, reach.range()) == Some(false) {
             return Judgement::Settled;
@@ -52,7 +53,7 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             }
             (true, true) | (false, _) => {}
         }
-        Judgement::Open("whether there is an event, and one only, cannot be told".to_owned())
+        Judgement::Open("whether there is an event, and one only, cannot be told".into())
     };
     along.cover(&ready.roots, judge, |_| false)?;
     for time in ending {
@@ -71,7 +72,8 @@ pub(super) fn events(ready: &Ready, (place, rate): (usize, usize), along: &mut A
             (Some(_), Some(_)) if monotone => {}
             _ => {
                 let (from, to) = (time.lo(), time.hi());
-                return Err(format!("whether there is an event at an end of [{from:.6}, {to:.6}] cannot be told"));
+                let words = format!("whether there is an event at an end of [{from:.6}, {to:.6}] cannot be told");
+                return Err(words.into());
             }
         }
     }
@@ -93,7 +95,7 @@ fn starts(ready: &Ready, (place, rate): (usize, usize), along: &mut Along, time:
 ///
 /// # Errors
 /// Which way an event is passed is not certain.
-fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) -> Result<Vec<Interval>, String> {
+fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) -> Result<Vec<Interval>, Why> {
     let Occasion { direction, count } = ready.occasion;
     let mut out = Vec::new();
     for time in found {
@@ -101,7 +103,7 @@ fn meant(ready: &Ready, rate: usize, along: &mut Along, found: Vec<Interval>) ->
             let ranges = along.over(&ready.roots, time);
             let slope = ranges[rate].as_ref().map(|r| r.range()).ok().filter(|r| !r.contains(0.0));
             let Some(slope) = slope else {
-                return Err(format!("which way the event at t = {:.6} is passed is not certain", time.mid()));
+                return Err(format!("which way the event at t = {:.6} is passed is not certain", time.mid()).into());
             };
             let way = if slope.lo() > 0.0 { Direction::Up } else { Direction::Down };
             if way != wanted {
@@ -158,7 +160,7 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
     match ready.part.what {
         What::Every | What::Denied | What::Defined => {}
         What::Constant | What::Value | What::Limit(_) | What::SameMotion(..) | What::Independent | What::Across => {
-            return Shown::Nothing("a claim of this form at events is not enclosed".to_owned());
+            return Shown::Nothing("a claim of this form at events is not enclosed".into());
         }
     }
     let events = match events(ready, event, along) {
@@ -171,7 +173,11 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
         match ready.selected(&ranges) {
             Some(false) => continue,
             Some(true) => {}
-            None => return Shown::Nothing(format!("whether the event at t = {:.6} counts is not certain", time.mid())),
+            None => {
+                return Shown::Nothing(
+                    format!("whether the event at t = {:.6} counts is not certain", time.mid()).into(),
+                );
+            }
         }
         let known = ready.value(&ranges);
         if known == Possible::VOID {
@@ -184,14 +190,14 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
             let reason = format!("certified, at the event at t = {}", witness.t);
             return Shown::Fails(witness, reason);
         }
-        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.within(&ranges, s)).collect();
+        let each: Vec<Result<f64, Why>> = (0..ready.signs).map(|s| ready.within(&ranges, s)).collect();
         let enough = match ready.group.signs {
             Quantifier::Some => each.iter().any(Result::is_ok),
             Quantifier::Every => each.iter().all(Result::is_ok),
         };
         if !enough || known.may_be(Truth::Void) {
             let why = each.iter().find_map(|e| e.as_ref().err().cloned()).unwrap_or_default();
-            return Shown::Nothing(format!("{why}, at the event at t = {:.6}", time.mid()));
+            return Shown::Nothing(why.at_event(time));
         }
         gap = each.iter().flatten().copied().fold(f64::INFINITY, f64::min).max(gap);
         serves.iter_mut().zip(each).for_each(|(s, e)| *s &= e.is_ok());
@@ -204,7 +210,7 @@ pub(super) fn always(ready: &Ready, event: (usize, usize), along: &mut Along) ->
         });
     }
     if ready.group.throughout && !serves.contains(&true) {
-        return Shown::Nothing("no single sign of ± is shown to serve".to_owned());
+        return Shown::Nothing("no single sign of ± is shown to serve".into());
     }
     let reason = match counted {
         1 if ready.occasion.count.is_some() => "at the event that is counted".to_owned(),

@@ -37,6 +37,7 @@ mod same;
 mod span;
 #[cfg(test)]
 mod tests;
+mod why;
 
 use crate::derivation::Motion as Given;
 use crate::expr::{Expr, Graph, Leaf};
@@ -116,14 +117,14 @@ fn one_motion(
         return changes;
     }
     if let Some(reached) = request.limits.reached() {
-        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, reached));
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reached.into()));
         return changes;
     }
     let (mut graph, integrals) = (known.0.clone(), known.1);
     let (mut along, start) = match enclosure(request, integrals, &mut graph, t) {
         Ok((enclosure, start)) => (Along::new(enclosure, graph, trajectory.span), start),
         Err(reason) => {
-            changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
+            changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason.as_str().into()));
             return changes;
         }
     };
@@ -136,13 +137,13 @@ fn one_motion(
         parts.push(pair::prepare(&asked, &mut along));
     }
     if let Err(reason) = along.compile() {
-        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason));
+        changes.iter_mut().for_each(|(_, _, v)| pair::remark(v, &reason.as_str().into()));
         return changes;
     }
     let mut withdrawn = None;
     for ((k, _, verdict), parts) in changes.iter_mut().zip(parts) {
         if let Some(reached) = request.limits.reached() {
-            pair::remark(verdict, reached);
+            pair::remark(verdict, &reached.into());
             continue;
         }
         let prepared = program(*k);

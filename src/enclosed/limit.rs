@@ -25,14 +25,14 @@ const AROUND: f64 = 1e-9;
 
 pub(super) fn limit(ready: &Ready, point: &LimitPoint, along: &mut Along) -> Shown {
     let ([comparison], 1) = (ready.group.comparisons.as_slice(), ready.signs) else {
-        return Shown::Nothing("a limit of this kind is not enclosed".to_owned());
+        return Shown::Nothing("a limit of this kind is not enclosed".into());
     };
     let shown = match point {
         LimitPoint::Finite(at) => at_time(ready, comparison, *at, along),
         LimitPoint::PlusInfinity => at_infinity(ready, comparison, true, along),
         LimitPoint::MinusInfinity => at_infinity(ready, comparison, false, along),
     };
-    shown.unwrap_or_else(Shown::Nothing)
+    shown.unwrap_or_else(|reason| Shown::Nothing(reason.into()))
 }
 
 /// A limit at a time of the span.

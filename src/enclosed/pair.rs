@@ -7,6 +7,7 @@ use super::cover::Along;
 use super::rank::Rank;
 use super::ready::{Ready, Shown};
 use super::same::Same;
+use super::why::Why;
 use super::{event, limit, span};
 use crate::derivation::Claim;
 use crate::expr::{Expr, Graph, Leaf};
@@ -24,13 +25,18 @@ const DISAGREEMENT: f64 = 100.0;
 pub(super) type Sampled<'a> = &'a dyn Fn(&Comparison, f64) -> Option<Bounded>;
 
 /// Adds to a verdict that is not rigorous why it is not.
-pub(super) fn remark(verdict: &mut Verdict, reason: &str) {
+pub(super) fn remark(verdict: &mut Verdict, reason: &Why) {
     if !is_rigorous(verdict.outcome()) {
         // What was enclosed of one part is no remark on the whole.
         let said = verdict.evidence().reason.as_ref().filter(|_| verdict.evidence().enclosed.is_none());
         let before = said.map_or(String::new(), |r| format!("{r}; "));
-        verdict.remark(format!("{before}not enclosed: {reason}"));
+        verdict.remark(format!("{before}not enclosed: {}", reason.words), reason.obstacle());
     }
+}
+
+/// What a part shows that is looked at where samples find it false.
+fn refuted(found: Result<(Witness, String), String>) -> Shown {
+    found.map_or_else(|reason| Shown::Nothing(reason.into()), |(witness, reason)| Shown::Fails(witness, reason))
 }
 
 /// Whether a verdict holds for every time, or for all values.
@@ -154,15 +160,15 @@ pub(super) fn strengthen(
                 }
             }
             Prepared::Rank(Ok(rank)) => match near {
-                Some(witness) => rank.refuted(along, witness).map_or_else(Shown::Nothing, |(w, r)| Shown::Fails(w, r)),
+                Some(witness) => refuted(rank.refuted(along, witness)),
                 None => rank.always(along),
             },
             Prepared::Same(Ok(same)) => match near {
-                Some(witness) => same.refuted(along, witness).map_or_else(Shown::Nothing, |(w, r)| Shown::Fails(w, r)),
+                Some(witness) => refuted(same.refuted(along, witness)),
                 None => same.always(along),
             },
             Prepared::Compared(Err(reason)) | Prepared::Rank(Err(reason)) | Prepared::Same(Err(reason)) => {
-                Shown::Nothing(reason)
+                Shown::Nothing(reason.into())
             }
             Prepared::Silent => continue,
         };
@@ -185,7 +191,9 @@ pub(super) fn strengthen(
             }
         }
         let shown = match (shown, near.and_then(|w| apart(group, w))) {
-            (Shown::Holds(enclosed, _), Some((difference, why))) if difference <= enclosed.gap => Shown::Nothing(why),
+            (Shown::Holds(enclosed, _), Some((difference, why))) if difference <= enclosed.gap => {
+                Shown::Nothing(why.into())
+            }
             (shown @ (Shown::Holds(..) | Shown::Excluded(..)), Some((_, why))) => {
                 learn(verdict, position, shown, (part, beyond));
                 return Err(format!("{why}, and the enclosed one excludes it"));
@@ -195,12 +203,14 @@ pub(super) fn strengthen(
         match &shown {
             Shown::Nothing(reason) | Shown::Isolated(reason) if part.is_definedness() => {
                 // That there is a value everywhere is what was asked, and somewhere it is open.
-                verdict.doubt(position, format!("whether there is a value everywhere is open: {reason}"));
+                let words = format!("whether there is a value everywhere is open: {}", reason.words);
+                verdict.doubt(position, words, reason.obstacle());
                 reasons.push(reason.clone());
             }
             // Samples do not tell of times at which something else is possible, all around being settled.
             Shown::Isolated(reason) if before == Some(Possible::VOID) || part.needs_a_complete_search() => {
-                verdict.doubt(position, format!("samples do not decide it, and the enclosure does not: {reason}"));
+                let words = format!("samples do not decide it, and the enclosure does not: {}", reason.words);
+                verdict.doubt(position, words, reason.obstacle());
                 if verdict.outcome() != Outcome::Undecided {
                     reasons.push(reason.clone());
                 }
@@ -265,6 +275,9 @@ fn learn(verdict: &mut Verdict, position: usize, shown: Shown, (part, beyond): (
                 (false, _) if denied => Some(reason.replacen("certified", "certain", 1)),
                 (false, _) => Some(reason),
             };
+            if hypothesis {
+                e.unmet.get_or_insert_with(|| witness.clone());
+            }
             e.witness = Some(witness);
         }),
         Shown::Isolated(_) | Shown::Nothing(_) => {}
@@ -287,7 +300,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         }
     }
     if let (Some(reason), false) = (along.incomplete(), matches!(ready.part.what, What::Limit(_))) {
-        return Shown::Nothing(reason);
+        return Shown::Nothing(reason.into());
     }
     ready.weigh(along);
     let shown = match (&ready.part.what, ready.event) {
@@ -295,10 +308,10 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         (What::Limit(point), event) => match span::counts(ready, event, along) {
             Some(true) => limit::limit(ready, point, along),
             Some(false) => Shown::Void("no time of the span counts".to_owned()),
-            None => Shown::Nothing("whether any time counts is not certain".to_owned()),
+            None => Shown::Nothing("whether any time counts is not certain".into()),
         },
         (_, Some(event)) => event::always(ready, event, along),
-        (What::Across, None) => Shown::Nothing("members of a family are not enclosed".to_owned()),
+        (What::Across, None) => Shown::Nothing("members of a family are not enclosed".into()),
         (What::Value, None) => span::constant(ready, along),
         (
             What::Every | What::Denied | What::Defined | What::Constant | What::SameMotion(..) | What::Independent,
@@ -309,7 +322,7 @@ fn shown(ready: &mut Ready, near: Option<&Witness>, along: &mut Along) -> Shown 
         // Never, though it should: a reader sees a time at which it is not so.
         (What::Denied, Shown::Holds(enclosed, reason)) => match span::some_time(ready, along) {
             Some(witness) => Shown::Excluded(Enclosed { gap: 0.0, ..enclosed }, reason, witness),
-            None => Shown::Nothing("it does not happen, but there is no time to show that counts".to_owned()),
+            None => Shown::Nothing("it does not happen, but there is no time to show that counts".into()),
         },
         (_, shown) => shown,
     }

@@ -66,7 +66,7 @@ impl<'a> Rank<'a> {
     /// At every time.
     pub fn always(&self, along: &mut Along) -> Shown {
         if self.ready.event.is_some() {
-            return Shown::Nothing("independence at events is not enclosed".to_owned());
+            return Shown::Nothing("independence at events is not enclosed".into());
         }
         let (mut may_say, mut says) = (false, false);
         let judge = |_: Interval, ranges: &Ranges| {
@@ -80,7 +80,7 @@ impl<'a> Rank<'a> {
                     says |= selected == Some(true);
                     Judgement::Settled
                 }
-                false => Judgement::Open("the gradients may be dependent".to_owned()),
+                false => Judgement::Open("the gradients may be dependent".into()),
             }
         };
         match along.cover(&self.ready.roots, judge, |_| false) {

@@ -8,6 +8,7 @@
 //! [`Group::allows`] it, and is asked for by its own name, [`Ready::within`].
 
 use super::cover::{Along, Ranges, Selection};
+use super::why::Why;
 use crate::derivation::{Claim, Occasion};
 use crate::flow::Reach;
 use crate::latex::RelationKind;
@@ -34,9 +35,9 @@ pub(super) enum Shown {
     /// It is true if it says anything.
     Unless(Enclosed, String),
     /// It tells of nearly all times, and not of a stretch between: anything may be so there, alone.
-    Isolated(String),
+    Isolated(Why),
     /// It does not tell.
-    Nothing(String),
+    Nothing(Why),
 }
 
 impl Shown {
@@ -293,7 +294,7 @@ impl<'a> Ready<'a> {
     ///
     /// # Errors
     /// Why it is not known to be true, or true where it has a value.
-    pub fn within(&self, ranges: &Ranges, sign: usize) -> Result<f64, String> {
+    pub fn within(&self, ranges: &Ranges, sign: usize) -> Result<f64, Why> {
         let (room, allows) = (self.room(), self.allows());
         let mut largest = 0.0_f64;
         let one = |c: usize| {
@@ -329,15 +330,16 @@ impl<'a> Ready<'a> {
         }
         let wrong = (0..self.group.comparisons.len()).find(|&c| one(c).may_be(Truth::False) || one(c) == Possible::ANY);
         let c = wrong.unwrap_or(0);
-        let Some(comparison) = self.group.comparisons.get(c) else { return Err("nothing is compared".to_owned()) };
+        let Some(comparison) = self.group.comparisons.get(c) else { return Err("nothing is compared".into()) };
         Err(match &ranges[self.place(sign, c)] {
-            Err(reason) => format!("`{}` has no value: {reason}", comparison.label),
+            Err(reason) => format!("`{}` has no value: {reason}", comparison.label).into(),
             Ok(reach) => {
                 let (lo, hi) = (reach.range().lo(), reach.range().hi());
-                format!(
+                let words = format!(
                     "the sides of `{}` cannot be told apart: their difference lies in [{lo:.2e}, {hi:.2e}]",
                     comparison.label
-                )
+                );
+                Why { difference: Some((lo, hi)), ..words.into() }
             }
         })
     }

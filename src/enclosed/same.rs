@@ -6,6 +6,7 @@
 use super::cover::Along;
 use super::pair::Asked;
 use super::ready::{POINTS, Ready, Shown, median};
+use super::why::Why;
 use crate::expr::{Leaf, Symbol};
 use crate::flow::{Compiled, Enclosure};
 use crate::number::{Interval, NoValue};
@@ -117,11 +118,12 @@ impl Same {
                             let reason = lie_apart(&witness);
                             return Shown::Fails(witness, reason);
                         }
-                        open = Some(format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi()));
+                        let words = format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi());
+                        open = Some(Why { difference: Some((d.lo(), d.hi())), ..words.into() });
                         break;
                     }
                     Err(reason) => {
-                        open = Some(format!("{name}: {reason}"));
+                        open = Some(format!("{name}: {reason}").into());
                         break;
                     }
                 }
@@ -131,7 +133,7 @@ impl Same {
             let (first, second) = (Interval::new(time.lo(), middle), Interval::new(middle, time.hi()));
             let short = time.width() < SHORTEST * (self.span.1 - self.span.0);
             let (false, true, Ok(first), Ok(second)) = (short, looked < MOST, first, second) else {
-                return Shown::Nothing(format!("{why}, on [{:.6}, {:.6}]", time.lo(), time.hi()));
+                return Shown::Nothing(why.on(time));
             };
             todo.extend([second, first]);
         }

@@ -6,6 +6,7 @@
 
 use super::cover::{Along, Judgement, Ranges, Selection};
 use super::ready::{POINTS, Ready, Shown, median};
+use super::why::Why;
 use crate::latex::RelationKind;
 use crate::number::{Interval, NoValue};
 use crate::verdict::{Enclosed, Possible, Quantifier, Truth, Witness};
@@ -41,9 +42,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
         }
         if selected == Some(true) && (known == Possible::FALSE || ready.crosses(ranges, time)) {
             found.apart = Some(time);
-            return Judgement::Stop("it is false for certain".to_owned());
+            return Judgement::Stop("it is false for certain".into());
         }
-        let each: Vec<Result<f64, String>> = (0..ready.signs).map(|s| ready.within(ranges, s)).collect();
+        let each: Vec<Result<f64, Why>> = (0..ready.signs).map(|s| ready.within(ranges, s)).collect();
         let now: Vec<bool> = each.iter().map(Result::is_ok).collect();
         let enough = match ready.group.signs {
             Quantifier::Some => now.contains(&true),
@@ -69,7 +70,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
                 let reason = format!("certified at t = {}", witness.t);
                 Shown::Fails(witness, reason)
             }
-            None => Shown::Nothing(format!("near t = {:.6} the sides differ", time.mid())),
+            None => Shown::Nothing(format!("near t = {:.6} the sides differ", time.mid()).into()),
         };
     }
     let looked = match covered {
@@ -92,7 +93,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     if ready.group.throughout && ready.signs > 1 && !found.serves.contains(&true) {
         return match against_each_sign(ready, along, &[]) {
             Some(witness) => Shown::Fails(witness, "no single sign of ± serves the whole motion".to_owned()),
-            None => Shown::Nothing("no single sign of ± is shown to serve".to_owned()),
+            None => Shown::Nothing("no single sign of ± is shown to serve".into()),
         };
     }
     if !found.may_say {
@@ -100,9 +101,9 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     }
     let enclosed = Enclosed { places: looked, gap: found.gap, scale: ready.scale };
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
-    let apart = match equation && !ready.part.is_definedness() && ready.group.allows() {
+    let within = found.gap > 0.0 || equation && !ready.part.is_definedness() && ready.group.allows();
+    let apart = match within {
         true => format!(", within {:.1e} where terms are {:.1e}", found.gap, ready.scale),
-        false if found.gap > 0.0 => format!(", where the sides may cross by {:.1e}", found.gap),
         false => String::new(),
     };
     let reason = format!("for every t of the span: in {looked} stretches{apart}");
@@ -118,12 +119,7 @@ fn is_silent(ready: &Ready, ranges: &Ranges) -> bool {
 }
 
 /// What is shown where one stretch stays open: whether nearly all single times are settled.
-pub(super) fn alone(
-    along: &mut Along,
-    roots: &Selection,
-    reason: String,
-    is_settled: impl Fn(&Ranges) -> bool,
-) -> Shown {
+pub(super) fn alone(along: &mut Along, roots: &Selection, reason: Why, is_settled: impl Fn(&Ranges) -> bool) -> Shown {
     let every = along.pieces().len().div_ceil(LOOKS).max(1);
     let times: Vec<f64> = along.pieces().iter().step_by(every).map(|time| 0.3 * time.lo() + 0.7 * time.hi()).collect();
     let settled = times.iter().filter(|&&t| is_settled(&along.over(roots, Interval::point(t)))).count();
@@ -134,7 +130,7 @@ pub(super) fn alone(
 pub(super) fn silent(ready: &Ready, along: &mut Along, shown: Shown) -> Shown {
     let judge = |_: Interval, ranges: &Ranges| match is_silent(ready, ranges) {
         true => Judgement::Settled,
-        false => Judgement::Open("whether any time counts is open".to_owned()),
+        false => Judgement::Open("whether any time counts is open".into()),
     };
     match along.cover(&ready.roots, judge, |_| false) {
         Ok(_) => Shown::Void("at no time of the span that counts does it have a value".to_owned()),
@@ -297,7 +293,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
     let room = ready.precision * if scale > 0.0 { scale } else { 1.0 };
     if ready.signs > 1 {
         return Shown::Nothing(
-            "what is the same for one sign of ± is not enclosed where the start does not count".to_owned(),
+            "what is the same for one sign of ± is not enclosed where the start does not count".into(),
         );
     }
     // For each quantity the hull over all stretches that may count, and what it is for certain at times that do.
@@ -313,7 +309,9 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
         for c in 0..count {
             match &ranges[ready.place(0, c)] {
                 Err(NoValue::OutOfDomain) => {}
-                Err(reason) => return Judgement::Open(format!("whether there is a value cannot be told: {reason}")),
+                Err(reason) => {
+                    return Judgement::Open(format!("whether there is a value cannot be told: {reason}").into());
+                }
                 Ok(reach) => {
                     void = false;
                     let range = reach.range();
@@ -328,12 +326,12 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
                         if let (Some((l, _)), Some((h, _))) = (*low, *high)
                             && h > l
                         {
-                            return Judgement::Stop("it takes two values for certain".to_owned());
+                            return Judgement::Stop("it takes two values for certain".into());
                         }
                     }
                     if range.width() > room {
                         let wide = range.width();
-                        return Judgement::Open(format!("its values are known only to within {wide:.1e}"));
+                        return Judgement::Open(format!("its values are known only to within {wide:.1e}").into());
                     }
                     hulls[c] = Some(hulls[c].map_or(range, |h| h.hull(range)));
                 }
@@ -372,7 +370,7 @@ pub(super) fn constant(ready: &Ready, along: &mut Along) -> Shown {
         return Shown::Void("at no time of the span that counts does it have a value".to_owned());
     }
     if gap > room {
-        return Shown::Nothing(format!("its values are known only to within {gap:.1e}"));
+        return Shown::Nothing(format!("its values are known only to within {gap:.1e}").into());
     }
     let reason =
         format!("for every t of the span: in {looked} stretches, within {gap:.1e} where terms are {scale:.1e}");

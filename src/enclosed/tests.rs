@@ -46,7 +46,7 @@ fn what_is_true_is_settled_by_the_first_stretches() {
     let (mut along, energy, _) = oscillator();
     let small = |_: Interval, ranges: &Ranges| match &ranges[0] {
         Ok(reach) if reach.range().magnitude() < 1e-10 => Judgement::Settled,
-        other => Judgement::Open(format!("{other:?}")),
+        other => Judgement::Open(format!("{other:?}").into()),
     };
     let looked = along.cover(&energy, small, |_| true);
     assert_eq!(looked, Ok(along.pieces().len()));
@@ -57,20 +57,20 @@ fn what_is_true_is_settled_by_the_first_stretches() {
 fn an_endless_search_reaches_the_limit_of_work() {
     let (mut along, energy, _) = oscillator();
     let never = |time: Interval, _: &Ranges| match time.width() > 2.5e-5 {
-        true => Judgement::Open("too long".to_owned()),
+        true => Judgement::Open("too long".into()),
         false => Judgement::Settled,
     };
     let first = along.cover(&energy, never, |_| false).expect_err("too much");
-    assert!(first.contains("work limit of 400000 operations") && first.contains("t = "), "{first}");
+    assert!(first.words.contains("work limit of 400000 operations") && first.words.contains("t = "), "{first:?}");
     // Without a new allowance the next search ends at once; with one it comes as far as the first.
-    assert!(along.cover(&energy, never, |_| false).expect_err("nothing left").contains("work limit"));
+    assert!(along.cover(&energy, never, |_| false).expect_err("nothing left").words.contains("work limit"));
     along.refill();
     assert_eq!(along.cover(&energy, never, |_| false), Err(first));
     // All claims of a motion together have a limit too.
     let mut last = String::new();
     for _ in 0..40 {
         along.refill();
-        last = along.cover(&energy, never, |_| false).expect_err("too much");
+        last = along.cover(&energy, never, |_| false).expect_err("too much").words;
     }
     assert!(last.contains("for the motion"), "{last}");
 }
@@ -82,7 +82,7 @@ fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
     let (judged, asked) = (Cell::new(0), Cell::new(0));
     let judge = |_: Interval, _: &Ranges| {
         judged.set(judged.get() + 1);
-        Judgement::Open("open".to_owned())
+        Judgement::Open("open".into())
     };
     let hopeless = |ranges: &Ranges| {
         asked.set(asked.get() + 1);
@@ -91,7 +91,9 @@ fn what_no_shorter_stretch_could_help_is_given_up_at_once() {
         true
     };
     let why = along.cover(&q, judge, hopeless).expect_err("hopeless");
-    assert!(why.contains("too wide"), "{why}");
+    assert!(why.words.contains("too wide"), "{why:?}");
+    let place = why.obstacle().expect("a place");
+    assert_eq!(place.from, place.to, "at one time");
     assert_eq!((judged.get(), asked.get()), (1, 1));
 }
 
@@ -108,7 +110,7 @@ fn presuppositions_are_shared_by_precision_only() {
         })
     };
     let yes = || Shown::at_one_place(String::new());
-    let no = || Shown::Nothing("too fine".to_owned());
+    let no = || Shown::Nothing("too fine".into());
     assert!(matches!(ask(1e-3, yes()), Shown::Holds(..)));
     assert!(matches!(ask(1e-3, no()), Shown::Holds(..)));
     assert!(matches!(ask(1e-12, no()), Shown::Nothing(_)));

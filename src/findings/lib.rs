@@ -34,6 +34,6 @@ pub use single_motion::Alone;
 pub use units;
 pub use variant::{ClassCount, Correction, Discrimination, EditClass, Erratum, SEED, Survivor, VariantAccount, WEAK};
 pub use verdict::{
-    Enclosed, Evidence, Exclusion, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength, Verdict,
-    Witness,
+    Enclosed, Evidence, Exclusion, Obstacle, Outcome, Possible, Proof, Residual, ResidualPoint, Residuals, Strength,
+    Verdict, Witness,
 };

@@ -93,6 +93,8 @@ pub struct RegionAccount {
     pub witness: Option<RegionWitness>,
     /// For `exists`: the solutions that were found, if the ranges were not taken apart for them.
     pub solutions: Vec<SolutionAccount>,
+    /// Formulas that are identities by random evaluation: each with log₂ of the bound for the probability of an error.
+    pub identities: Vec<(String, f64)>,
     /// What else is to be known, in words.
     pub remarks: Vec<String>,
     /// The picture of the first two ranges.

@@ -15,7 +15,7 @@ use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
 use crate::findings::{ClaimAccount, by_trajectory};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::number::Bounded;
-use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
+use crate::verdict::{Obstacle, Outcome, Possible, Proof, Strength, Verdict, Witness};
 use claim::comparison::{Comparison, Group, may_leap};
 use claim::denote::denote;
 use claim::limits::Limits;
@@ -362,6 +362,7 @@ impl<'a> Setting<'a> {
                         verdict.doubt(
                             position,
                             format!("whether there is a value near t = {t} is open: a rate may have none"),
+                            Some(Obstacle { from: t, to: t, difference: None }),
                         );
                     }
                 }

@@ -5,7 +5,7 @@ use super::numbers::{count, size, time, value};
 use super::summary::sides;
 use super::tally::{declared, name, says};
 use super::text::{Paint, paragraph};
-use super::wording::one_line;
+use super::wording::{one_line, slack_sentence};
 use crate::derivation::{Claim, Derivation, SymbolEntry};
 use findings::{Account, ClaimAccount, Outcome, PairAccount, Strength};
 
@@ -141,6 +141,9 @@ fn about_pair(account: &Account, pair: &PairAccount, paint: Paint) -> String {
             size(r.max),
             size(r.bound)
         ));
+    }
+    if let Some(slack) = slack_sentence(pair) {
+        out.push_str(&paragraph(&slack, 4));
     }
     if let Some(branch) = &evidence.branch {
         out.push_str(&format!("    sign: {branch}\n"));

@@ -6,6 +6,7 @@ use super::marked::display;
 pub(super) use super::marked::{code, fenced, math, prose, table};
 use super::numbers::{count, size, time, value};
 use super::tally::{Group, declared, groups, name};
+use super::wording::slack_sentence;
 use super::{discrimination, family};
 use crate::derivation::{ClaimRole, DEFAULT_PRECISION, Derivation};
 use findings::{Account, ClaimAccount, Measurement, PairAccount};
@@ -319,6 +320,9 @@ fn told(pair: &PairAccount, holds: bool) -> String {
             size(r.bound),
             pair.verdict.outcome().strength().unwrap_or_default(),
         ));
+    }
+    if let Some(slack) = slack_sentence(pair) {
+        out.push_str(&format!(" {slack}."));
     }
     if let Some(reason) = evidence.reason.as_ref().filter(|_| !holds) {
         out.push_str(&format!(" On `{}`: {}.", pair.trajectory, prose(reason)));

@@ -1,4 +1,8 @@
-//! Texts in which formulas stand, taken apart; how each part is written is for the kind of report to say.
+//! Texts in which formulas stand, taken apart, and sentences that several kinds of report share; how each part is written is for the kind
+//! of report to say.
+
+use super::numbers::size;
+use findings::{Outcome, PairAccount, Strength};
 
 /// A part of a text.
 #[derive(Debug, PartialEq)]
@@ -53,6 +57,17 @@ pub(super) fn unit(text: &str) -> String {
         }
     }
     out
+}
+
+/// By how much a weak inequality that holds at samples may be violated there.
+pub(super) fn slack(pair: &PairAccount) -> Option<f64> {
+    let sampled = matches!(pair.verdict.outcome(), Outcome::Holds(Strength::Sampled));
+    pair.verdict.evidence().slack.filter(|_| sampled)
+}
+
+/// The same in words.
+pub(super) fn slack_sentence(pair: &PairAccount) -> Option<String> {
+    slack(pair).map(|slack| format!("Where its sides agree it may be violated by up to {}", size(slack)))
 }
 
 /// What a comparison is called.

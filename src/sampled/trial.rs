@@ -157,7 +157,8 @@ fn met_on(
         }
     };
     // What is left out where a hypothesis has no value is no matter of the claim.
-    let evidence = Evidence { reason, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
+    let unmet = finding.evidence().witness.clone().filter(|_| known(&finding) == Possible::FALSE);
+    let evidence = Evidence { reason, unmet, excluded: Vec::new(), series: None, ..finding.evidence().clone() };
     let finding = unless_unresolved(trial, part, Finding::sampled(known(&finding), evidence));
     let finding = unless_one_sided(trial, &part.group, finding);
     let finding = unless_met_elsewhere(met, finding);

@@ -339,4 +339,25 @@ mod tests {
         }
         assert!(sized_apart > 20, "the size of the terms decides: {sized_apart}");
     }
+
+    #[test]
+    fn what_a_weak_inequality_agrees_within_is_told_and_nothing_else() {
+        let mut graph = Graph::default();
+        let node = graph.integer(0);
+        let at = |value, error| {
+            let mut series = Series::with_capacity(1);
+            series.push(Ok(Measured { left: value, right: 0.0, difference: Bounded { value, error } }));
+            series
+        };
+        let of = |each: &[(RelationKind, f64, f64)]| {
+            let comparisons = each.iter().map(|&(kind, ..)| Comparison::measured(String::new(), kind, node)).collect();
+            let group = Group { comparisons, ..Group::default() };
+            let series = each.iter().map(|&(_, value, error)| at(value, error)).collect();
+            let sizes = (vec![Sizes::Known(vec![vec![1.0]; each.len()].into())], 0);
+            agreement(&MeasuredGroup::new(&group, vec![series], sizes), 0, 0)
+        };
+        let (less, greater) = (RelationKind::LessEqual, RelationKind::GreaterEqual);
+        assert_eq!(of(&[(less, 1e-16, 2e-16), (greater, 0.0, 3e-16), (less, -1.0, 0.5)]), Some(3e-16));
+        assert_eq!(of(&[(less, -1e-3, 2e-16), (RelationKind::Equal, 0.0, 1e-16), (greater, 0.0, 0.0)]), None);
+    }
 }

@@ -11,7 +11,7 @@
 
 use std::sync::Arc;
 
-use super::evidence::{Evidence, Proof, Residuals, Witness};
+use super::evidence::{Evidence, Obstacle, Proof, Residuals, Witness};
 use super::proposition::Proposition;
 use super::truth::{Possible, Truth};
 
@@ -253,18 +253,19 @@ impl Verdict {
     }
 
     /// Gives up that samples say that a part is true, or void: what is asked of every time is seen to be open at one.
-    pub fn doubt(&mut self, part: usize, reason: String) {
+    pub fn doubt(&mut self, part: usize, reason: String, obstacle: Option<Obstacle>) {
         let of_all_times = |f: &&mut Finding| matches!(f.sampled, Possible::TRUE | Possible::VOID);
         if let Some(finding) = self.findings.get_mut(part).filter(of_all_times) {
             finding.sampled = if finding.sampled == Possible::TRUE { Possible::OPEN } else { Possible::ANY };
-            finding.evidence.reason = Some(reason);
+            (finding.evidence.reason, finding.evidence.obstacle) = (Some(reason), obstacle);
             self.fold();
         }
     }
 
     /// Adds to what is said of a verdict, without changing it.
-    pub fn remark(&mut self, reason: String) {
+    pub fn remark(&mut self, reason: String, obstacle: Option<Obstacle>) {
         self.evidence.reason = Some(reason);
+        self.evidence.obstacle = obstacle;
     }
 
     /// Completes the witness that is shown, and gives another curve where there is one: what is shown, not what it means.

@@ -70,6 +70,17 @@ pub struct Enclosed {
     pub scale: f64,
 }
 
+/// Where an enclosure is too wide to decide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Obstacle {
+    /// First time; that of an event is known no better.
+    pub from: f64,
+    /// Last time, which may be the first.
+    pub to: f64,
+    /// What encloses the difference of the two sides there, where both have a value.
+    pub difference: Option<(f64, f64)>,
+}
+
 /// A proof for all values, as far as a verdict needs to know it.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Proof {
@@ -143,6 +154,10 @@ pub struct Evidence {
     pub series: Option<Arc<Residuals>>,
     /// What an enclosure found.
     pub enclosed: Option<Enclosed>,
+    /// A point at which an assumption is not met.
+    pub unmet: Option<Witness>,
+    /// Where an enclosure did not decide.
+    pub obstacle: Option<Obstacle>,
     /// The proof behind it.
     pub proof: Option<Proof>,
     /// Of a scaling law, what was compared.

@@ -3,11 +3,12 @@
 use super::conditions::Conditions;
 use super::family::Family;
 use super::region::Region;
+use super::value::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
 use super::variants::{Discrimination, Variants};
-use super::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
 use crate::certificates::file_name;
 use crate::derivation::{ClaimRole, Derivation};
 use crate::tally::declared;
+use crate::wording::slack;
 use findings::standing;
 
 objects! {
@@ -144,6 +145,9 @@ objects! {
         unexpected: bool = of.is_unexpected(),
         /// The worst point of a comparison.
         residual: Option<Residual> = evidence.residual.as_ref().map(Residual::of),
+        /// By how much a weak inequality may be violated at samples: the largest error bound at which its sides agree.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        slack: Option<f64> = slack(of),
         /// Times at which the claim was compared.
         samples: usize = evidence.samples,
         /// Why not applicable or undecided; a remark otherwise.
@@ -156,6 +160,39 @@ objects! {
         discrimination: Option<Discrimination> = of.discrimination.as_ref().map(Discrimination::of),
         /// A point that can be checked by hand, for a claim that fails.
         witness: Option<Witness<'a>> = evidence.witness.as_ref().map(Witness::of),
+        /// What an enclosure found, where it decided.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Enclosed")]
+        enclosed: Option<Enclosed> = evidence.enclosed.as_ref().map(Enclosed::of),
+        /// A point at which an assumption is not met, where the claim does not apply.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Witness")]
+        unmet: Option<Witness<'a>> = evidence.unmet.as_ref().map(Witness::of),
+        /// Where an enclosure did not decide.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Obstacle")]
+        obstacle: Option<Obstacle> = evidence.obstacle.as_ref().map(Obstacle::of),
+    }
+
+    /// What an enclosure found on all stretches of a span.
+    Enclosed of (of: &findings::Enclosed) {
+        /// How many stretches were looked at, or events.
+        places: usize = of.places,
+        /// For equations: |left − right| is at most this everywhere; for weak inequalities, by how much the wrong side may be the
+        /// larger one; 0 where neither was decided.
+        gap: f64 = of.gap,
+        /// The size of the terms that the gap is small against.
+        scale: f64 = of.scale,
+    }
+
+    /// Where an enclosure is too wide to decide.
+    Obstacle of (of: &findings::Obstacle) {
+        /// First time.
+        from: f64 = of.from,
+        /// Last time, which may be the first.
+        to: f64 = of.to,
+        /// What encloses the difference of the two sides there, where both have a value.
+        difference: Option<[f64; 2]> = of.difference.map(<[f64; 2]>::from),
     }
 
     /// The worst point of a comparison.

@@ -1,6 +1,6 @@
 //! Under which condition a claim holds, and which of its assumptions it needs.
 
-use super::{Join, Need, objects};
+use super::value::{Join, Need, objects};
 use findings::conditions;
 
 objects! {

@@ -2,7 +2,7 @@
 
 use super::claim::Witness;
 use super::conditions::Explanation;
-use super::{Decided, FamilyStrength, Finite, Named, Strength, Verdict, objects};
+use super::value::{Decided, FamilyStrength, Finite, Named, Strength, Verdict, objects};
 use findings::FamilyAccount;
 use findings::family::{self, SHARES};
 

@@ -8,7 +8,7 @@
 //! fields are only added here.
 //!
 //! **Guaranteed:** what is written has all fields of the schema, and no others. A number that is none (JSON has no infinity) is `null`,
-//! and the schema says so of every number but a [`Finite`] one.
+//! and the schema says so of every number but a [`Finite`](value::Finite) one.
 
 mod claim;
 mod conditions;
@@ -18,13 +18,8 @@ mod proposition;
 mod region;
 mod steps;
 mod units;
+mod value;
 mod variants;
-
-use std::borrow::Cow;
-use std::collections::BTreeMap;
-
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Serialize, Serializer};
 
 use crate::derivation::Derivation;
 use ::paper::Comparison;
@@ -35,128 +30,8 @@ use paper::Paper;
 pub(super) use proposition::Answer;
 use steps::{Digest, Graph};
 use units::Units;
+use value::{Named, Origin, objects};
 use variants::Alone;
-
-/// Objects of the document, each with the function `of` that makes it.
-macro_rules! objects {
-    ($(
-        $(#[$meta:meta])*
-        $name:ident $(<$life:lifetime>)? of ($($input:ident: $of:ty),+) $(let $part:pat = $found:expr;)* {
-            $($(#[$about:meta])* $field:ident: $type:ty = $value:expr,)+
-        }
-    )+) => {$(
-        #[derive(serde::Serialize, schemars::JsonSchema)]
-        $(#[$meta])*
-        pub struct $name $(<$life>)? {
-            $($(#[$about])* pub $field: $type,)+
-        }
-
-        impl $(<$life>)? $name $(<$life>)? {
-            pub fn of($($input: $of),+) -> Self {
-                $(let $part = $found;)*
-                Self { $($field: $value,)+ }
-            }
-        }
-    )+};
-}
-use objects;
-
-/// Words of the document, of which the schema has no others.
-macro_rules! words {
-    ($($(#[$meta:meta])* $name:ident: $($word:literal)|+;)+) => {$(
-        $(#[$meta])*
-        #[derive(serde::Serialize)]
-        pub struct $name(pub &'static str);
-
-        impl JsonSchema for $name {
-            fn inline_schema() -> bool {
-                true
-            }
-
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({ "type": "string", "enum": [$($word),+] })
-            }
-        }
-    )+};
-}
-
-words! {
-    /// What became of a claim.
-    Verdict: "holds" | "fails" | "not-applicable" | "undecided";
-    /// How strong its evidence is.
-    Strength: "sampled" | "enclosed" | "certified" | "proved";
-    /// The same of a claim over ranges, which is not sampled.
-    RangesStrength: "enclosed" | "certified" | "proved";
-    /// The same of a family.
-    FamilyStrength: "sampled";
-    /// What became of a step for all values.
-    StepVerdict: "proved" | "refuted" | "undecided";
-    /// The same in full.
-    StepStanding: "proved" | "proved except" | "proved given" | "refuted" | "undecided";
-    /// How a trajectory comes about.
-    Origin: "integrated" | "formula" | "derived";
-    /// Whether the units of a formula agree.
-    UnitsVerdict: "consistent" | "inconsistent" | "not-checked";
-    /// How conditions are put together.
-    Join: "and" | "or";
-    /// Whether a claim needs an assumption.
-    Need: "needed" | "not-needed" | "undecided" | "untested";
-    /// One of two verdicts.
-    Decided: "holds" | "fails";
-    /// What a node of the graph is.
-    NodeKind: "claim" | "system" | "symbol";
-}
-
-/// Values by their names, in the order of the account.
-pub struct Named<'a, T>(Vec<(&'a str, T)>);
-
-impl<'a, T> Named<'a, T> {
-    fn of<U>(values: &'a [(String, U)], value: impl Fn(&'a U) -> T) -> Self {
-        Named(values.iter().map(|(name, x)| (name.as_str(), value(x))).collect())
-    }
-}
-
-impl<T: Serialize> Serialize for Named<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Named<'_, T> {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Named".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        BTreeMap::<String, T>::json_schema(generator)
-    }
-}
-
-/// A number that is one.
-#[derive(Serialize)]
-pub struct Finite(pub f64);
-
-impl JsonSchema for Finite {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Finite".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "number" })
-    }
-}
 
 objects! {
     #[schemars(title = "A report of rederive")]

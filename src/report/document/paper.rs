@@ -1,6 +1,6 @@
 //! The comparison with the paper. Its path is not in it.
 
-use super::objects;
+use super::value::objects;
 use crate::paper::line;
 use ::paper::{Comparison, Coverage, Difference, UnknownLabel};
 

@@ -1,7 +1,8 @@
 //! The answer to a proposition.
 
+use super::Tool;
 use super::claim::{AssumptionsUsed, Trials};
-use super::{Named, StepStanding, StepVerdict, Tool, objects};
+use super::value::{Named, StepStanding, StepVerdict, objects};
 use crate::certificates::{certificate_text, is_certified};
 use findings::{Counterexample, IdentityAccount, Place, Proposition};
 

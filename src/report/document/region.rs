@@ -1,6 +1,6 @@
 //! A claim over ranges of values.
 
-use super::{Named, RangesStrength, Verdict, objects};
+use super::value::{Named, RangesStrength, Verdict, objects};
 use findings::region::{Part, Patch, RangeAccount, RegionAccount, RegionMap, RegionWitness, Shares as Parts};
 
 objects! {
@@ -39,6 +39,17 @@ objects! {
         remarks: &'a [String] = &of.remarks,
         /// The picture of two of the ranges.
         map: Option<Board> = of.map.as_ref().map(Board::of),
+        /// Formulas that are identities by random evaluation.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        identities: Vec<RandomIdentity<'a>> = of.identities.iter().map(RandomIdentity::of).collect(),
+    }
+
+    /// A formula that is an identity by random evaluation.
+    RandomIdentity<'a> of (of: &'a (String, f64)) {
+        /// As written.
+        formula: &'a str = &of.0,
+        /// log2 of the bound for the probability of an error.
+        log2_error: f64 = of.1,
     }
 
     /// A symbol with its range or value.

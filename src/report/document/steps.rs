@@ -1,6 +1,6 @@
 //! What follows from what, and what became of each claim as a whole.
 
-use super::{NodeKind, objects};
+use super::value::{NodeKind, objects};
 use crate::consequence::Consequences;
 use crate::derivation::Derivation;
 use crate::digest::{self, Fate, Whole};

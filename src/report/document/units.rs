@@ -1,6 +1,6 @@
 //! Whether the formulas are consistent in their units.
 
-use super::{UnitsVerdict, objects};
+use super::value::{UnitsVerdict, objects};
 use findings::units::{Term, UnitAccount, UnitVerdict, UnitsAccount};
 
 objects! {

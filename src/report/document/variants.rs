@@ -1,6 +1,6 @@
 //! What altered formulas say of the evidence, and what a claim that fails should have said.
 
-use super::objects;
+use super::value::objects;
 use findings::SEED;
 
 objects! {

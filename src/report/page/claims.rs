@@ -8,6 +8,7 @@ use super::super::letters::{LEGEND, letters};
 use super::super::markdown::whose;
 use super::super::numbers::{count, size, time, value};
 use super::super::tally::{Group, declared, groups, name};
+use super::super::wording::slack_sentence;
 use super::matrix::{anchor, class};
 use super::reasons::{Told, told};
 use super::text::{display, formula, identifier, label, prose, reason};
@@ -357,7 +358,7 @@ fn table(account: &Account, claim: &ClaimAccount, group: &Group<'_>, scope: &Sco
                     }
                     @if tried { th { "altered rejected" } }
                     @if cut { th { "stretches" } }
-                    @if apart { th { "differ at most" } th { "terms" } }
+                    @if apart { th { "off by at most" } th { "terms" } }
                     th { "notes" }
                 }
             }
@@ -416,6 +417,7 @@ fn notes(pair: &PairAccount, own: Option<&str>, scope: &Scope) -> Markup {
     let words = own.or(evidence.reason.as_deref()).unwrap_or_default();
     html! {
         @if !words.is_empty() { (reason(words, scope)) ". " }
+        @if let Some(slack) = slack_sentence(pair) { (slack) ". " }
         @if let Some(branch) = &evidence.branch { "Sign: " (branch) ". " }
         @for (i, e) in evidence.excluded.iter().enumerate() {
             @if i == 0 { "Left out: " } @else { "; " }

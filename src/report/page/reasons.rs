@@ -14,7 +14,7 @@ pub(super) struct Told<'a> {
     pub others: usize,
     /// The number of stretches of an enclosure.
     pub stretches: Option<&'a str>,
-    /// By how much the sides are apart at most, and how large their terms are.
+    /// How far off the relation may be at most, and how large its terms are.
     pub apart: Option<(&'a str, &'a str)>,
     /// What is said of this motion alone.
     pub own: String,
@@ -77,8 +77,8 @@ fn enclosed(reason: &str) -> Option<Told<'_>> {
             ": the enclosure of the motion leaves no time in any of the stretches below"
         }
         Some(_) => {
-            ", by enclosures of both sides on each of the stretches that it is cut into; below: how many there are, by how much \
-             the sides differ at most, and how large the terms are that make them up"
+            ", by enclosures of both sides on each of the stretches that it is cut into; below: how many there are, how far off \
+             it may be at most, and how large the terms are that make up its sides"
         }
         None => ", by an enclosure on each of the stretches that it is cut into; below: how many there are",
     };
