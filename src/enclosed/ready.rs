@@ -339,7 +339,7 @@ impl<'a> Ready<'a> {
                     "the sides of `{}` cannot be told apart: their difference lies in [{lo:.2e}, {hi:.2e}]",
                     comparison.label
                 );
-                Why { difference: Some((lo, hi)), ..words.into() }
+                Why::from(words).apart(reach.range())
             }
         })
     }

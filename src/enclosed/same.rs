@@ -119,7 +119,7 @@ impl Same {
                             return Shown::Fails(witness, reason);
                         }
                         let words = format!("{name}: the difference lies in [{:.2e}, {:.2e}]", d.lo(), d.hi());
-                        open = Some(Why { difference: Some((d.lo(), d.hi())), ..words.into() });
+                        open = Some(Why::from(words).apart(d));
                         break;
                     }
                     Err(reason) => {

@@ -11,11 +11,16 @@ use crate::verdict::Obstacle;
 pub(super) struct Why {
     pub words: String,
     /// What encloses the difference of two sides that cannot be told apart.
-    pub difference: Option<(f64, f64)>,
+    difference: Option<(f64, f64)>,
     place: Option<(f64, f64)>,
 }
 
 impl Why {
+    /// Of two sides whose difference is enclosed by this.
+    pub fn apart(self, range: Interval) -> Why {
+        Why { difference: Some((range.lo(), range.hi())), ..self }
+    }
+
     /// On a stretch that is not halved any more.
     pub fn on(self, time: Interval) -> Why {
         let words = format!("{}, on [{:.6}, {:.6}]", self.words, time.lo(), time.hi());
