@@ -21,12 +21,12 @@ use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
 use crate::findings::{ClaimAccount, Measurement, PairAccount};
-use crate::flow::Motion;
-use crate::verdict::Verdict;
+use crate::flow::{Estimation, Motion};
+use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::Options;
-use claim::program::Program;
+use claim::program::{Part, Program, What};
 use proved::by_formula;
 use sampled::course::Trial;
 use sampled::independence::Gradients;
@@ -202,6 +202,52 @@ pub struct Troupe<'a> {
     slot: usize,
     /// The motions that it is compared with, which follow it: the position of what varies, and which.
     beside: Vec<(usize, Beside)>,
+    /// How the errors of members are estimated at first.
+    estimation: Estimation,
+}
+
+/// Of so many members one has the values along its motion computed on both routes, and so have those that are shown: what is compared
+/// is the program with itself, on a motion of the same system with other numbers.
+const CROSS_CHECK: u64 = 64;
+
+/// A derivation with a member, and whether the two routes to its values are compared.
+type OfMember<'d> = (&'d Derivation, bool);
+
+/// What was found on a member.
+struct OnMember {
+    verdicts: Vec<Verdict>,
+    measured: Vec<Measurement>,
+    steps: u64,
+    /// Whether another estimate of its errors might change that.
+    unsettled: bool,
+}
+
+/// What sides may be apart that are one within their error bound, as a share of it. A bound that refutes what is true by this one is
+/// narrower by more than 80 times: a refutation takes ten of its bounds, see [`claim::comparison::GUARD`].
+const WELL_WITHIN: f64 = 0.125;
+
+/// Whether what decides claims are comparisons at the times of one motion. Only of these is it said how much rests on error bounds.
+fn are_plain(programs: &[Vec<Program>]) -> bool {
+    let compares = |part: &Part| {
+        let of_times = matches!(part.what, What::Every | What::Denied | What::Constant | What::Value);
+        of_times && part.group.formula.is_none()
+    };
+    let plain = |program: &Program| {
+        let assumed = program.hypotheses.iter().map(|a| &a.part);
+        program.at.is_none() && program.selectors.is_empty() && program.parts.iter().chain(assumed).all(compares)
+    };
+    programs.iter().flatten().all(plain)
+}
+
+/// Whether a verdict is the same for any sensible estimate of errors. What is true must not need that bounds are as large as they are,
+/// and what is false must be apart by more than they are.
+fn is_settled(verdict: &Verdict) -> bool {
+    let settled = |finding: &Finding| match finding.known(Strength::Sampled).and_then(Possible::decided) {
+        Some(Truth::True) => finding.evidence().within <= WELL_WITHIN,
+        Some(Truth::False) => finding.evidence().witness.as_ref().is_some_and(|w| w.difference() > w.bound),
+        Some(Truth::Void) | None => false,
+    };
+    verdict.defect().is_some() || verdict.outcome().truth().is_some() && verdict.findings().iter().all(settled)
 }
 
 /// What one number gave.
@@ -271,9 +317,24 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
         }
-        let measures = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+        let measures: Vec<Compiled> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
         let start_of = vec![0; derivation.trajectories.len()];
-        Ok(Troupe { members, derivation, fields, programs, measures, gradients, wanted, start_of, slot, beside })
+        // What is measured is shown with its error.
+        let plain = measures.is_empty() && are_plain(&programs);
+        let estimation = if plain { Estimation::Steps } else { Estimation::Companions };
+        Ok(Troupe {
+            members,
+            derivation,
+            fields,
+            programs,
+            measures,
+            gradients,
+            wanted,
+            start_of,
+            slot,
+            beside,
+            estimation,
+        })
     }
 
     /// The claims with what is compiled for them.
@@ -402,7 +463,7 @@ impl<'a> Troupe<'a> {
                     let some = members.par_chunks(TOGETHER).with_max_len(1);
                     let some = some.flat_map_iter(|some| {
                         let some = some.iter().map(|member| (1, member.clone())).collect();
-                        self.tried(some, &prepared, &options.limits)
+                        self.tried(some, &prepared, &options.limits, false)
                     });
                     for one in some.collect::<Vec<_>>() {
                         let Some(One { steps, verdicts, .. }) = one? else {
@@ -462,15 +523,16 @@ impl<'a> Troupe<'a> {
         limits: &Limits,
     ) -> Vec<Result<Option<One>, CheckError>> {
         let members = numbers.iter().map(|number| (*number, self.members.member(*number))).collect();
-        self.tried(members, prepared, limits)
+        self.tried(members, prepared, limits, false)
     }
 
-    /// The same for members at hand.
+    /// The same for members at hand; `shown` says that a reader sees them, so that both routes to their values are compared.
     fn tried(
         &self,
         members: Vec<(u64, Member)>,
         prepared: &[Vec<Prepared>],
         limits: &Limits,
+        shown: bool,
     ) -> Vec<Result<Option<One>, CheckError>> {
         let slot = self.slot;
         let mut found = Vec::new();
@@ -480,7 +542,7 @@ impl<'a> Troupe<'a> {
                 Member::Rejected => Ok(Some(One { rejected: 1, ..One::default() })),
                 Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
                 Member::Found(values, rejected) => self.with_member(number, &values).map(|derivation| {
-                    derivations.push(derivation);
+                    derivations.push((derivation, number % CROSS_CHECK == 1 || shown));
                     Some(One { values: Some(values), rejected, ..One::default() })
                 }),
             });
@@ -498,23 +560,49 @@ impl<'a> Troupe<'a> {
             measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
             limits,
         };
-        let stages = Stage::build_each(&derivations, &self.fields, &requests);
-        let mut stages = derivations.iter().zip(stages);
+        let all: Vec<OfMember> = derivations.iter().map(|(derivation, checked)| (derivation, *checked)).collect();
+        let mut on_members = self.on_members(&all, prepared, &requests, self.estimation);
+        let is_unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
+        let places: Vec<usize> = (0..all.len()).filter(|n| is_unsettled(&on_members[*n])).collect();
+        let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
+        let settled = self.on_members(&again, prepared, &requests, Estimation::Companions);
+        places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
+        let mut on_members = on_members.into_iter();
         let with_verdicts = |one: Result<Option<One>, CheckError>| {
             let Some(one) = one? else { return Ok(None) };
             let Some(values) = &one.values else { return Ok(Some(one)) };
-            let Some((derivation, stage)) = stages.next() else { return Ok(None) };
-            let Some(stage) = stage.map_err(|error| self.not_built(error, values))? else { return Ok(None) };
-            let (verdicts, measured) = self.verdicts(derivation, &stage, prepared, limits)?;
-            let steps = tried.iter().filter_map(|t| stage.motion(*t)).map(Motion::steps).sum::<usize>() as u64;
-            Ok(Some(One { verdicts, measured, steps, ..one }))
+            let Some(found) = on_members.next() else { return Ok(None) };
+            let found = found.map_err(|error| self.not_built(error, values))?;
+            Ok(found.map(|OnMember { verdicts, measured, steps, .. }| One { verdicts, measured, steps, ..one }))
         };
         found.into_iter().map(with_verdicts).collect()
     }
 
+    /// What is found on each of several members; nothing for those that a limit of the run leaves out.
+    fn on_members(
+        &self,
+        members: &[OfMember],
+        prepared: &[Vec<Prepared>],
+        requests: &Requests,
+        estimation: Estimation,
+    ) -> Vec<Result<Option<OnMember>, CheckError>> {
+        let derivations: Vec<&Derivation> = members.iter().map(|(derivation, _)| *derivation).collect();
+        let stages = Stage::build_each(&derivations, &self.fields, requests, estimation);
+        let one = |(member, stage): (&OfMember, Result<Option<Stage>, CheckError>)| {
+            let Some(stage) = stage? else { return Ok(None) };
+            let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
+            let motions = || requests.tried.iter().filter_map(|t| stage.motion(*t));
+            let steps = motions().map(Motion::steps).sum::<usize>() as u64;
+            let unsettled = motions().any(Motion::is_by_steps) && !verdicts.iter().all(is_settled);
+            Ok(Some(OnMember { verdicts, measured, steps, unsettled }))
+        };
+        members.iter().zip(stages).map(one).collect()
+    }
+
     /// One number, without limits.
     fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
-        let found = self.some(&[number], prepared, &Limits::default()).into_iter().next();
+        let member = vec![(number, self.members.member(number))];
+        let found = self.tried(member, prepared, &Limits::default(), true).into_iter().next();
         let missing = || CheckError::Defect(format!("member {number} was not built"));
         found.and_then(Result::transpose).unwrap_or_else(|| Err(missing()))
     }
@@ -565,14 +653,14 @@ impl<'a> Troupe<'a> {
     /// The verdicts of all claims on a member, and what is measured.
     fn verdicts(
         &self,
-        derivation: &Derivation,
+        (derivation, checked): OfMember,
         stage: &Stage,
         prepared: &[Vec<Prepared>],
         limits: &Limits,
     ) -> Result<(Vec<Verdict>, Vec<Measurement>), CheckError> {
         let slot = self.slot;
-        let (course, contradiction) =
-            stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
+        let course = stage.sampled(slot, &self.wanted).map_err(CheckError::Defect)?;
+        let contradiction = checked.then(|| stage.contradiction(&derivation.graph, &course)).flatten();
         let mut accounts: Vec<ClaimAccount> = Vec::new();
         for of in prepared {
             let Prepared { claim, program, gradients } = &of[0];

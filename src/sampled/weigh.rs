@@ -203,7 +203,8 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             worst = Some((c, i));
         }
         match known.decided() {
-            Some(Truth::True | Truth::Void) => {}
+            Some(Truth::True) => evidence.within = evidence.within.max(judged.within(best, i)),
+            Some(Truth::Void) => {}
             None => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {
@@ -274,6 +275,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     }
     evidence.samples = counted.len() - inconclusive_count.min(counted.len() - 1);
     if inconclusive_count > 0 {
+        evidence.within = f64::INFINITY;
         evidence.reason = Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
     }
     Finding::sampled(Possible::TRUE, evidence)
