@@ -109,7 +109,8 @@
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
-mod session;
+#[doc(hidden)]
+pub mod session;
 
 // The command line is written as a user of this library.
 #[cfg(feature = "cli")]

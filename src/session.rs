@@ -4,13 +4,14 @@
 //! motion, or the documents that the reports are made of.
 //!
 //! **Guaranteed:** no file is read or written, nothing is printed, the process does not end, and the derivation stays as it
-//! was read: a check works on a copy. The same text and the same question give the same findings, however many threads
+//! was read. The same text and the same question give the same findings, however many threads
 //! there are.
 //!
 //! **Why this way:** a command line, an editor and a notebook want the same things in another order. What they share is here;
 //! what is left to them is where the text comes from and how findings are shown.
 
 use crate::check::family::{Join, Part, Row};
+use crate::check::search::{SearchAccount, SearchOptions};
 use crate::check::{
     self, Account, Cache, CheckError, ClaimAccount, IdentityAccount, Limits, Options, Outcome, Proposition, Rigor,
     Witness,
@@ -20,6 +21,9 @@ use crate::diag::shown::shown;
 use crate::diag::{Diagnostic, Source};
 use crate::report;
 use crate::verdict::Residuals;
+
+/// Where diagnostics place a problem with the scope of a [`Question`].
+pub const SCOPE: &str = "the scope";
 
 /// A derivation that was read, and what is known of it.
 #[derive(Debug)]
@@ -153,9 +157,12 @@ impl Session {
         Session { name: derivation.id.clone(), derivation, cache: Cache::default() }
     }
 
-    /// A session without a file, for [`prove`](Session::prove).
+    /// A session without a file, for [`prove`](Session::prove). Unless it is declared, i is the imaginary unit.
     pub fn blank() -> Session {
-        Session::of(Derivation::blank())
+        let mut blank = Derivation::blank();
+        // What is not declared here is not declared elsewhere.
+        blank.scope.set_imaginary();
+        Session::of(blank)
     }
 
     /// The derivation, as it was read.
@@ -214,8 +221,7 @@ impl Session {
             rigor: ask.rigor,
             limits: ask.limits.clone(),
         };
-        let mut derivation = self.derivation.clone();
-        let found = check::check(&mut derivation, &options, progress);
+        let found = check::check(&self.derivation, &options, progress);
         // Whatever it says: it was not finished.
         if ask.limits.is_cancelled() {
             return Err(Failure::Cancelled);
@@ -223,7 +229,7 @@ impl Session {
         let mut account = found?;
         let is_asked = |c: &ClaimAccount| ask.claims.iter().any(|name| is_called(&c.id, c.reading.as_ref(), name));
         account.claims.retain(|c| ask.claims.is_empty() || is_asked(c));
-        Ok(Findings { derivation, account })
+        Ok(Findings { derivation: self.derivation.clone(), account })
     }
 
     /// Counts one part of the members of a family: the text of its file. `progress` is told how many of how many members are done.
@@ -281,13 +287,11 @@ impl Session {
             report::read_parts(&text, |part| join.add(part)).map_err(told)?.map_err(|fault| told(fault.to_string()))?;
         }
         let joined = join.finish().map_err(|fault| Failure::Parts(fault.to_string()))?;
-        let mut derivation = self.derivation.clone();
-        let found = check::check_joined(&mut derivation, &joined, limits, progress);
+        let found = check::check_joined(&self.derivation, &joined, limits, progress);
         if limits.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        let account = found?;
-        Ok(Findings { derivation, account })
+        Ok(Findings { derivation: self.derivation.clone(), account: found? })
     }
 
     /// Decides an equation for all values of its symbols.
@@ -307,7 +311,7 @@ impl Session {
     pub fn prove(&self, question: &Question) -> Result<Answer, Failure> {
         let mut derivation = self.derivation.clone();
         if let Some(claim) = &question.scope {
-            check::with_symbols_of(&mut derivation, claim, "the scope")?;
+            check::with_symbols_of(&mut derivation, claim, SCOPE)?;
         }
         let numbered = question.symbols.iter().enumerate();
         let typed: Vec<_> =
@@ -323,14 +327,31 @@ impl Session {
         Ok(Answer { proposition, account })
     }
 
+    /// Searches for a motion on which a claim fails. `progress` is told how many of how many motions are tried.
+    ///
+    /// # Errors
+    /// See [`search`](check::search::search).
+    pub fn search(
+        &self,
+        options: &SearchOptions,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<SearchAccount, Failure> {
+        Ok(check::search::search(&self.derivation, options, progress)?)
+    }
+
     /// Takes another state of the same file. What was found of parts that are as before is not looked for again by
     /// [`check_again`](Session::check_again).
     ///
     /// # Errors
     /// Every problem of the text; the session then keeps the state before.
     pub fn change(&mut self, text: impl Into<String>) -> Result<(), Vec<Diagnostic>> {
-        self.derivation = read(&self.name, text.into())?;
+        self.replace(read(&self.name, text.into())?);
         Ok(())
+    }
+
+    /// The same, with a state that was read already, for instance by [`load`](crate::derivation::load).
+    pub fn replace(&mut self, derivation: Derivation) {
+        self.derivation = derivation;
     }
 
     /// Checks all claims, and recalls what is known from earlier states of the file. The names of the claims for which
@@ -339,9 +360,8 @@ impl Session {
     /// # Errors
     /// As for [`check`](Session::check).
     pub fn check_again(&mut self) -> Result<(Findings, Vec<String>), Failure> {
-        let mut derivation = self.derivation.clone();
-        let (account, checked) = self.cache.check(&mut derivation)?;
-        Ok((Findings { derivation, account }, checked))
+        let (account, checked) = self.cache.check(&self.derivation)?;
+        Ok((Findings { derivation: self.derivation.clone(), account }, checked))
     }
 }
 
@@ -349,6 +369,11 @@ impl Answer {
     /// What was decided: `proved`, `proved except`, `refuted` or `undecided`.
     pub fn standing(&self) -> &'static str {
         self.account.standing()
+    }
+
+    /// The equation, and what is given, as they were understood.
+    pub fn proposition(&self) -> &Proposition {
+        &self.proposition
     }
 
     /// Everything that was found, for the functions of [`report`].

@@ -251,7 +251,7 @@ fn the_witness_of_an_extremum_flies_farther_and_that_of_a_limit_is_estimated() {
     let expected = ["x", "x of the last of the sequence", "t", "t of the last of the sequence", "estimated limit of t"];
     assert_eq!(names, expected);
     let value = |n: usize| witness.values[n].1;
-    assert_eq!(value(1), value(0) / 1024.0);
+    assert_eq!(value(1), value(0) / 3.618_033_988_749_895_f64.powi(5));
     assert!((value(4) - 2.0 * std::f64::consts::PI).abs() < 1e-8, "{}", value(4));
     assert!((witness.left - 1e-6).abs() < 1e-8 && witness.right == 1e-7, "{witness:?}");
 }

@@ -413,9 +413,9 @@ fn what_is_not_clear_is_refused() {
 #[test]
 fn the_derivation_with_complex_amplitudes_is_as_expected() {
     let path = format!("{}/derivations/rabi.toml", env!("CARGO_MANIFEST_DIR"));
-    let mut derivation = rederive::derivation::load(std::path::Path::new(&path))
+    let derivation = rederive::derivation::load(std::path::Path::new(&path))
         .unwrap_or_else(|found| panic!("{}", rederive::diag::render(&found, false)));
-    let account = rederive::check::check(&mut derivation, &rederive::check::Options::default(), &|_, _| {});
+    let account = rederive::check::check(&derivation, &rederive::check::Options::default(), &|_, _| {});
     let account = account.unwrap_or_else(|e| panic!("{e:?}"));
     for claim in &account.claims {
         for judged in claim.verdicts() {

@@ -62,8 +62,8 @@ fn the_example_is_a_derivation_file() {
 #[test]
 fn the_example_has_the_verdicts_that_it_expects() {
     let source = Source { path: "docs/derivation-file.md".into(), text: example() };
-    let mut derivation = parse(source, "pendulum").unwrap_or_else(|found| panic!("{}", render(&found, false)));
-    let account = rederive::check::check(&mut derivation, &rederive::check::Options::default(), &|_, _| {});
+    let derivation = parse(source, "pendulum").unwrap_or_else(|found| panic!("{}", render(&found, false)));
+    let account = rederive::check::check(&derivation, &rederive::check::Options::default(), &|_, _| {});
     let account = account.unwrap_or_else(|e| panic!("{e:?}"));
     for claim in &account.claims {
         for judged in claim.verdicts() {

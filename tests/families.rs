@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use rederive::check::family::{Part, Row, sweep};
-use rederive::check::{Account, CheckError, ClaimAccount, FamilyAccount, Limits, MemberAccount, Options, check};
+use rederive::check::{Account, CheckError, ClaimAccount, FamilyAccount, Limits, MemberAccount, Options, Rigor, check};
 use rederive::derivation::{Derivation, load, parse};
 use rederive::diag::{Source, render};
 use serde_json::Value;
@@ -146,24 +146,28 @@ fn what_is_nearly_true_has_the_verdict_of_a_trajectory() {
         let source = Source { path: "derivations/nearly.toml".into(), text };
         parse(source, "nearly").unwrap_or_else(|e| panic!("{}", render(&e, false)))
     };
-    let mut rows: Vec<(u64, Vec<String>)> = Vec::new();
+    let mut rows: Vec<(u64, Vec<Option<bool>>)> = Vec::new();
     let derivation = parsed(text.clone());
     let mut each = |row: &Row| {
-        rows.push((row.number, row.verdicts.iter().map(|v| format!("{:?}", v.outcome())).collect()));
+        rows.push((row.number, row.verdicts.iter().map(|v| v.outcome().truth()).collect()));
     };
     sweep(&derivation, "f", Part::WHOLE, &Limits::default(), &|_, _| {}, &mut each).unwrap();
     let (mut decided, mut failing) = (0, 0);
     for (number, verdicts) in rows {
-        let account = run(&mut parsed(alone.replace("'k' = 1, 'I'", &format!("'k' = {number}, 'I'"))));
+        let mut derivation = parsed(alone.replace("'k' = 1, 'I'", &format!("'k' = {number}, 'I'")));
+        let options = Options { rigor: Rigor::Sampled, ..plain() };
+        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
         for (claim, verdict) in account.claims.iter().zip(verdicts) {
-            let alone = format!("{:?}", claim.results[0].verdict.outcome());
-            let differ = verdict != alone && verdict != "Undecided" && alone != "Undecided";
-            assert!(!differ, "{} {number}: {verdict}, alone {alone}", claim.id);
-            decided += usize::from(verdict != "Undecided");
-            failing += usize::from(verdict.starts_with("Fails"));
+            let alone = claim.results[0].verdict.outcome().truth();
+            let contradicts = verdict.zip(alone).is_some_and(|(a, b)| a != b);
+            assert!(!contradicts, "{} on {number}: {verdict:?}, alone {alone:?}", claim.id);
+            // Further integrations are made where the steps alone do not decide.
+            assert!(verdict.is_some() || alone.is_none(), "{} on {number}: alone {alone:?}", claim.id);
+            decided += usize::from(verdict.is_some());
+            failing += usize::from(verdict == Some(false));
         }
     }
-    assert!(decided > 500 && failing > 200, "{decided} {failing}");
+    assert!(decided > 400 && failing > 150, "{decided} {failing}");
 }
 
 #[test]

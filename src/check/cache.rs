@@ -41,7 +41,7 @@ impl Cache {
     ///
     /// # Errors
     /// Those of [`check()`]; what was known is forgotten then.
-    pub fn check(&mut self, derivation: &mut Derivation) -> Result<(Account, Vec<String>), CheckError> {
+    pub fn check(&mut self, derivation: &Derivation) -> Result<(Account, Vec<String>), CheckError> {
         let known = self.known.take();
         let Some(contents) = contents(derivation) else {
             let account = check(derivation, &Options::default(), &|_, _| {})?;
@@ -93,13 +93,13 @@ impl Cache {
 /// # Errors
 /// Those of [`check()`].
 fn checked_again(
-    derivation: &mut Derivation,
+    derivation: &Derivation,
     account: &mut Account,
     (checked, changed): (&[String], &BTreeSet<String>),
     before: &[ClaimAccount],
     recall: Recalled,
 ) -> Result<(), CheckError> {
-    let check_some = |derivation: &mut Derivation, account: &mut Account, some: Vec<String>| {
+    let check_some = |derivation: &Derivation, account: &mut Account, some: Vec<String>| {
         if !some.is_empty() {
             let found =
                 check_beside(derivation, &Options { claims: some, ..Options::default() }, &account.claims, recall)?;

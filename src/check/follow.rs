@@ -16,6 +16,7 @@ use crate::derivation::{Claim, Derivation};
 use claim::limits::Limits;
 use findings::{ClaimAccount, IdentityAccount};
 use proved::step::Step;
+use sampled::selection::Selection;
 
 /// What becomes of claims whose premises have changed.
 pub(super) struct Followed {
@@ -52,7 +53,7 @@ pub(super) fn follow(
         *account = account.take().filter(|a| !rest.contains(&a.id));
     }
     // Verdicts on motions are what they were, also those of the claims that are left to a check.
-    let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
+    let selection = everywhere(derivation, following.to_vec());
     let of = |claim: &Claim| before.iter().find(|a| a.id == claim.id && a.reading == claim.reading);
     let earlier: Vec<Option<&ClaimAccount>> = following.iter().map(claim).map(of).collect();
     let on = |account: &Option<&ClaimAccount>, t: usize| {
@@ -60,12 +61,12 @@ pub(super) fn follow(
         account.and_then(|a| a.results.iter().find(|r| r.trajectory == *id)).map(|r| r.verdict.clone())
     };
     let column = |&t: &usize| -> Column { earlier.iter().map(|account| on(account, t)).collect() };
-    let columns: Vec<Column> = tried.iter().map(column).collect();
+    let columns: Vec<Column> = selection.tried.iter().map(column).collect();
     let identity = |k: usize| -> Option<Result<IdentityAccount, String>> {
         accounts[k].as_ref()?;
         let claim = &derivation.claims[following[k]];
         let step = Step::of(derivation, claim)?;
-        match counterexample(derivation, claim, k, following, known, &tried, &columns) {
+        match counterexample(derivation, &selection, k, known, &columns) {
             Some((t, witness)) => Some(Ok(step.refuted_by(&derivation.trajectories[t].id, witness))),
             None => recall.identity(derivation, claim, || step.decide()),
         }
@@ -85,9 +86,13 @@ pub(super) fn strengthen_all(derivation: &Derivation, claims: &mut [ClaimAccount
     let position = |a: &ClaimAccount| derivation.claims.iter().position(|c| c.id == a.id && c.reading == a.reading);
     // An account without a claim would be a defect of the caller; there is nothing to be said of it then.
     let Some(claimed) = claims.iter().map(position).collect::<Option<Vec<usize>>>() else { return };
-    let tried: Vec<usize> = (0..derivation.trajectories.len()).collect();
     // Who follows a file sets no limits.
-    strengthen(derivation, claims, &claimed, known, &tried, &Limits::default());
+    strengthen(derivation, &everywhere(derivation, claimed), claims, known, &Limits::default());
+}
+
+/// These claims, on all trajectories.
+fn everywhere(derivation: &Derivation, claims: Vec<usize>) -> Selection {
+    Selection { claims, tried: (0..derivation.trajectories.len()).collect(), ..Selection::default() }
 }
 
 /// An account with the verdicts that the motions gave, as they were before a proof stood behind them; `None` for a claim that

@@ -9,31 +9,30 @@ use std::collections::HashMap;
 
 use claim::comparison;
 use claim::limits::Limits;
-use derivation::{Claim, Derivation, Premise};
+use derivation::{Derivation, Premise};
 use findings::ClaimAccount;
 use proved::step::Step;
+use sampled::selection::Selection;
 use verdict::{Outcome, Proof, Strength, Verdict, Witness};
 
 /// What was found on one motion: a verdict for every claim that is tried on it.
 pub(super) type Column = Vec<Option<Verdict>>;
 
-/// A motion on which everything holds that a claim is said to follow from, and the claim fails.
+/// A motion on which everything holds that the `k`-th of the chosen claims is said to follow from, and the claim fails.
 pub(super) fn counterexample<'a>(
     derivation: &Derivation,
-    claim: &Claim,
+    selection: &Selection,
     k: usize,
-    claimed: &[usize],
     known: &[ClaimAccount],
-    tried: &[usize],
     columns: &'a [Column],
 ) -> Option<(usize, &'a Witness)> {
-    let given = Step::given(derivation, claim);
-    columns.iter().zip(tried).find_map(|(verdicts, &t)| {
+    let given = Step::given(derivation, &derivation.claims[selection.claims[k]]);
+    columns.iter().zip(&selection.tried).find_map(|(verdicts, &t)| {
         let verdict = verdicts[k].as_ref().filter(|v| matches!(v.outcome(), Outcome::Fails(_)))?;
         let holds = |name: &String| match derivation.premise(name) {
             Premise::System(system) => is_integrated_from(derivation, t, system),
             Premise::Claim(premise) => {
-                let of_this_run = claimed.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
+                let of_this_run = selection.claims.binary_search(&premise).ok().and_then(|k| verdicts[k].as_ref());
                 let verdict = of_this_run.or_else(|| known_verdict(derivation, known, premise, t));
                 // Where a premise was left out, nothing is given.
                 verdict.and_then(Verdict::is_met) == Some(true)
@@ -85,12 +84,12 @@ fn may_leap(derivation: &Derivation, trajectory: usize) -> bool {
 /// from claims that are themselves `proved` on it. What it presupposes is not proved by that.
 pub(super) fn strengthen(
     derivation: &Derivation,
+    selection: &Selection,
     claims: &mut [ClaimAccount],
-    claimed: &[usize],
     known: &[ClaimAccount],
-    tried: &[usize],
     limits: &Limits,
 ) {
+    let Selection { claims: claimed, tried, .. } = selection;
     proved::conditional::conditional(derivation, claims, known);
     for (claim, &at) in claims.iter_mut().zip(claimed) {
         let declared = &derivation.claims[at];

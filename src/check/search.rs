@@ -12,7 +12,7 @@
 //! by many. What is found is then made simple: numbers go back to those of the file, or to fewer digits, as long as the claim
 //! still fails.
 
-use super::check_claims;
+use super::run::Run;
 use crate::derivation::{Claim, Derivation, GivenValue, Motion, Trajectory, parse};
 use crate::diag::{Diagnostic, Source};
 use crate::latex::Role;
@@ -348,11 +348,8 @@ impl Trial<'_> {
                 read.measures.clear();
                 let claims = self.names.iter().map(|n| n.split('/').next().unwrap_or(n).to_owned()).collect();
                 let trajectories = (0..drafts.len()).map(id).collect();
-                match check_claims(
-                    &mut read,
-                    &Options { claims, trajectories, plain: true, ..Options::default() },
-                    &|_, _| {},
-                ) {
+                let options = Options { claims, trajectories, plain: true, ..Options::default() };
+                match Run::new(&read, &options).account() {
                     Ok(account) => Some(account),
                     Err(CheckError::Problems(_)) => None,
                     Err(defect) => return Err(defect),
@@ -490,8 +487,8 @@ fn altered(
     };
     let mut copy = derivation.clone();
     copy.measures.clear();
-    let account =
-        check_claims(&mut copy, &Options { claims: vec![claim.id.clone()], ..Options::default() }, &|_, _| {})?;
+    let of_claim = Options { claims: vec![claim.id.clone()], ..Options::default() };
+    let account = Run { separating: false, ..Run::new(&copy, &of_claim) }.account()?;
     let found = account.claims.iter().find(|c| c.id == claim.id && c.reading == claim.reading);
     let survivors = found.and_then(|c| c.variants.as_ref()).map_or(&[][..], |v| v.survivors.as_slice());
     let Some(survivor) = survivors.get(number) else {
@@ -582,8 +579,8 @@ fn known(
     let mut copy = derivation.clone();
     copy.measures.clear();
     let claim = options.claim.split('/').next().unwrap_or_default().to_owned();
-    let account =
-        check_claims(&mut copy, &Options { claims: vec![claim], plain: true, ..Options::default() }, &|_, _| {})?;
+    let of_claim = Options { claims: vec![claim], plain: true, ..Options::default() };
+    let account = Run::new(&copy, &of_claim).account()?;
     let reading = |c: &findings::ClaimAccount| c.reading.as_ref().map(|r| format!("{}/{r}", c.id));
     let meant = |c: &&findings::ClaimAccount| c.id == options.claim || reading(c).as_deref() == Some(&options.claim);
     let mut out: Vec<String> = Vec::new();

@@ -8,7 +8,7 @@
 //! Negations are carried down to the comparisons, where ¬(l < r) is l ≥ r: both say nothing where a side has no value.
 
 use crate::comparison::{Comparison, Group, at_instant, boundaries, cuts, presupposed, traced};
-use crate::derivation::{Claim, Derivation, Form, System, Written};
+use crate::derivation::{Claim, Form, System, Written};
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, Graph, Leaf, Node, Op, Part as ComplexPart, Rational, Shape, Tensor};
 use crate::latex::{Relation, RelationKind, Role, Scope, Statement};
@@ -204,12 +204,10 @@ pub fn at_event(graph: &mut Graph, statement: &Statement) -> Option<Expr> {
 }
 
 impl Program {
-    /// The claim at position `claim`, not compiled yet; `initial_time` is that of the motion at hand.
-    pub fn new(derivation: &mut Derivation, claim: usize, initial_time: &Rational) -> Program {
-        let Derivation { graph, claims, systems, .. } = derivation;
-        let mut program: Program = denote(graph, systems, &claims[claim], initial_time).into();
-        let scope = &claims[claim].scope;
-        program.leaps_at = !cuts(graph, scope, program.at).is_empty();
+    /// A claim of a file, or beside it, not compiled yet; `initial_time` is that of the motion at hand.
+    pub fn new(graph: &mut Graph, systems: &[System], claim: &Claim, initial_time: &Rational) -> Program {
+        let mut program: Program = denote(graph, systems, claim, initial_time).into();
+        program.leaps_at = !cuts(graph, &claim.scope, program.at).is_empty();
         program
     }
 }

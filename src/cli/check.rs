@@ -1,34 +1,97 @@
 //! `rederive check`.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use rederive::check::{Account, CheckError, ClaimAccount, Options, Summary};
 use rederive::derivation::Derivation;
 use rederive::diag::Diagnostic;
 use rederive::files::{named, write};
 use rederive::paper::{self, Comparison};
-use rederive::report;
+use rederive::{Ask, Failure, Findings, Session, report};
 
-use super::outputs::{Detail, Found, json, standard, summary};
-use super::{CheckArguments, Exit, Format, Stop, complain, files, print, say};
+use super::arguments::{LimitArguments, RigorArgument};
+use super::ending::{Exit, Stop, complain, print, say};
+use super::outputs::{Detail, Format, Found, Targets, json, summary, tex};
+use super::{files, progress};
+
+#[derive(clap::Args)]
+pub struct CheckArguments {
+    /// Derivation files, or folders that contain them
+    #[arg(value_name = "FILE|FOLDER", default_value = "derivations")]
+    paths: Vec<PathBuf>,
+    /// Only this claim (its id, or id/reading); may be repeated. No report is written then
+    #[arg(long, value_name = "ID")]
+    claim: Vec<String>,
+    /// Only this trajectory; may be repeated. No report is written then
+    #[arg(long, value_name = "ID")]
+    trajectory: Vec<String>,
+    #[command(flatten)]
+    targets: Targets,
+    /// The LaTeX source of the paper: formulas that name a label are compared with what is printed under it
+    #[arg(long, value_name = "PAPER.TEX")]
+    source: Option<PathBuf>,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "enclosed")]
+    rigor: RigorArgument,
+    /// Find the verdicts alone: no altered formulas, no corrections, nothing that separates the trajectories, no pictures
+    #[arg(long, conflicts_with = "min_discrimination")]
+    only_verdicts: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
+    /// Print only what differs from what is expected, and what is undecided
+    #[arg(long, short)]
+    quiet: bool,
+    /// Print the first page alone: the verdict, what does not stand, and what hangs on it
+    #[arg(long, conflicts_with_all = ["quiet", "matrix"])]
+    summary: bool,
+    /// Print the matrix of verdicts, every failure, and all that was found beside the verdicts
+    #[arg(long, conflicts_with = "quiet")]
+    matrix: bool,
+    /// Exit with 1 if a claim applies to no motion, if nothing is decided, or if a proof rests on a refuted premise
+    #[arg(long)]
+    strict: bool,
+    /// Exit with 1 if of some claim that holds less than this share of the altered formulas is rejected, 0 … 1
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    min_discrimination: Option<f64>,
+    /// The folder for reports: each derivation has a folder of its own in it
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    reports: PathBuf,
+    /// Write no reports
+    #[arg(long, conflicts_with = "reports")]
+    no_reports: bool,
+}
+
+/// A number from 0 to 1.
+fn fraction(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|x| (0.0..=1.0).contains(x));
+    number.ok_or_else(|| "a number from 0 to 1 is expected".to_owned())
+}
+
+impl CheckArguments {
+    /// How much the text for people says.
+    fn detail(&self) -> Detail {
+        match (self.quiet, self.summary, self.matrix) {
+            (true, ..) => Detail::Exceptions,
+            (_, true, _) => Detail::FirstPage,
+            (.., true) => Detail::Whole,
+            _ => Detail::Usual,
+        }
+    }
+}
 
 pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     let mut found = Found::default();
-    let detail = Detail::of(arguments);
+    let detail = arguments.detail();
     let told = |found: &Found, problems: Vec<Diagnostic>| {
         found.write(&arguments.targets, detail)?;
         Err(Stop::Diagnostics(problems))
     };
     let source = arguments.source.as_ref().map(|path| named(path)).transpose()?;
     let inputs: Vec<PathBuf> = files::find(&arguments.paths)?;
-    let outputs: Vec<PathBuf> = arguments.targets.iter().filter_map(|t| t.output.clone()).collect();
+    let outputs = arguments.targets.files();
     let all_inputs: Vec<PathBuf> = inputs.iter().chain(&source).cloned().collect();
     write::check_outputs(&outputs, &all_inputs, &[])?;
-    let mut derivations = match files::load_all(&inputs) {
-        Ok(derivations) => derivations,
+    let sessions = match files::load_all(&inputs) {
+        Ok(sessions) => sessions,
         Err(Stop::Diagnostics(problems)) => {
             found.problems(&problems);
             return told(&found, problems);
@@ -42,44 +105,41 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             return told(&found, vec![*problem]);
         }
     };
-    let about = paper.as_ref().map(|_| of_the_paper(&derivations)).transpose()?;
-    let format = standard(&arguments.targets);
-    files::known(&derivations, &arguments.claim, &arguments.trajectory)?;
-    derivations.retain(|d| files::concerns(d, &arguments.claim, &arguments.trajectory));
-    let (claims, trajectories) = (&arguments.claim, &arguments.trajectory);
-    let filtered = !claims.is_empty() || !trajectories.is_empty();
+    let about = paper.as_ref().map(|_| of_the_paper(&sessions)).transpose()?;
+    let format = arguments.targets.standard();
+    let asked = files::asked(sessions, &arguments.claim, &arguments.trajectory)?;
+    let filtered = !arguments.claim.is_empty() || !arguments.trajectory.is_empty();
 
     let folder = |d: &Derivation| (!filtered && !arguments.no_reports).then(|| arguments.reports.join(&d.id));
-    let folders: Vec<PathBuf> = derivations.iter().filter_map(folder).collect();
+    let folders: Vec<PathBuf> = asked.iter().filter_map(|(session, _)| folder(session.derivation())).collect();
     write::check_outputs(&outputs, &all_inputs, &folders)?;
 
-    let (limits, plain, rigor) = (arguments.limits.begun(), arguments.only_verdicts, arguments.rigor.into());
-    let options = Options { rigor, plain, limits, ..Options::default() };
-    let mut exit = if derivations.is_empty() { Exit::Undecided } else { Exit::Good };
+    let (limits, only_verdicts, rigor) = (arguments.limits.begun(), arguments.only_verdicts, arguments.rigor.into());
+    let mut exit = if asked.is_empty() { Exit::Undecided } else { Exit::Good };
     let mut problems = Vec::new();
-    for (i, mut derivation) in derivations.into_iter().enumerate() {
-        let account = match account(&mut derivation, claims, trajectories, &options) {
-            Ok(account) => account,
+    for (i, (session, asked)) in asked.into_iter().enumerate() {
+        let ask = Ask { rigor, only_verdicts, limits: limits.clone(), ..asked };
+        let findings = match progress::check(&session, &ask) {
+            Ok(findings) => findings,
             // The other files may have problems, too, or be good.
-            Err(CheckError::Problems(noted)) => {
+            Err(Failure::Problems(noted)) => {
                 found.problems(&noted);
                 problems.extend(noted);
                 continue;
             }
-            Err(defect) => return Err(defect.into()),
+            Err(other) => return Err(other.into()),
         };
+        let (derivation, account) = (findings.derivation(), findings.account());
         let compared = paper.as_ref().filter(|_| about.as_ref() == Some(&derivation.id));
-        let compared = compared.map(|paper| paper::compare(&derivation, paper));
-        let folder = folder(&derivation);
+        let compared = compared.map(|paper| paper::compare(derivation, paper));
+        let folder = folder(derivation);
         if let Some(folder) = &folder {
-            write_reports(folder, &derivation, &account, compared.as_ref())?;
+            write_reports(folder, &findings, compared.as_ref())?;
         }
-        let mut text = match (format, arguments.quiet) {
-            (Format::Json, _) => json(&derivation, &account, compared.as_ref()),
-            (Format::Tex, _) if arguments.summary => report::tex_summary(&derivation, &account),
-            (Format::Tex, _) => report::tex(&derivation, &account),
-            (Format::Text, true) => report::exceptions(&derivation, &account, true),
-            (Format::Text, false) => summary(&derivation, &account, compared.as_ref(), detail, true),
+        let mut text = match format {
+            Format::Json => json(&findings, compared.as_ref()),
+            Format::Tex => tex(&findings, detail),
+            Format::Text => summary(&findings, compared.as_ref(), detail, true),
             _ => String::new(),
         };
         if format == Format::Text && !arguments.quiet {
@@ -98,9 +158,9 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             complain(&format!("{}: what it says is not what the paper prints\n", derivation.file.path));
             exit = exit.and(Exit::Different);
         }
-        exit = exit.and(ending(&derivation, &account));
+        exit = exit.and(Exit::of(&findings));
         if arguments.strict {
-            for alarm in report::alarms(&derivation, &account) {
+            for alarm in report::alarms(derivation, account) {
                 complain(&format!("{}: {alarm}\n", derivation.file.path));
                 exit = exit.and(Exit::Different);
             }
@@ -109,7 +169,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
             complain(&format!("{claim}: only {rejected} of {of} altered formulas are rejected by any motion\n"));
             exit = exit.and(Exit::Different);
         }
-        found.account(derivation, account, compared);
+        found.add(findings, compared);
     }
     found.write(&arguments.targets, detail)?;
     if !problems.is_empty() {
@@ -121,62 +181,13 @@ pub fn check(arguments: &CheckArguments) -> Result<Exit, Stop> {
     Ok(exit)
 }
 
-/// After this time a run says what it does.
-const PATIENCE: Duration = Duration::from_millis(400);
-/// How often it shows that it goes on.
-const TICK: Duration = Duration::from_millis(200);
-
-/// Checks one derivation, with a progress bar on a terminal if it takes long.
-///
-/// `claims` are ids, or `id/reading` for one reading; all if empty, as for trajectories.
-pub fn account(
-    derivation: &mut Derivation,
-    claims: &[String],
-    trajectories: &[String],
-    options: &Options,
-) -> Result<Account, CheckError> {
-    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-    if std::io::stderr().is_terminal()
-        && let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {msg}  {wide_bar}  {pos}/{len}")
-    {
-        bar.set_style(style);
-        bar.set_prefix(derivation.id.clone());
-        bar.set_message("motions are built");
-        // What takes long says so by itself, also while nothing is done yet.
-        let bar = bar.clone();
-        std::thread::spawn(move || {
-            std::thread::sleep(PATIENCE);
-            if !bar.is_finished() {
-                bar.set_draw_target(ProgressDrawTarget::stderr());
-                bar.enable_steady_tick(TICK);
-            }
-        });
-    }
-    let progress = |done: usize, of: usize| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
-        bar.set_message(if done < of { "claims are tried on motions" } else { "proofs, enclosures, altered formulas" });
-    };
-    let ids = claims.iter().map(|c| c.split('/').next().unwrap_or(c).to_owned()).collect();
-    let options = Options { claims: ids, trajectories: trajectories.to_vec(), ..options.clone() };
-    let account = rederive::check::check(derivation, &options, &progress);
-    bar.finish_and_clear();
-    account.map(|mut account| {
-        let wanted = |c: &ClaimAccount| {
-            let reading = c.reading.as_ref().map(|r| format!("{}/{r}", c.id));
-            claims.is_empty() || claims.contains(&c.id) || reading.is_some_and(|name| claims.contains(&name))
-        };
-        account.claims.retain(wanted);
-        account
-    })
-}
-
 /// The derivation that a paper is compared with: the only one, or the only one that names labels.
-fn of_the_paper(derivations: &[Derivation]) -> Result<String, Stop> {
+fn of_the_paper(sessions: &[Session]) -> Result<String, Stop> {
+    let derivations: Vec<&Derivation> = sessions.iter().map(Session::derivation).collect();
     let labels =
-        |d: &&Derivation| d.claims.iter().any(|c| c.label.is_some()) || d.systems.iter().any(|s| s.label.is_some());
-    let named: Vec<&Derivation> = derivations.iter().filter(labels).collect();
-    match (derivations, named.as_slice()) {
+        |d: &&&Derivation| d.claims.iter().any(|c| c.label.is_some()) || d.systems.iter().any(|s| s.label.is_some());
+    let named: Vec<&&Derivation> = derivations.iter().filter(labels).collect();
+    match (derivations.as_slice(), named.as_slice()) {
         ([one], _) => Ok(one.id.clone()),
         (_, [one]) => Ok(one.id.clone()),
         (_, []) => {
@@ -191,40 +202,9 @@ fn of_the_paper(derivations: &[Derivation]) -> Result<String, Stop> {
     }
 }
 
-/// What the verdicts of a file end a run with; what is not to be seen in them is said.
-pub fn ending(derivation: &Derivation, account: &Account) -> Exit {
-    let summary = account.summary();
-    let mut exit = exit_of(&summary);
-    if summary.holds + summary.fails == 0 {
-        complain(&format!("{}: no claim was decided\n", derivation.file.path));
-        exit = exit.and(Exit::Undecided);
-    }
-    if let Some((claim, on, why)) = account.defects().next() {
-        let more = account.defects().count() - 1;
-        let more = if more > 0 { format!(" (and {more} more)") } else { String::new() };
-        exit = exit.and(super::defect(&format!("{claim} on {on}{more} has no verdict: {why}")));
-    }
-    if account.units.unexpected() > 0 { exit.and(Exit::Different) } else { exit }
-}
-
-fn exit_of(summary: &Summary) -> Exit {
-    if summary.unexpected > 0 {
-        Exit::Different
-    } else if summary.open > 0 {
-        Exit::Undecided
-    } else {
-        Exit::Good
-    }
-}
-
-fn write_reports(
-    folder: &Path,
-    derivation: &Derivation,
-    account: &Account,
-    paper: Option<&Comparison>,
-) -> Result<(), Stop> {
-    let data = || (json(derivation, account, paper), report::certificates(derivation, account));
-    let read = || rayon::join(|| report::page(derivation, account), || report::markdown(derivation, account));
+fn write_reports(folder: &Path, found: &Findings, paper: Option<&Comparison>) -> Result<(), Stop> {
+    let data = || (json(found, paper), report::certificates(found.derivation(), found.account()));
+    let read = || rayon::join(|| found.page(), || found.markdown());
     let ((data, certificates), (page, markdown)) = rayon::join(data, read);
     let files = [("report.json", data), ("report.md", markdown), ("index.html", page)];
     let certificates = certificates.iter().map(|(name, text)| (name.as_str(), text.clone()));

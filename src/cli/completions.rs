@@ -1,12 +1,17 @@
 //! `rederive completions`.
 
-use clap::CommandFactory;
+use super::ending::{Exit, Stop, print};
 
-use super::{Arguments, CompletionsArguments, Exit, Stop, print};
+#[derive(clap::Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    shell: clap_complete::Shell,
+}
 
-pub fn completions(arguments: &CompletionsArguments) -> Result<Exit, Stop> {
+pub fn completions(arguments: &CompletionsArguments, mut command: clap::Command) -> Result<Exit, Stop> {
     let mut out = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), env!("CARGO_PKG_NAME"), &mut out);
+    clap_complete::generate(arguments.shell, &mut command, env!("CARGO_PKG_NAME"), &mut out);
     print(&String::from_utf8_lossy(&out))?;
     Ok(Exit::Good)
 }

@@ -2,13 +2,34 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use rederive::{files, report};
 use serde_json::Value;
 
-use super::{DiffArguments, DiffFormat, Exit, Stop, complain, say};
+use super::ending::{Exit, Stop, complain, say};
 
 /// Largest size of a report.json, in bytes.
 const LARGEST_REPORT: u64 = 256 << 20;
+
+#[derive(clap::Args)]
+pub struct DiffArguments {
+    /// The report as it was: a report.json, or a folder with reports
+    old: PathBuf,
+    /// The report as it is
+    new: PathBuf,
+    /// How the changes are printed
+    #[arg(long, value_enum, default_value = "text")]
+    format: DiffFormat,
+}
+
+/// How changes are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum DiffFormat {
+    /// For people
+    Text,
+    /// For a comment on a pull request
+    Markdown,
+}
 
 pub fn diff(arguments: &DiffArguments) -> Result<Exit, Stop> {
     let (mut old, new) = (reports(&arguments.old)?, reports(&arguments.new)?);

@@ -1,10 +1,14 @@
 //! `rederive explain`.
 
-use rederive::check::{ClaimAccount, Options};
-use rederive::derivation::Derivation;
-use rederive::report;
+use std::path::PathBuf;
 
-use super::{Exit, ExplainArguments, Stop, check, files, say};
+use rederive::check::ClaimAccount;
+use rederive::derivation::Derivation;
+use rederive::{Ask, report};
+
+use super::arguments::RigorArgument;
+use super::ending::{Exit, Stop, say};
+use super::{files, progress};
 
 /// The id in `id/reading`.
 fn id_of(name: &str) -> &str {
@@ -28,19 +32,32 @@ fn premises(derivation: &Derivation, claims: &[String]) -> Vec<String> {
     out
 }
 
+#[derive(clap::Args)]
+pub struct ExplainArguments {
+    /// The claim: its id, or id/reading
+    claim: String,
+    /// Only on this trajectory; may be repeated
+    #[arg(long, value_name = "TRAJECTORY")]
+    on: Vec<String>,
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    path: PathBuf,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "enclosed")]
+    rigor: RigorArgument,
+}
+
 pub fn explain(arguments: &ExplainArguments) -> Result<Exit, Stop> {
     let claims = [arguments.claim.clone()];
-    let mut derivations = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
-    files::known(&derivations, &claims, &arguments.on)?;
-    derivations.retain(|d| files::concerns(d, &claims, &arguments.on));
+    let sessions = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
     let mut shown = 0;
-    for derivation in &mut derivations {
-        let with_premises = premises(derivation, &claims);
-        let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
-        let account = check::account(derivation, &with_premises, &arguments.on, &options)?;
+    for (session, asked) in files::asked(sessions, &claims, &arguments.on)? {
+        let with_premises = premises(session.derivation(), &claims);
+        let ask = Ask { claims: with_premises, rigor: arguments.rigor.into(), ..asked };
+        let found = progress::check(&session, &ask)?;
         let wanted = |c: &&ClaimAccount| c.id == id_of(&arguments.claim);
-        shown += account.claims.iter().filter(wanted).map(|c| c.verdicts().count()).sum::<usize>();
-        say(&report::explain(derivation, &account, &claims, true))?;
+        shown += found.account().claims.iter().filter(wanted).map(|c| c.verdicts().count()).sum::<usize>();
+        say(&report::explain(found.derivation(), found.account(), &claims, true))?;
     }
     if shown == 0 {
         return Err(Stop::Message(format!("`{}` is not tried on this trajectory", arguments.claim)));

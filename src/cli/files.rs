@@ -5,9 +5,12 @@ use std::path::{Path, PathBuf};
 
 use rederive::derivation::{Derivation, load};
 use rederive::diag::{Diagnostic, nearest};
-use rederive::files;
+use rederive::{Ask, Session, files};
 
-use super::{Stop, complain};
+use super::ending::{Stop, complain};
+
+/// Most bytes of a file with parts of a family.
+pub const LARGEST_PARTS: u64 = 256 << 20;
 
 /// The derivation files that the paths name: files as they are, folders searched for `*.toml`, each once, in order.
 pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
@@ -38,7 +41,7 @@ pub fn find(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Stop> {
 }
 
 /// Reads every file; all problems of all files together.
-pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Stop> {
+pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Session>, Stop> {
     let mut derivations: Vec<Derivation> = Vec::new();
     let mut problems = Vec::new();
     for path in paths {
@@ -54,13 +57,20 @@ pub fn load_all(paths: &[PathBuf]) -> Result<Vec<Derivation>, Stop> {
             Err(found) => problems.extend(found),
         }
     }
-    if problems.is_empty() { Ok(derivations) } else { Err(Stop::Diagnostics(problems)) }
+    match problems.is_empty() {
+        true => Ok(derivations.into_iter().map(Session::of).collect()),
+        false => Err(Stop::Diagnostics(problems)),
+    }
 }
 
-/// Notes a filter that names nothing.
-pub fn known(derivations: &[Derivation], claims: &[String], trajectories: &[String]) -> Result<(), Stop> {
-    let all_claims: Vec<String> = derivations.iter().flat_map(claim_names).collect();
-    let all_trajectories: Vec<String> = derivations.iter().flat_map(motions).map(str::to_owned).collect();
+/// The derivations that have something for these filters, each with what is asked of it.
+///
+/// # Errors
+/// A filter that names nothing.
+pub fn asked(sessions: Vec<Session>, claims: &[String], trajectories: &[String]) -> Result<Vec<(Session, Ask)>, Stop> {
+    let all = || sessions.iter().map(Session::derivation);
+    let all_claims: Vec<String> = all().flat_map(claim_names).collect();
+    let all_trajectories: Vec<String> = all().flat_map(motions).map(str::to_owned).collect();
     for (what, wanted, all) in [("claim", claims, all_claims), ("trajectory", trajectories, all_trajectories)] {
         if let Some(name) = wanted.iter().find(|w| !all.contains(w)) {
             let near = nearest(name, all.iter().map(String::as_str));
@@ -68,7 +78,17 @@ pub fn known(derivations: &[Derivation], claims: &[String], trajectories: &[Stri
             return Err(Stop::Message(format!("there is no {what} `{name}`{hint}")));
         }
     }
-    Ok(())
+    let of = |session: Session| {
+        let names = claim_names(session.derivation());
+        let own_claims: Vec<String> = claims.iter().filter(|c| names.contains(c)).cloned().collect();
+        let is_own = |t: &&String| motions(session.derivation()).any(|id| id == *t);
+        let own_trajectories: Vec<String> = trajectories.iter().filter(is_own).cloned().collect();
+        let concerned =
+            own_claims.is_empty() == claims.is_empty() && own_trajectories.is_empty() == trajectories.is_empty();
+        let ask = Ask { claims: own_claims, trajectories: own_trajectories, ..Ask::default() };
+        concerned.then_some((session, ask))
+    };
+    Ok(sessions.into_iter().filter_map(of).collect())
 }
 
 /// Every name by which claims can be called: `id`, and `id/reading`.
@@ -82,12 +102,4 @@ fn claim_names(derivation: &Derivation) -> Vec<String> {
 fn motions(derivation: &Derivation) -> impl Iterator<Item = &str> {
     let families = derivation.families.iter().map(|f| f.id.as_str());
     derivation.trajectories.iter().map(|t| t.id.as_str()).chain(families)
-}
-
-/// Whether a derivation has something for these filters.
-pub fn concerns(derivation: &Derivation, claims: &[String], trajectories: &[String]) -> bool {
-    let names = claim_names(derivation);
-    let claim = claims.is_empty() || claims.iter().any(|c| names.contains(c));
-    let trajectory = trajectories.is_empty() || trajectories.iter().any(|t| motions(derivation).any(|id| id == t));
-    claim && trajectory
 }

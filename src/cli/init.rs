@@ -5,7 +5,17 @@ use std::path::PathBuf;
 use rederive::files::{self, write};
 use rederive::paper;
 
-use super::{Exit, InitArguments, Stop, complain, print};
+use super::ending::{Exit, Stop, complain, print};
+
+#[derive(clap::Args)]
+pub struct InitArguments {
+    /// The LaTeX source of the paper
+    #[arg(value_name = "PAPER.TEX")]
+    paper: PathBuf,
+    /// The derivation file, `-` for standard output; without it derivations/PAPER.toml. No file is replaced
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
 
 pub fn init(arguments: &InitArguments) -> Result<Exit, Stop> {
     let path = files::named(&arguments.paper)?;

@@ -1,11 +1,22 @@
 //! `rederive list`.
 
-use super::{Exit, ListArguments, Stop, files, say};
+use std::path::PathBuf;
+
 use rederive::derivation::Derivation;
 
+use super::ending::{Exit, Stop, say};
+use super::files;
+
+#[derive(clap::Args)]
+pub struct ListArguments {
+    /// Derivation file, or a folder that contains them
+    #[arg(value_name = "FILE", default_value = "derivations")]
+    path: PathBuf,
+}
+
 pub fn list(arguments: &ListArguments) -> Result<Exit, Stop> {
-    for derivation in files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)? {
-        say(&contents(&derivation))?;
+    for session in files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)? {
+        say(&contents(session.derivation()))?;
     }
     Ok(Exit::Good)
 }

@@ -1,12 +1,20 @@
 //! `rederive manual`.
 
-use clap::{Command, CommandFactory};
+use std::path::PathBuf;
+
+use clap::Command;
 use rederive::files::write;
 
-use super::{Arguments, Exit, ManualArguments, Stop, print};
+use super::ending::{Exit, Stop, print};
 
-pub fn manual(arguments: &ManualArguments) -> Result<Exit, Stop> {
-    let mut command = Arguments::command();
+#[derive(clap::Args)]
+pub struct ManualArguments {
+    /// The folder for the pages of all commands
+    #[arg(long, short, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+pub fn manual(arguments: &ManualArguments, mut command: Command) -> Result<Exit, Stop> {
     command.build();
     let pages = pages(&command, None)?;
     match &arguments.output {

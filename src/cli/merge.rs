@@ -8,8 +8,8 @@ use rederive::derivation::load;
 use rederive::files::{named, read, search, write};
 use rederive::{Session, report};
 
-use super::sweep::LARGEST_PARTS;
-use super::{Exit, Stop, check, print, say};
+use super::ending::{Exit, Stop, print, say};
+use super::files::LARGEST_PARTS;
 
 #[derive(clap::Args)]
 pub struct MergeArguments {
@@ -66,5 +66,5 @@ pub fn merge(arguments: &MergeArguments) -> Result<Exit, Stop> {
         (None, MergeFormat::Text) => say(&text(true))?,
         (None, MergeFormat::Json) => print(&text(false))?,
     }
-    Ok(check::ending(derivation, account))
+    Ok(Exit::of(&found))
 }

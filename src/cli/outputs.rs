@@ -2,29 +2,103 @@
 
 use std::path::PathBuf;
 
-use clap::ArgMatches;
-use rederive::check::Account;
-use rederive::derivation::Derivation;
+use clap::error::ErrorKind;
+use clap::{ArgMatches, Args, FromArgMatches, ValueEnum};
+use rederive::Findings;
 use rederive::files::write;
 use rederive::paper::Comparison;
 use rederive::report::{self, Checked, Finding};
 
-use super::{CheckArguments, Format, Stop, print};
+use super::ending::{Stop, print};
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// A summary for people
+    Text,
+    /// The report as JSON, one document for each derivation file
+    Json,
+    /// The report as LaTeX source, for an appendix or a letter; pdflatex compiles it
+    Tex,
+    /// JUnit XML: a test case for each claim on each trajectory
+    Junit,
+    /// SARIF 2.1.0, for code scanning: what is not as expected, with its place
+    Sarif,
+    /// Annotations of a GitHub workflow
+    Github,
+}
+
+impl Format {
+    /// Whether it is printed as soon as a derivation file is checked, and not at the end.
+    pub fn is_printed_by_file(self) -> bool {
+        matches!(self, Format::Text | Format::Json | Format::Tex)
+    }
+}
 
 /// A format and where it goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Target {
+struct Target {
     /// The format.
-    pub format: Format,
+    format: Format,
     /// The file; without one, standard output.
-    pub output: Option<PathBuf>,
+    output: Option<PathBuf>,
+}
+
+/// The formats and files of a command line.
+#[derive(Args)]
+struct Given {
+    /// What is printed; may be repeated, each with an --output. The summary, unless another format is printed
+    #[arg(long, value_enum)]
+    format: Vec<Format>,
+    /// The file for the --format before it
+    #[arg(long, value_name = "FILE")]
+    output: Vec<PathBuf>,
+}
+
+/// Every format, with where it goes.
+#[derive(Clone, Debug, Default)]
+pub struct Targets(Vec<Target>);
+
+impl FromArgMatches for Targets {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Targets, clap::Error> {
+        let Given { format, output } = Given::from_arg_matches(matches)?;
+        let paired = paired(matches, &format, &output);
+        paired.map(Targets).map_err(|message| clap::Error::raw(ErrorKind::ArgumentConflict, message))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Targets::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl Args for Targets {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        Given::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        Given::augment_args_for_update(command)
+    }
+}
+
+impl Targets {
+    /// The format of standard output: that without a file, or the summary when every format has one.
+    pub fn standard(&self) -> Format {
+        self.0.iter().find(|t| t.output.is_none()).map_or(Format::Text, |t| t.format)
+    }
+
+    /// The files.
+    pub fn files(&self) -> Vec<PathBuf> {
+        self.0.iter().filter_map(|t| t.output.clone()).collect()
+    }
 }
 
 /// Pairs every `--output` with the `--format` before it.
 ///
 /// # Errors
 /// An output without a format of its own, a file that is named twice, or two formats for standard output.
-pub fn targets(matches: &ArgMatches, formats: &[Format], outputs: &[PathBuf]) -> Result<Vec<Target>, String> {
+fn paired(matches: &ArgMatches, formats: &[Format], outputs: &[PathBuf]) -> Result<Vec<Target>, String> {
     let places = |id: &str| -> Vec<usize> { matches.indices_of(id).map(Iterator::collect).unwrap_or_default() };
     let mut given: Vec<(usize, Format)> = places("format").into_iter().zip(formats.iter().copied()).collect();
     given.sort_by_key(|(place, _)| *place);
@@ -51,34 +125,29 @@ pub fn targets(matches: &ArgMatches, formats: &[Format], outputs: &[PathBuf]) ->
     Ok(out)
 }
 
-/// The format of standard output: that without a file, or the summary when every format has one.
-pub fn standard(targets: &[Target]) -> Format {
-    targets.iter().find(|t| t.output.is_none()).map_or(Format::Text, |t| t.format)
-}
-
 /// What a run found, file by file, and what is to be told beside verdicts.
 #[derive(Default)]
 pub struct Found {
     /// What was checked.
-    pub checked: Vec<(Derivation, Account, Option<Comparison>)>,
+    checked: Vec<(Findings, Option<Comparison>)>,
     /// Everything that is to be told, verdicts included.
-    pub findings: Vec<Finding>,
+    findings: Vec<Finding>,
     /// Of these, what is not of a verdict.
-    pub others: Vec<Finding>,
+    others: Vec<Finding>,
 }
 
 impl Found {
     /// Adds what was found of one derivation file.
-    pub fn account(&mut self, derivation: Derivation, account: Account, compared: Option<Comparison>) {
-        let mut verdicts = report::findings(&derivation, &account);
+    pub fn add(&mut self, found: Findings, compared: Option<Comparison>) {
+        let mut verdicts = report::findings(found.derivation(), found.account());
         if let Some(comparison) = &compared {
-            report::add_paper(&mut verdicts, &derivation, comparison);
-            let found = report::paper_findings(&derivation, comparison);
-            self.others.extend(found.iter().cloned());
-            verdicts.extend(found);
+            report::add_paper(&mut verdicts, found.derivation(), comparison);
+            let of_paper = report::paper_findings(found.derivation(), comparison);
+            self.others.extend(of_paper.iter().cloned());
+            verdicts.extend(of_paper);
         }
         self.findings.extend(verdicts);
-        self.checked.push((derivation, account, compared));
+        self.checked.push((found, compared));
     }
 
     /// Adds problems of files.
@@ -90,26 +159,28 @@ impl Found {
 
     /// The text of a format; colour is for standard output.
     fn text(&self, format: Format, detail: Detail) -> String {
-        let checked: Vec<Checked<'_>> =
-            self.checked.iter().map(|(derivation, account, _)| Checked { derivation, account }).collect();
-        let each = |text: &dyn Fn(&Derivation, &Account, Option<&Comparison>) -> String, between: &str| {
-            self.checked.iter().map(|(d, a, p)| text(d, a, p.as_ref())).collect::<Vec<_>>().join(between)
+        let each = |text: &dyn Fn(&Findings, Option<&Comparison>) -> String, between: &str| {
+            self.checked.iter().map(|(found, paper)| text(found, paper.as_ref())).collect::<Vec<_>>().join(between)
         };
         match format {
-            Format::Text if detail == Detail::Exceptions => each(&|d, a, _| report::exceptions(d, a, false), ""),
-            Format::Text => each(&|d, a, p| summary(d, a, p, detail, false), "\n"),
+            Format::Text => {
+                each(&|f, p| summary(f, p, detail, false), if detail == Detail::Exceptions { "" } else { "\n" })
+            }
             Format::Json => each(&json, ""),
-            Format::Tex if detail == Detail::FirstPage => each(&|d, a, _| report::tex_summary(d, a), "\n"),
-            Format::Tex => each(&|d, a, _| report::tex(d, a), "\n"),
-            Format::Junit => report::junit(&checked, &self.others),
+            Format::Tex => each(&|f, _| tex(f, detail), "\n"),
+            Format::Junit => {
+                let checked = self.checked.iter();
+                let checked = checked.map(|(f, _)| Checked { derivation: f.derivation(), account: f.account() });
+                report::junit(&checked.collect::<Vec<_>>(), &self.others)
+            }
             Format::Sarif => report::sarif(&self.findings),
             Format::Github => report::github(&self.findings),
         }
     }
 
     /// Writes every format that has a file; prints that of standard output unless it was printed file by file.
-    pub fn write(&self, targets: &[Target], detail: Detail) -> Result<(), Stop> {
-        for target in targets {
+    pub fn write(&self, targets: &Targets, detail: Detail) -> Result<(), Stop> {
+        for target in &targets.0 {
             match &target.output {
                 Some(file) => write::write_file(file, self.text(target.format, detail).as_bytes())?,
                 None if target.format.is_printed_by_file() => {}
@@ -133,38 +204,32 @@ pub enum Detail {
     Whole,
 }
 
-impl Detail {
-    /// What a command line asks for.
-    pub fn of(arguments: &CheckArguments) -> Detail {
-        match (arguments.quiet, arguments.summary, arguments.matrix) {
-            (true, ..) => Detail::Exceptions,
-            (_, true, _) => Detail::FirstPage,
-            (.., true) => Detail::Whole,
-            _ => Detail::Usual,
+/// The report as data, with the comparison with the paper where there is one.
+pub fn json(found: &Findings, paper: Option<&Comparison>) -> String {
+    match paper {
+        Some(paper) => report::json_with_paper(found.derivation(), found.account(), paper),
+        None => found.json(),
+    }
+}
+
+/// The report as LaTeX source.
+pub fn tex(found: &Findings, detail: Detail) -> String {
+    match detail {
+        Detail::FirstPage => report::tex_summary(found.derivation(), found.account()),
+        _ => report::tex(found.derivation(), found.account()),
+    }
+}
+
+/// The text for people, with the comparison with the paper where there is one.
+pub fn summary(found: &Findings, paper: Option<&Comparison>, detail: Detail, colour: bool) -> String {
+    let (derivation, account) = (found.derivation(), found.account());
+    match detail {
+        Detail::Exceptions => report::exceptions(derivation, account, colour),
+        Detail::FirstPage => report::front_page(derivation, account, colour),
+        Detail::Usual | Detail::Whole => {
+            let mut out = report::summary(derivation, account, colour, detail == Detail::Whole);
+            out.extend(paper.map(|paper| report::paper_summary(derivation, paper)));
+            out
         }
     }
-}
-
-/// The report as data, with the comparison with the paper where there is one.
-pub fn json(derivation: &Derivation, account: &Account, paper: Option<&Comparison>) -> String {
-    match paper {
-        Some(paper) => report::json_with_paper(derivation, account, paper),
-        None => report::json(derivation, account),
-    }
-}
-
-/// The summary for people, with the comparison with the paper where there is one.
-pub fn summary(
-    derivation: &Derivation,
-    account: &Account,
-    paper: Option<&Comparison>,
-    detail: Detail,
-    colour: bool,
-) -> String {
-    if detail == Detail::FirstPage {
-        return report::front_page(derivation, account, colour);
-    }
-    let mut out = report::summary(derivation, account, colour, detail == Detail::Whole);
-    out.extend(paper.map(|paper| report::paper_summary(derivation, paper)));
-    out
 }

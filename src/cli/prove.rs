@@ -1,17 +1,18 @@
 //! `rederive prove`.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::ValueEnum;
+use rederive::check::Proposition;
 use rederive::check::standing::Decision;
-use rederive::check::{Proposition, with_symbols_of};
-use rederive::derivation::{Derivation, load};
-use rederive::diag::Diagnostic;
-use rederive::diag::shown::shown;
+use rederive::derivation::load;
+use rederive::diag::{Diagnostic, Source};
 use rederive::files::named;
-use rederive::report;
+use rederive::session::SCOPE;
+use rederive::{Failure, Question, Session, report};
 
-use super::{Exit, Stop, print, say};
+use super::ending::{Exit, Stop, print, say};
 
 pub const AFTER_HELP: &str = r"Symbols: NAMES, NAMES: WORDS, NAME = FORMULA or NAME: WORDS = FORMULA. Words
 are those of [symbols] in a derivation file: a role (parameter, which is so
@@ -81,51 +82,40 @@ enum Output {
 }
 
 pub fn prove(arguments: &ProveArguments) -> Result<Exit, Stop> {
-    let mut derivation = match &arguments.file {
-        Some(path) => load(&named(path)?).map_err(Stop::Diagnostics)?,
-        None => {
-            let mut blank = Derivation::blank();
-            // What is not declared here is not declared elsewhere.
-            blank.scope.set_imaginary();
-            blank
-        }
+    let session = match &arguments.file {
+        Some(path) => Session::of(load(&named(path)?).map_err(Stop::Diagnostics)?),
+        None => Session::blank(),
     };
-    if let Some(claim) = &arguments.scope {
-        with_symbols_of(&mut derivation, claim, "--scope")?;
-    }
-    let typed: Vec<(String, String)> = arguments
-        .symbol
-        .iter()
-        .enumerate()
-        .map(|(at, text)| (format!("symbol {}", at + 1), shown(text).into_owned()))
-        .collect();
-    derivation.declare_typed(&typed).map_err(Stop::Diagnostics)?;
     let proposition = Proposition {
-        formula: shown(&arguments.formula).into_owned(),
-        given: arguments.given.iter().map(|text| shown(text).into_owned()).collect(),
+        formula: arguments.formula.clone(),
+        given: arguments.given.clone(),
         throughout: arguments.branches == Signs::Throughout,
     };
-    let account = rederive::check::prove(&mut derivation, &proposition).map_err(|error| match Stop::from(error) {
-        Stop::Diagnostics(found) => Stop::Diagnostics(found.into_iter().map(how_to_declare).collect()),
-        other => other,
+    let (symbols, scope) = (arguments.symbol.clone(), arguments.scope.clone());
+    let answer = session.prove(&Question { proposition, symbols, scope }).map_err(|failure| match failure {
+        Failure::Problems(found) => Stop::Diagnostics(found.into_iter().map(of_this_command).collect()),
+        other => other.into(),
     })?;
-    let text = match (arguments.format, arguments.certificate) {
-        (Output::Json, _) => report::proposition_json(&proposition, &account),
-        (Output::Text, certificate) => report::proposition_text(&proposition, &account, certificate, true),
+    let text = match arguments.format {
+        Output::Json => answer.json(),
+        Output::Text => report::proposition_text(answer.proposition(), answer.account(), arguments.certificate, true),
     };
     match arguments.format {
         Output::Json => print(&text)?,
         Output::Text => say(&text)?,
     }
-    Ok(match account.finding.decision() {
+    Ok(match answer.account().finding.decision() {
         Decision::Proved => Exit::Good,
         Decision::Refuted => Exit::Different,
         Decision::ProvedExcept | Decision::Undecided => Exit::Undecided,
     })
 }
 
-/// On a command line symbols are declared otherwise than in a file.
-fn how_to_declare(diagnostic: Diagnostic) -> Diagnostic {
+/// On a command line a scope is an option, and symbols are declared otherwise than in a file.
+fn of_this_command(mut diagnostic: Diagnostic) -> Diagnostic {
+    if diagnostic.source.path == SCOPE {
+        diagnostic.source = Arc::new(Source { path: "--scope".to_owned(), text: diagnostic.source.text.clone() });
+    }
     if diagnostic.code != "latex::unknown-symbol" {
         return diagnostic;
     }

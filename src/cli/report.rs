@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use rederive::check::{Account, Options};
+use clap::ValueEnum;
 use rederive::derivation::{Derivation, load};
 use rederive::files::{self, write};
-use rederive::report;
+use rederive::{Ask, Findings, Session, report};
 
-use super::{Exit, ReportArguments, Stop, SummaryFormat, complain, say};
+use super::arguments::RigorArgument;
+use super::ending::{Exit, Stop, complain, say};
+use super::progress;
 
 /// How a program makes a PDF file.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -53,6 +55,35 @@ const PATIENCE: Duration = Duration::from_secs(300);
 /// Between two looks at whether it has ended.
 const PAUSE: Duration = Duration::from_millis(20);
 
+#[derive(clap::Args)]
+pub struct ReportArguments {
+    /// The derivation file
+    file: PathBuf,
+    /// The PDF file. It is made by latexmk, pdflatex or tectonic; without them, by Chromium, Chrome or Edge
+    #[arg(long, value_name = "OUT.PDF", required_unless_present = "summary")]
+    pdf: Option<PathBuf>,
+    /// The first page alone: printed, or, with --pdf, as a PDF file
+    #[arg(long)]
+    summary: bool,
+    /// How the first page is printed
+    #[arg(long, value_enum, default_value = "text", requires = "summary", conflicts_with = "pdf")]
+    format: SummaryFormat,
+    /// How much is asked of a verdict
+    #[arg(long, value_enum, default_value = "enclosed")]
+    rigor: RigorArgument,
+}
+
+/// How the first page of a report is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum SummaryFormat {
+    /// For a terminal
+    Text,
+    /// As LaTeX source, for a letter
+    Tex,
+    /// As Markdown
+    Markdown,
+}
+
 pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
     match &arguments.pdf {
         Some(pdf) => printed(arguments, pdf),
@@ -60,22 +91,21 @@ pub fn report(arguments: &ReportArguments) -> Result<Exit, Stop> {
     }
 }
 
-fn checked(arguments: &ReportArguments) -> Result<(Derivation, Account), Stop> {
+fn checked(arguments: &ReportArguments) -> Result<Findings, Stop> {
     let path = files::named(&arguments.file)?;
     write::check_outputs(arguments.pdf.as_slice(), std::slice::from_ref(&path), &[])?;
-    let mut derivation = load(&path).map_err(Stop::Diagnostics)?;
-    let options = Options { rigor: arguments.rigor.into(), ..Options::default() };
-    let account = super::check::account(&mut derivation, &[], &[], &options)?;
-    Ok((derivation, account))
+    let session = Session::of(load(&path).map_err(Stop::Diagnostics)?);
+    Ok(progress::check(&session, &Ask { rigor: arguments.rigor.into(), ..Ask::default() })?)
 }
 
 /// The first page, to standard output.
 fn first_page(arguments: &ReportArguments) -> Result<Exit, Stop> {
-    let (derivation, account) = checked(arguments)?;
+    let found = checked(arguments)?;
+    let (derivation, account) = (found.derivation(), found.account());
     say(&match arguments.format {
         SummaryFormat::Text => report::front_page(&derivation, &account, true),
-        SummaryFormat::Tex => report::tex_summary(&derivation, &account),
-        SummaryFormat::Markdown => report::front_markdown(&derivation, &account),
+        SummaryFormat::Tex => report::tex_summary(derivation, account),
+        SummaryFormat::Markdown => report::front_markdown(derivation, account),
     })?;
     Ok(Exit::Good)
 }
@@ -90,10 +120,11 @@ fn printed(arguments: &ReportArguments, target: &Path) -> Result<Exit, Stop> {
             names.join(", ")
         )));
     }
-    let (derivation, account) = checked(arguments)?;
+    let found = checked(arguments)?;
+    let (derivation, account) = (found.derivation(), found.account());
     let (tex, page) = match arguments.summary {
-        true => (report::tex_summary(&derivation, &account), report::first_page(&derivation, &account)),
-        false => (report::tex(&derivation, &account), report::printed_page(&derivation, &account)),
+        true => (report::tex_summary(derivation, account), report::first_page(derivation, account)),
+        false => (report::tex(derivation, account), report::printed_page(derivation, account)),
     };
     let sources = [("report.tex", tex), ("index.html", page)];
     let mut failures = Vec::new();
@@ -101,7 +132,7 @@ fn printed(arguments: &ReportArguments, target: &Path) -> Result<Exit, Stop> {
         match made(program, *way, &sources) {
             Ok(pdf) => {
                 write::write_file(target, &pdf)?;
-                complain(&format!("{}: written by {name}\n", told(target, &derivation)));
+                complain(&format!("{}: written by {name}\n", told(target, derivation)));
                 return Ok(Exit::Good);
             }
             Err(why) => failures.push(format!("{name} {why}")),

@@ -1,8 +1,25 @@
 //! `rederive schema`.
 
+use clap::ValueEnum;
 use rederive::{derivation, report};
 
-use super::{Exit, Schema, SchemaArguments, Stop, print};
+use super::ending::{Exit, Stop, print};
+
+#[derive(clap::Args)]
+pub struct SchemaArguments {
+    /// Of what
+    #[arg(value_enum)]
+    of: Schema,
+}
+
+/// What has a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Schema {
+    /// Derivation files
+    Derivation,
+    /// report.json
+    Report,
+}
 
 pub fn schema(arguments: &SchemaArguments) -> Result<Exit, Stop> {
     let schema = match arguments.of {

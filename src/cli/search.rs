@@ -1,12 +1,11 @@
 //! `rederive search`.
 
-use std::io::IsTerminal;
 use std::path::PathBuf;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rederive::check::search::{Found, SearchAccount, SearchOptions};
 
-use super::{Exit, Stop, complain, files, say};
+use super::ending::{Exit, Stop, complain, say};
+use super::{files, progress};
 
 /// What the exit code of a search means.
 pub const EXIT_CODES: &str = "\
@@ -37,23 +36,16 @@ pub struct SearchArguments {
 
 pub fn search(arguments: &SearchArguments) -> Result<Exit, Stop> {
     let claims = [arguments.claim.clone()];
-    let mut derivations = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
-    files::known(&derivations, &claims, &[])?;
-    derivations.retain(|d| files::concerns(d, &claims, &[]));
+    let sessions = files::load_all(&files::find(std::slice::from_ref(&arguments.path))?)?;
+    let asked = files::asked(sessions, &claims, &[])?;
     let (claim, variant) = (arguments.claim.clone(), arguments.variant);
     let options = SearchOptions { claim, seed: arguments.seed, tries: arguments.tries, variant };
     let mut exit = Exit::Undecided;
-    for derivation in &derivations {
-        let bar = ProgressBar::with_draw_target(Some(arguments.tries as u64), ProgressDrawTarget::hidden());
-        if std::io::stderr().is_terminal()
-            && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}")
-        {
-            bar.set_style(style);
-            bar.set_prefix(derivation.id.clone());
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        let progress = |done: usize, _: usize| bar.set_position(done as u64);
-        let account = rederive::check::search::search(derivation, &options, &progress);
+    for (session, _) in &asked {
+        let derivation = session.derivation();
+        let bar = progress::bar(&derivation.id, "{prefix}  {wide_bar}  {pos}/{len}");
+        bar.set_length(arguments.tries as u64);
+        let account = session.search(&options, &|done, _| bar.set_position(done as u64));
         bar.finish_and_clear();
         let account = account?;
         say_known(&account);

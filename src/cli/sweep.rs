@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use rederive::Session;
 use rederive::check::Limits;
 use rederive::check::family::{MOST_PARTS, Part};
@@ -13,7 +13,9 @@ use rederive::derivation::load;
 use rederive::files::{named, read, write};
 use rederive::report::read_parts;
 
-use super::{Exit, Stop, complain};
+use super::ending::{Exit, Stop, complain};
+use super::files::LARGEST_PARTS;
+use super::progress;
 
 /// What the exit code of a sweep means.
 pub const EXIT_CODES: &str = "\
@@ -23,8 +25,6 @@ Exit codes:
       counted; no file was written
   70  a defect of rederive itself";
 
-/// Most bytes of a file with parts.
-pub const LARGEST_PARTS: u64 = 256 << 20;
 /// How often a sweep that nobody watches says how far it is.
 const NOTE: Duration = Duration::from_secs(30);
 
@@ -128,14 +128,7 @@ struct Watch {
 
 impl Watch {
     fn begin(what: String) -> Watch {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        if std::io::stderr().is_terminal()
-            && let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar}  {pos}/{len}  {eta} left")
-        {
-            bar.set_style(style);
-            bar.set_prefix(what.clone());
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
+        let bar = progress::bar(&what, "{prefix}  {wide_bar}  {pos}/{len}  {eta} left");
         let now = Instant::now();
         Watch { what, bar, begun: now, told: Mutex::new(now) }
     }

@@ -3,22 +3,30 @@
 //! The file is looked at forty times a second. This needs no service of the operating system, and works on every file system
 //! and with editors that replace a file instead of writing to it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use rederive::check::{Cache, CheckError};
 use rederive::derivation::{LARGEST_FILE, load};
 use rederive::diag::{Diagnostic, render, sort};
-use rederive::{files, report};
+use rederive::{Failure, Session, files, report};
 
-use super::{Exit, Stop, WatchArguments, complain, say};
+use super::ending::{Exit, Stop, complain, say};
 
 /// Between two looks at the file.
 const PAUSE: Duration = Duration::from_millis(25);
 
+#[derive(clap::Args)]
+pub struct WatchArguments {
+    /// The derivation file
+    file: PathBuf,
+    /// Stop after so many checks
+    #[arg(long, value_name = "N")]
+    checks: Option<usize>,
+}
+
 pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
     let path = files::named(&arguments.file)?;
-    let mut cache = Cache::default();
+    let mut session = Session::blank();
     let mut last = None;
     let mut checks = 0;
     loop {
@@ -26,7 +34,7 @@ pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
         let now = files::read(&path, LARGEST_FILE).ok();
         if now.is_some() && now != last || last.is_none() && checks == 0 {
             last = now;
-            check(&path, &mut cache)?;
+            check(&path, &mut session)?;
             checks += 1;
             if arguments.checks.is_some_and(|n| checks >= n) {
                 return Ok(Exit::Good);
@@ -37,26 +45,27 @@ pub fn watch(arguments: &WatchArguments) -> Result<Exit, Stop> {
 }
 
 /// Checks the file as it is now, and prints what is not as expected.
-fn check(path: &Path, cache: &mut Cache) -> Result<(), Stop> {
+fn check(path: &Path, session: &mut Session) -> Result<(), Stop> {
     let started = Instant::now();
-    let mut derivation = match load(path) {
-        Ok(derivation) => derivation,
+    match load(path) {
+        Ok(derivation) => session.replace(derivation),
         Err(found) => {
             problems(found);
             return Ok(());
         }
-    };
-    let (account, checked) = match cache.check(&mut derivation) {
+    }
+    let (found, checked) = match session.check_again() {
         Ok(found) => found,
-        Err(CheckError::Problems(found)) => {
+        Err(Failure::Problems(found)) => {
             problems(found);
             return Ok(());
         }
         Err(defect) => return Err(defect.into()),
     };
+    let (derivation, account) = (found.derivation(), found.account());
     let took = started.elapsed().as_millis();
     let summary = account.summary();
-    let mut text = report::exceptions(&derivation, &account, true);
+    let mut text = report::exceptions(derivation, account, true);
     text.push_str(&format!(
         "{}: {} claims checked again in {took} ms; {} hold, {} fail, {} do not apply, {} undecided, {} not as expected\n",
         derivation.id, checked.len(), summary.holds, summary.fails, summary.not_applicable, summary.undecided, summary.unexpected,

@@ -204,6 +204,16 @@ pub enum Motion {
 }
 
 impl Motion {
+    /// The formulas of states, or their initial values.
+    pub fn formulas(&self) -> Vec<Expr> {
+        let each: Vec<&Written<Vec<Expr>>> = match self {
+            Motion::Integrated { initial, .. } => initial.iter().map(|(.., w)| w).collect(),
+            Motion::Formula { states } => states.iter().map(|(_, w)| w).collect(),
+            Motion::Derived { map, .. } => map.iter().map(|(_, w)| w).collect(),
+        };
+        each.into_iter().flat_map(|w| w.value.iter().copied()).collect()
+    }
+
     /// The initial values that equations determine.
     pub fn start(&self) -> Option<&Start> {
         match self {

@@ -40,7 +40,7 @@ mod tests;
 
 use crate::derivation::Motion as Given;
 use crate::expr::{Expr, Graph, Leaf};
-use crate::findings::ClaimAccount;
+use crate::findings::{ClaimAccount, by_trajectory};
 use crate::flow::{Enclosure, Motion, Source};
 use crate::verdict::Verdict;
 use claim::comparison::Comparison;
@@ -59,10 +59,14 @@ pub fn strengthen(request: &Request, claims: &mut [ClaimAccount]) {
     let integrals = integral::of_systems(request, &mut graph);
     let known = (&graph, integrals.as_slice());
     // Long motions first: what is left at the end is short.
-    let mut order = request.tried.to_vec();
+    let mut order = request.selection.tried.clone();
     order.sort_by_key(|&t| std::cmp::Reverse(request.stage.motion(t).map_or(0, Motion::steps)));
-    let changes: Vec<Vec<Change>> =
-        order.par_iter().with_max_len(1).map(|&t| one_motion(request, known, t, claims)).collect();
+    let results = by_trajectory(claims);
+    let one = |&t: &usize| {
+        let here = results.get(request.derivation.trajectories[t].id.as_str());
+        one_motion(request, known, t, (claims, here.map_or(&[], Vec::as_slice)))
+    };
+    let changes: Vec<Vec<Change>> = order.par_iter().with_max_len(1).map(one).collect();
     for (k, at, verdict) in changes.into_iter().flatten() {
         claims[k].results[at].verdict = verdict;
     }
@@ -82,7 +86,7 @@ fn enclosure(
         }
         _ => (None, None),
     };
-    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true);
+    let (setup, _) = setup(request.derivation, request.fields, graph, trajectory, source, true, &[]);
     let mut start = setup.parameters.clone();
     if let Source::Integrated { initial, .. } = &setup.source {
         start.extend(initial);
@@ -97,15 +101,17 @@ fn enclosure(
 /// What the systems conserve, in a graph that knows it.
 type Known<'a> = (&'a Graph, &'a [Vec<Expr>]);
 
-fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]) -> Vec<Change> {
+/// `here` are the results on the motion, by the positions of the claim and of the result.
+fn one_motion(
+    request: &Request,
+    known: Known,
+    t: usize,
+    (claims, here): (&[ClaimAccount], &[(usize, usize)]),
+) -> Vec<Change> {
     let trajectory = &request.derivation.trajectories[t];
-    let mut changes: Vec<Change> = Vec::new();
-    for (k, claim) in claims.iter().enumerate() {
-        let here = claim.results.iter().enumerate().filter(|(_, r)| r.trajectory == trajectory.id);
-        changes.extend(
-            here.filter(|(_, r)| !pair::is_rigorous(r.verdict.outcome())).map(|(at, r)| (k, at, r.verdict.clone())),
-        );
-    }
+    let found = |&(k, at): &(usize, usize)| (k, at, &claims[k].results[at].verdict);
+    let open = here.iter().map(found).filter(|(.., verdict)| !pair::is_rigorous(verdict.outcome()));
+    let mut changes: Vec<Change> = open.map(|(k, at, verdict)| (k, at, verdict.clone())).collect();
     if changes.is_empty() {
         return changes;
     }
@@ -121,7 +127,7 @@ fn one_motion(request: &Request, known: Known, t: usize, claims: &[ClaimAccount]
             return changes;
         }
     };
-    let program = |k: usize| &request.prepared[k][request.start_of[t]];
+    let program = |k: usize| &request.prepared[k][request.selection.start_of[t]];
     let other = |other: usize, graph: &mut Graph| Ok(enclosure(request, integrals, graph, other)?.0);
     let mut parts = Vec::new();
     for (k, ..) in &changes {

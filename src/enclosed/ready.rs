@@ -313,11 +313,17 @@ impl<'a> Ready<'a> {
         let whole = self.said.value(one);
         if !whole.may_be(Truth::False) {
             for (c, comparison) in self.group.comparisons.iter().enumerate() {
-                if let (RelationKind::Equal, Ok(reach)) = (comparison.kind, &ranges[self.place(sign, c)])
-                    && !self.said.group.asserted
-                {
-                    largest = largest.max(reach.range().magnitude());
-                }
+                let Ok(reach) = &ranges[self.place(sign, c)] else { continue };
+                let range = reach.range();
+                let open = || self.said.comparison(ranges, sign, c) == Possible::OPEN;
+                let off = match comparison.kind {
+                    RelationKind::LessEqual | RelationKind::GreaterEqual if !open() => 0.0,
+                    RelationKind::Equal if !self.said.group.asserted => range.magnitude(),
+                    RelationKind::LessEqual => range.hi(),
+                    RelationKind::GreaterEqual => -range.lo(),
+                    RelationKind::Equal | RelationKind::NotEqual | RelationKind::Less | RelationKind::Greater => 0.0,
+                };
+                largest = largest.max(off);
             }
             return Ok(if allows { largest } else { 0.0 });
         }

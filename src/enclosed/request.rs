@@ -3,6 +3,7 @@
 use crate::derivation::Derivation;
 use claim::limits::Limits;
 use sampled::prepared::Prepared;
+use sampled::selection::Selection;
 use sampled::stage::Stage;
 use sampled::systems::Fields;
 
@@ -12,7 +13,6 @@ pub struct Request<'a> {
     pub fields: &'a Fields,
     pub stage: &'a Stage,
     pub prepared: &'a [Vec<Prepared<'a>>],
-    pub start_of: &'a [usize],
-    pub tried: &'a [usize],
+    pub selection: &'a Selection,
     pub limits: &'a Limits,
 }

@@ -102,6 +102,7 @@ pub(super) fn always(ready: &Ready, along: &mut Along) -> Shown {
     let equation = ready.group.comparisons.iter().any(|c| c.kind == RelationKind::Equal);
     let apart = match equation && !ready.part.is_definedness() && ready.group.allows() {
         true => format!(", within {:.1e} where terms are {:.1e}", found.gap, ready.scale),
+        false if found.gap > 0.0 => format!(", where the sides may cross by {:.1e}", found.gap),
         false => String::new(),
     };
     let reason = format!("for every t of the span: in {looked} stretches{apart}");

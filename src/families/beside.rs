@@ -9,7 +9,7 @@ use crate::derivation::{Claim, Dependence, Derivation, End, Form, NoOther, Sprea
 use crate::diag::Diagnostic;
 use crate::expr::Expr;
 use claim::error::CheckError;
-use sampled::extrapolate::{RATIO, STEPS};
+use sampled::extrapolate::{BEYOND, RATIO, STEPS};
 
 /// Which motion a member is compared with: one that differs from it in one symbol.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +24,17 @@ pub(super) enum Beside {
     Edge { at: f64, distance: f64 },
     /// Nearer to a number, or to infinity, by so many powers of [`RATIO`].
     Toward { end: f64, powers: usize },
+}
+
+impl Beside {
+    /// Whether the claim is judged without it where there is none: on the other side of an extremum, beyond a sequence.
+    pub fn may_be_missing(self) -> bool {
+        match self {
+            Beside::Edge { .. } => true,
+            Beside::Toward { powers, .. } => powers == BEYOND,
+            Beside::Next | Beside::Reference | Beside::At(_) => false,
+        }
+    }
 }
 
 impl Members {
@@ -127,7 +138,7 @@ pub(super) fn compared_with(
                     End::Infinity => f64::INFINITY,
                     End::MinusInfinity => f64::NEG_INFINITY,
                 };
-                (1..STEPS).map(|powers| Beside::Toward { end, powers }).collect()
+                (1..STEPS).chain([BEYOND]).map(|powers| Beside::Toward { end, powers }).collect()
             }
             (Dependence::Extremum { .. }, None) => Vec::new(),
         };

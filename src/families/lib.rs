@@ -26,6 +26,7 @@ mod draw;
 mod map;
 mod member;
 mod separate;
+mod settled;
 mod sweep;
 mod troupe;
 

@@ -13,6 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::member::{Member, Members};
 use crate::derivation::{Claim, Derivation, Form};
+use crate::expr::Graph;
 use crate::findings::ClaimAccount;
 use crate::findings::conditions::{ConditionName, Explanation, Join};
 use crate::findings::family::{Exception, FamilySeparation, Tally};
@@ -72,13 +73,14 @@ pub trait Checker {
     /// Trajectories that cannot be built, and defects of the program.
     fn check(
         &self,
-        derivation: &mut Derivation,
+        derivation: &Derivation,
         options: &Options,
         separating: bool,
     ) -> Result<Vec<ClaimAccount>, CheckError>;
 
     /// Conditions by their names, each as the claim that it is met at every time; `None` for one that the file does not give rise to.
-    fn conditions(&self, derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>>;
+    /// The graph is that of the file, and grows.
+    fn conditions(&self, derivation: &Derivation, graph: &mut Graph, names: &[ConditionName]) -> Vec<Option<Claim>>;
 }
 
 /// Tries claims on the last trajectories.
@@ -270,7 +272,9 @@ pub fn separations(
     let names =
         conditions.iter().flat_map(|(_, c)| c.explanation.conditions.iter().filter(|_| c.thresholds.is_empty()));
     let names: Vec<ConditionName> = names.cloned().collect();
-    let probes = checker.conditions(&mut of_fresh, &names);
+    let mut graph = of_fresh.graph.clone();
+    let probes = checker.conditions(&of_fresh, &mut graph, &names);
+    of_fresh.graph = graph;
     let mut all = ids();
     all.extend(probes.iter().flatten().map(|c| c.id.clone()));
     let probe_ids: Vec<(ConditionName, String)> =

@@ -16,17 +16,18 @@ use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::map::Scale;
 use super::member::{Law, MOST_DRAWS, Member, Members};
 use super::separate::{Checker, separations};
+use super::settled::{are_plain, is_settled};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
 use crate::findings::{ClaimAccount, Measurement, PairAccount};
 use crate::flow::{Estimation, Motion};
-use crate::verdict::{Finding, Possible, Strength, Truth, Verdict};
+use crate::verdict::Verdict;
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
 use claim::options::Options;
-use claim::program::{Part, Program, What};
+use claim::program::Program;
 use proved::by_formula;
 use sampled::course::Trial;
 use sampled::independence::Gradients;
@@ -222,34 +223,6 @@ struct OnMember {
     unsettled: bool,
 }
 
-/// What sides may be apart that are one within their error bound, as a share of it. A bound that refutes what is true by this one is
-/// narrower by more than 80 times: a refutation takes ten of its bounds, see [`claim::comparison::GUARD`].
-const WELL_WITHIN: f64 = 0.125;
-
-/// Whether what decides claims are comparisons at the times of one motion. Only of these is it said how much rests on error bounds.
-fn are_plain(programs: &[Vec<Program>]) -> bool {
-    let compares = |part: &Part| {
-        let of_times = matches!(part.what, What::Every | What::Denied | What::Constant | What::Value);
-        of_times && part.group.formula.is_none()
-    };
-    let plain = |program: &Program| {
-        let assumed = program.hypotheses.iter().map(|a| &a.part);
-        program.at.is_none() && program.selectors.is_empty() && program.parts.iter().chain(assumed).all(compares)
-    };
-    programs.iter().flatten().all(plain)
-}
-
-/// Whether a verdict is the same for any sensible estimate of errors. What is true must not need that bounds are as large as they are,
-/// and what is false must be apart by more than they are.
-fn is_settled(verdict: &Verdict) -> bool {
-    let settled = |finding: &Finding| match finding.known(Strength::Sampled).and_then(Possible::decided) {
-        Some(Truth::True) => finding.evidence().within <= WELL_WITHIN,
-        Some(Truth::False) => finding.evidence().witness.as_ref().is_some_and(|w| w.difference() > w.bound),
-        Some(Truth::Void) | None => false,
-    };
-    verdict.defect().is_some() || verdict.outcome().truth().is_some() && verdict.findings().iter().all(settled)
-}
-
 /// What one number gave.
 #[derive(Clone, Debug, Default)]
 pub struct One {
@@ -298,12 +271,15 @@ impl<'a> Troupe<'a> {
         }
         derivation.trajectories.extend(beside.iter().map(|_| base.clone()));
         // As in the file with the member pasted into it: the motions share the memory.
-        let fields = Fields::solve(&mut derivation).map_err(CheckError::Problems)?;
-        let count = derivation.claims.len();
+        let mut graph = derivation.graph.clone();
+        let fields = Fields::solve(&mut graph, &derivation).map_err(CheckError::Problems)?;
+        let Derivation { claims, systems, trajectories, .. } = &derivation;
         let mut programs: Vec<Vec<Program>> =
-            (0..count).map(|c| vec![Program::new(&mut derivation, c, &start)]).collect();
-        let gradients: Vec<_> = (0..count).map(|c| Gradients::of_claim(&mut derivation, c, &fields)).collect();
-        let measures = measure::compile(&mut derivation, true);
+            claims.iter().map(|c| vec![Program::new(&mut graph, systems, c, &start)]).collect();
+        let gradients: Vec<_> =
+            claims.iter().map(|c| Gradients::of_claim(&mut graph, trajectories, c, &fields)).collect();
+        let measures = measure::compile(&mut graph, &derivation.measures);
+        derivation.graph = graph;
         let graph = &derivation.graph;
         let mut wanted: Vec<Leaf> = programs.iter().flatten().flat_map(|p| p.leaves(graph)).collect();
         wanted.extend(gradients.iter().flatten().flatten().flat_map(|g| g.leaves(graph)));
@@ -549,8 +525,9 @@ impl<'a> Troupe<'a> {
         }
         let tried: Vec<usize> = (slot..=slot + self.beside.len()).collect();
         let claims: Vec<&Claim> = self.derivation.claims.iter().collect();
-        let programs: Vec<&[Program]> = self.programs.iter().map(Vec::as_slice).collect();
+        let programs: Vec<Vec<&Program>> = self.programs.iter().map(|of| of.iter().collect()).collect();
         let requests = Requests {
+            settled: true,
             part: false,
             wanted: &self.wanted,
             tried: &tried,
@@ -593,7 +570,8 @@ impl<'a> Troupe<'a> {
             let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
             let motions = || requests.tried.iter().filter_map(|t| stage.motion(*t));
             let steps = motions().map(Motion::steps).sum::<usize>() as u64;
-            let unsettled = motions().any(Motion::is_by_steps) && !verdicts.iter().all(is_settled);
+            let settled = || verdicts.iter().zip(&self.programs).all(|(verdict, of)| is_settled(verdict, of));
+            let unsettled = motions().any(Motion::is_by_steps) && !settled();
             Ok(Some(OnMember { verdicts, measured, steps, unsettled }))
         };
         members.iter().zip(stages).map(one).collect()
@@ -637,10 +615,8 @@ impl<'a> Troupe<'a> {
                 continue;
             };
             let of = |at: &usize| (*at, self.beside[at - slot - 1].1, others[at - slot - 1]);
-            // Beside the place of an extremum there need be none.
-            let is_there = |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| {
-                other.is_ok() || !matches!(which, Beside::Edge { .. })
-            };
+            let is_there =
+                |(_, which, other): &(usize, Beside, Result<f64, NoOther>)| other.is_ok() || !which.may_be_missing();
             let (at, found): (Vec<usize>, Vec<Result<f64, NoOther>>) =
                 across.others.iter().map(of).filter(is_there).map(|(at, _, other)| (at, other)).unzip();
             let found: Result<Vec<f64>, NoOther> = std::iter::once(Ok(values[varied])).chain(found).collect();

@@ -11,6 +11,8 @@ use derivation::Claim;
 use units::UnitsAccount;
 use verdict::{Outcome, Strength, Verdict};
 
+use std::collections::HashMap;
+
 /// A trajectory as it was computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrajectoryAccount {
@@ -102,6 +104,18 @@ impl Judged<'_> {
     pub fn on(&self) -> &str {
         self.trajectory.or(self.family.map(|f| f.family.as_str())).unwrap_or("its ranges")
     }
+}
+
+/// The results on each trajectory, by its id: the positions of the claim and of the result. To look for each would take the square of
+/// their number.
+pub fn by_trajectory(claims: &[ClaimAccount]) -> HashMap<&str, Vec<(usize, usize)>> {
+    let mut out: HashMap<&str, Vec<(usize, usize)>> = HashMap::new();
+    for (k, claim) in claims.iter().enumerate() {
+        for (at, pair) in claim.results.iter().enumerate() {
+            out.entry(&pair.trajectory).or_default().push((k, at));
+        }
+    }
+    out
 }
 
 impl ClaimAccount {

@@ -24,7 +24,7 @@ mod variant;
 
 pub use account::{
     Account, AssumptionsUsed, ClaimAccount, IdentityAccount, Judged, Measurement, PairAccount, Summary,
-    TrajectoryAccount,
+    TrajectoryAccount, by_trajectory,
 };
 pub use family::{FailingShare, FamilyAccount, MemberAccount};
 pub use identity::{Counterexample, IdentityEvidence, Place, Proposition, Trials};

@@ -259,7 +259,7 @@ impl Identity {
 impl std::fmt::Display for Reason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Reason::Contradiction => f.write_str("the premises contradict each other; nothing follows from them"),
+            Reason::Contradiction => f.write_str("the premises contradict each other, or exclude what the formulas need; nothing follows from them"),
             Reason::Unsolved(_) => f.write_str("a premise could not be solved for any of its unknowns"),
             Reason::NoValue => f.write_str("a formula divides by something that is 0 wherever the premises hold"),
             Reason::Degenerate => {

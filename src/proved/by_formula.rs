@@ -12,7 +12,7 @@ use crate::derivation::{Claim, Derivation, Motion};
 use crate::expr::domain::Sign;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, FastMap, Graph, Leaf, Rational, Symbol};
-use crate::findings::ClaimAccount;
+use crate::findings::{ClaimAccount, by_trajectory};
 use crate::latex::{RelationKind, Role, Scope};
 use crate::number::Bounded;
 use crate::verdict::{Outcome, Possible, Proof, Strength, Verdict, Witness};
@@ -33,13 +33,12 @@ pub fn settle(
     tried: &[usize],
     limits: &Limits,
 ) {
+    let results = by_trajectory(claims);
     let column = |&t: &usize| -> Vec<(usize, usize, Verdict)> {
         let mut setting = Setting::of(derivation, t, None);
         let mut start: Option<Option<Setting>> = None;
-        let id = &derivation.trajectories[t].id;
         let mut out = Vec::new();
-        for (k, &c) in claimed.iter().enumerate() {
-            let Some(at) = claims[k].results.iter().position(|r| r.trajectory == *id) else { continue };
+        for &(k, at) in results.get(derivation.trajectories[t].id.as_str()).into_iter().flatten() {
             let found = &claims[k].results[at].verdict;
             // What an assumption or a formula leaves out stays out; of integrated motions only what is open is looked at.
             let asked = match found.outcome() {
@@ -54,7 +53,7 @@ pub fn settle(
                 break;
             }
             let mut verdict = found.clone();
-            let (claim, motion) = (&derivation.claims[c], &derivation.trajectories[t]);
+            let (claim, motion) = (&derivation.claims[claimed[k]], &derivation.trajectories[t]);
             if let Some(setting) = &mut setting {
                 setting.claim(claim, motion, &mut verdict);
             }

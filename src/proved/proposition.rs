@@ -117,11 +117,7 @@ pub fn prove(derivation: &mut Derivation, proposition: &Proposition) -> Result<I
     if !others.is_empty() && Step::of(derivation, &claim).is_none() {
         return Err(CheckError::Problems(others));
     }
-    // What the other claims define is found in the derivation.
-    derivation.claims.push(claim.clone());
-    let decided = Step::of(derivation, &claim).and_then(Step::decide);
-    derivation.claims.pop();
-    match decided {
+    match Step::of(derivation, &claim).and_then(Step::decide) {
         Some(account) => account.map_err(CheckError::Defect),
         // Both sides are one expression: all that is left to see is whether it has a value, where what is given holds.
         None => {

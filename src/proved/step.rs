@@ -23,19 +23,21 @@
 //!
 //! Premises hold at all times. They are used at the present time and at the fixed times that the formulas name.
 
+mod exceptions;
 mod gather;
 mod points;
+mod rates;
+mod signs;
 mod times;
 mod wording;
 
 use crate::agreement::{Signs, answer, evidence, evidence_of, reach};
 use crate::derivation::{Claim, Derivation, Form, Motion};
-use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Node, Op, Symbol, Tensor};
-use crate::findings::standing::{self, Decision, Finding};
+use crate::expr::{Expr, FastMap, FastSet, Graph, Leaf, Symbol, Tensor};
+use crate::findings::standing::{self, Finding};
 use crate::findings::{AssumptionsUsed, IdentityAccount, IdentityEvidence};
 use crate::latex::{Relation, RelationKind, Role};
 use crate::verdict::Witness;
-use claim::comparison::at_instant;
 use gather::{Definitions, Gathered};
 use proof::{
     Branches, Condition, Identity, Memory, Options, Premises, Proof, Reason, Wanted, branches_test_after,
@@ -106,8 +108,6 @@ fn pairs(relation: &Relation) -> impl Iterator<Item = (Expr, Expr)> + '_ {
 
 /// Real points that are tried while definitions are left out: nothing is refuted then.
 const FEW_POINTS: u32 = 24;
-/// Most exceptions of a proof that are looked at by themselves.
-const MOST_EXCEPTIONS: usize = 6;
 /// Most cases into which products are taken apart.
 const MOST_CASES: usize = 12;
 /// Claims with more assumptions are not tried without each of them.
@@ -115,36 +115,6 @@ const MOST_ASSUMPTIONS: usize = 6;
 
 /// Solving without an assumption is given up when it has made this many nodes: then the assumption counts as used.
 const LEFT_OUT_NODES: usize = 8_000;
-
-/// The accounts of both choices of a sign that stands among the assumptions.
-fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount {
-    let worse = |a: &IdentityAccount| match a.finding.decision() {
-        Decision::Refuted => 3,
-        Decision::Undecided => 2,
-        Decision::ProvedExcept => 1,
-        Decision::Proved => 0,
-    };
-    let (mut first, second) = if worse(&upper) >= worse(&lower) { (upper, lower) } else { (lower, upper) };
-    if first.finding.is_proved_in_part() {
-        first.log2_error = first.log2_error.zip(second.log2_error).map(|(a, b)| a.max(b) + 1.0);
-        let lists = [
-            (&mut first.conditions, second.conditions),
-            (&mut first.exceptions, second.exceptions),
-            (&mut first.given_only_where, second.given_only_where),
-        ];
-        for (list, more) in lists {
-            let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
-            list.extend(new);
-        }
-        first.narrower |= second.narrower;
-        // Each sign has certificates of its own.
-        first.evidence.certificates.clear();
-        first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
-        first.assumptions = None;
-    }
-    first.finding = first.finding.clone().and(second.finding);
-    first
-}
 
 /// Whether a proof leaves out the case that something divided by vanishes.
 fn has_exceptions(proof: &Proof) -> bool {
@@ -287,60 +257,6 @@ impl<'a> Step<'a> {
         self.decide_equations()
     }
 
-    /// The answer where both sides are one expression: whether it has a value somewhere, where what is given holds.
-    ///
-    /// # Errors
-    /// A description of the contradiction, if the two routes disagree.
-    pub fn of_one_expression(mut self, equations: &Pairs) -> Result<IdentityAccount, String> {
-        // A sign that stands in what is given is one of two: some must be possible.
-        let signs: &[Option<i64>] = if self.assumes_sign() { &[Some(1), Some(-1)] } else { &[None] };
-        let mut last = None;
-        for &sign in signs {
-            self.sign = sign;
-            let gathered = self.gather(None);
-            let premises = self.premises(&gathered, equations, Definitions::All);
-            let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
-            let account = self.of_identity(identity, evidence);
-            if account.finding.is_proved() {
-                return Ok(account);
-            }
-            last = Some(account);
-        }
-        last.ok_or_else(|| "a sign that is neither".to_owned())
-    }
-
-    /// Whether ± stands among the assumptions of the claim.
-    fn assumes_sign(&self) -> bool {
-        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
-    }
-
-    /// A sign that stands among the assumptions is one with that of the claim: it must follow for both.
-    fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
-        let mut all: Option<IdentityAccount> = None;
-        for value in [1, -1] {
-            let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
-            step.sign = Some(value);
-            let one = match step.decide_equations()? {
-                Ok(account) => account,
-                Err(defect) => return Some(Err(defect)),
-            };
-            // Under one sign the assumptions may not be possible.
-            if one.evidence.contradiction {
-                continue;
-            }
-            all = Some(match all {
-                None => one,
-                Some(before) => both_signs(before, one),
-            });
-        }
-        let contradiction = || {
-            let mut step = Step::of(self.derivation, self.claim)?;
-            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
-            Some(step.of_identity(Identity::Undecided(Reason::Contradiction), evidence))
-        };
-        all.or_else(contradiction).map(Ok)
-    }
-
     /// Decides a claim that consists of equations.
     fn decide_equations(mut self) -> Option<Result<IdentityAccount, String>> {
         let mut gathered = self.gather(None);
@@ -437,110 +353,6 @@ impl<'a> Step<'a> {
             account.presupposed.clone_from(&gathered.inherited);
         }
         Some(Ok(account))
-    }
-
-    /// A proof without those of its exceptions that are empty, or in which the claim is proved, too; or the refutation that one
-    /// of them holds.
-    ///
-    /// What is claimed holds where what was divided by is not 0. Along a motion it holds at the limits of such times, too, since both
-    /// sides are continuous; what is left is that it is 0 on an interval, with all its derivatives: a premise like others.
-    fn without_empty_cases(
-        &mut self,
-        identity: Identity,
-        gathered: &Gathered,
-        equations: &Pairs,
-        refutes: bool,
-    ) -> Identity {
-        let Identity::Proved(mut proof) = identity else { return identity };
-        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let leaps =
-            self.graph.reachable(roots).iter().any(|&e| matches!(self.graph.node(e), Node::Binary(Op::Arctan2, ..)));
-        let zero = self.graph.integer(0);
-        let pivots = proof.conditions.iter().filter_map(|c| match *c {
-            Condition::Pivot(e) => Some(e),
-            _ => None,
-        });
-        let pivots: Vec<Expr> = pivots.take(MOST_EXCEPTIONS).collect();
-        for pivot in pivots {
-            // Auxiliary numbers are no part of the question.
-            let leaves = self.graph.leaves_within([pivot]);
-            let scope = &self.claim.scope;
-            if leaves.iter().any(|l| scope.role(l.symbol).is_none()) {
-                continue;
-            }
-            let moves = leaves
-                .iter()
-                .any(|l| l.instant.is_none() && matches!(scope.role(l.symbol), Some(Role::State | Role::Observable)));
-            if moves && leaps {
-                continue;
-            }
-            // What depends on the time alone vanishes at single times only, and both sides are continuous there.
-            if !leaps && !leaves.is_empty() && leaves.iter().all(|&l| Some(l) == scope.time()) {
-                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
-                continue;
-            }
-            let mut premises = self.premises(gathered, equations, Definitions::All);
-            if moves {
-                // It may vanish for a while, and not at the times that are named.
-                premises = self.of_one_time(premises);
-            }
-            premises.equations.insert(0, (pivot, zero));
-            let found = self.test_only(&premises, equations, &Options::default());
-            let discharged = match found {
-                Identity::Proved(case) => {
-                    let clean = !has_exceptions(&case);
-                    if clean {
-                        proof.log2_error = proof.log2_error.max(case.log2_error) + 1.0;
-                        // Perhaps what is given can hold in this case only.
-                        proof.example = proof.example.take().or(case.example);
-                    }
-                    clean
-                }
-                Identity::Undecided(Reason::Contradiction) => true,
-                Identity::Refuted(refutation) if refutes && gathered.complete && !self.loosened => {
-                    self.settled = None;
-                    return Identity::Refuted(refutation);
-                }
-                Identity::Refuted(_) | Identity::Undecided(_) => {
-                    let mut case = gathered.clone();
-                    case.premises.equations.insert(0, (pivot, zero));
-                    if refutes
-                        && gathered.complete
-                        && !self.loosened
-                        && let Some(refuted) = self.at_rest(&case, equations)
-                    {
-                        self.settled = None;
-                        return refuted;
-                    }
-                    false
-                }
-            };
-            if discharged {
-                proof.conditions.retain(|c| *c != Condition::Pivot(pivot));
-            }
-        }
-        Identity::Proved(proof)
-    }
-
-    /// The functions with several branches in what goes along a motion, but those whose arguments are constant.
-    fn leaping(&mut self, gathered: &Gathered, equations: &Pairs, moved: bool) -> Vec<Expr> {
-        let integral = self.claim.forms.iter().any(|form| matches!(form, Form::FirstIntegral(_)));
-        let (true, Some(time)) = (moved || integral, self.claim.scope.time()) else { return Vec::new() };
-        let scope = &self.claim.scope;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        let mut out = self.leaps(equations);
-        let (proved_at, settled) = (self.proved_at, self.settled.take());
-        out.retain(|&e| {
-            let arguments: Vec<Expr> = self.graph.node(e).children().collect();
-            let zero = self.graph.integer(0);
-            let rates: Option<Pairs> = arguments
-                .into_iter()
-                .map(|a| self.graph.time_derivative(a, time, moves).ok().map(|rate| (rate, zero)))
-                .collect();
-            !rates.is_some_and(|rates| without_exceptions(&self.levels(gathered, &rates, false)))
-        });
-        (self.proved_at, self.settled) = (proved_at, settled);
-        out
     }
 
     /// Whether a step is about more than a proof has room for: what it takes grows with the square of that.
@@ -741,87 +553,6 @@ impl<'a> Step<'a> {
         let proved = first(|i| matches!(i, Identity::Proved(_)));
         let open = || first(|i| matches!(i, Identity::Undecided(_)));
         each.swap_remove(proved.or_else(open).unwrap_or(0))
-    }
-
-    /// Equations with one sign in place of ±.
-    fn branch(&mut self, equations: &Pairs, value: i64) -> Pairs {
-        let sign = self.claim.scope.branch_sign();
-        let graph = &mut self.graph;
-        let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
-        equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
-    }
-
-    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
-    /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
-    fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
-        // What holds at the present time only says nothing of rates.
-        let mut gathered = gathered.clone();
-        gathered.premises.only_now.clear();
-        let gathered = &gathered;
-        let all = self.start_and_rates(gathered, equations)?;
-        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
-        for split in [false, true] {
-            let found = self.levels(gathered, &all, split);
-            if proved(&found) {
-                return Some((found, equations.clone()));
-            }
-        }
-        let even = self.without_growth(equations)?;
-        let all = self.start_and_rates(gathered, &even)?;
-        Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
-    }
-
-    /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.
-    /// An exponential is never 0, and has a value wherever a side has one that it is part of. `None` where there is none.
-    fn without_growth(&mut self, equations: &Pairs) -> Option<Pairs> {
-        let scope = &self.claim.scope;
-        let time = scope.time()?;
-        let mut found = false;
-        let mut even = Pairs::new();
-        for &(l, r) in equations {
-            let exponent = self.graph.reachable([l, r]).into_iter().find_map(|e| match *self.graph.node(e) {
-                Node::Unary(Op::Exp, exponent) => {
-                    let leaves = self.graph.leaves([exponent]);
-                    let moves = |leaf: &Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-                    let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
-                    in_time.then_some(exponent)
-                }
-                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
-            });
-            let Some(exponent) = exponent else {
-                even.push((l, r));
-                continue;
-            };
-            found = true;
-            let opposite = self.graph.neg(exponent);
-            let inverse = self.graph.unary(Op::Exp, opposite);
-            even.push((self.graph.mul(l, inverse), self.graph.mul(r, inverse)));
-        }
-        found.then_some(even)
-    }
-
-    /// The equations at a fixed time, and their rates; `None` where there is no such time.
-    fn start_and_rates(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Pairs> {
-        let time = self.claim.scope.time()?;
-        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let leaves = self.graph.leaves_within(roots);
-        if leaves.contains(&self.claim.scope.branch_sign()) {
-            return None;
-        }
-        let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
-        let of_premises = self.graph.leaves_within(given);
-        let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
-        let scope = &self.claim.scope;
-        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
-        let mut all = Pairs::new();
-        for &(l, r) in equations {
-            let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, start));
-            let rates = [l, r].map(|e| self.graph.time_derivative(e, time, moves));
-            let [Ok(left), Ok(right)] = rates else { return None };
-            all.extend([(then[0], then[1]), (left, right)]);
-        }
-        all.retain(|(l, r)| l != r);
-        Some(all)
     }
 
     /// The assumptions of the claim that its proof needs; `None` where it has none. One is not needed only if

@@ -1,7 +1,5 @@
 //! What is said of conditions: which one separates the trajectories of a claim, and which assumptions it needs.
 
-use serde_json::{Value, json};
-
 use super::markdown::{math, prose};
 use super::numbers::count;
 use super::tally::name;
@@ -218,46 +216,7 @@ pub(super) fn separation(conditions: &ConditionsAccount) -> String {
     format!("**What separates:** {}{rivals}\n\n", all.first().map(String::as_str).unwrap_or_default())
 }
 
-fn condition_json(c: &ConditionName) -> Value {
-    json!({ "id": c.id, "formula": c.formula, "says": c.says, "negated": c.negated })
-}
-
 /// An explanation in words, formulas between dollars.
 pub(super) fn explanation_in_words(e: &Explanation) -> String {
     explanation(e, &DOLLARS)
-}
-
-pub(super) fn explanation_json(e: &Explanation) -> Value {
-    json!({ "join": e.join.word(), "conditions": e.conditions.iter().map(condition_json).collect::<Vec<_>>() })
-}
-
-/// The part of a claim in `report.json`.
-pub(super) fn json(conditions: &ConditionsAccount) -> Value {
-    let part = |parts: &[(ConditionName, usize)]| -> Vec<Value> {
-        parts.iter().map(|(c, n)| json!({ "condition": condition_json(c), "trajectories": n })).collect()
-    };
-    let separation = conditions.separation.as_ref().map(|s| {
-        json!({
-            "holds": s.holds,
-            "fails": s.fails,
-            "explanation": s.explanation.as_ref().map(explanation_json),
-            "rivals": s.rivals.iter().map(|r| json!({
-                "explanation": explanation_json(&r.explanation), "differ_on": r.differ_on,
-            })).collect::<Vec<_>>(),
-            "more_rivals": s.more_rivals,
-            "sufficient": part(&s.sufficient),
-            "necessary": part(&s.necessary),
-            "possible": s.possible.iter().map(|(c, on)| json!({
-                "condition": condition_json(c), "undecided_on": on,
-            })).collect::<Vec<_>>(),
-            "tried": s.tried,
-            "undecided": s.undecided,
-        })
-    });
-    json!({
-        "separation": separation,
-        "assumptions": conditions.assumptions.iter().map(|a| json!({
-            "formula": a.text, "need": a.need.word(), "on": a.on,
-        })).collect::<Vec<_>>(),
-    })
 }

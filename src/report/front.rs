@@ -6,8 +6,6 @@
 //!
 //! **Guaranteed:** it fits on one printed page: so many lines are told, the rest is counted.
 
-use serde_json::{Value, json};
-
 use super::consequence::Consequences;
 use super::digest::{self, Basis, Fate, Whole};
 use super::numbers::count;
@@ -434,27 +432,6 @@ pub(super) fn section(front: &Front, link: impl Fn(&str) -> String) -> String {
         prose(&front.version)
     ));
     out
-}
-
-/// `digest` of `report.json`.
-pub(super) fn json(derivation: &Derivation, account: &Account) -> Value {
-    let front = Front::new(derivation, account);
-    let wholes = digest::wholes(derivation, account);
-    let hangs = Consequences::new(derivation);
-    let claims = wholes.iter().map(|w| {
-        let line = front.lines.iter().find(|l| l.id == w.id);
-        json!({
-            "id": w.id, "says": w.says, "place": w.place, "conclusion": w.conclusion, "fate": w.fate.key(),
-            "stands": w.basis().filter(|_| w.fate == Fate::Stands).map(|b| b.words()), "proved": w.is_proved(),
-            "reason": line.map(|l| l.reason.as_str()), "carries": hangs.carried_by(w.id, &wholes),
-            "conclusions": hangs.conclusions_of(w.id),
-        })
-    });
-    json!({
-        "verdict": front.verdict, "strength": front.strength, "beside": front.beside, "alarms": front.alarms,
-        "claims": claims.collect::<Vec<_>>(),
-        "against": front.lines.iter().map(|l| l.id.as_str()).collect::<Vec<_>>(),
-    })
 }
 
 #[cfg(all(test, debug_assertions))]

@@ -8,8 +8,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::{Value, json};
-
 use super::tally::name;
 use crate::derivation::Derivation;
 use findings::standing::Decision;
@@ -24,7 +22,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    fn word(self) -> &'static str {
+    pub fn word(self) -> &'static str {
         match self {
             Kind::Claim => "claim",
             Kind::System => "system",
@@ -41,11 +39,11 @@ pub(super) struct Node {
     /// The verdict of the step that leads to the claim; `None` where it is no step.
     pub verdict: Option<&'static str>,
     /// What the proof of that step amounts to.
-    proof: ProofStanding,
+    pub proof: ProofStanding,
     /// The assumptions of the claim itself.
-    assumptions: Vec<String>,
+    pub assumptions: Vec<String>,
     /// What it follows from directly: positions of nodes.
-    from: Vec<usize>,
+    pub from: Vec<usize>,
 }
 
 /// What the proof of a claim amounts to, with everything that it rests on: the one place that says `proved`.
@@ -136,7 +134,7 @@ pub(super) struct Rests {
 /// The graph.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DerivationGraph {
-    nodes: Vec<Node>,
+    pub nodes: Vec<Node>,
 }
 
 /// More edges than this are not drawn: nobody could read it.
@@ -209,7 +207,7 @@ impl DerivationGraph {
     }
 
     /// What the node at this position rests on, nearest first.
-    fn rests(&self, at: usize) -> Rests {
+    pub fn rests(&self, at: usize) -> Rests {
         let mut out = Rests::default();
         let mut reached: Vec<usize> = Vec::new();
         let mut seen = vec![false; self.nodes.len()];
@@ -256,36 +254,6 @@ impl DerivationGraph {
     /// What the proof of a claim amounts to.
     pub fn proof_of(&self, claim: &ClaimAccount) -> ProofStanding {
         claim.identity.as_ref().map_or(ProofStanding::None, |i| ProofStanding::of(i, &name(claim)))
-    }
-
-    /// `graph` of `report.json`.
-    pub fn json(&self) -> Value {
-        let nodes = self.nodes.iter().enumerate().map(|(at, node)| {
-            let rests = self.rests(at);
-            json!({
-                "id": node.id,
-                "kind": node.kind.word(),
-                "verdict": node.verdict,
-                "standing": node.proof.word(),
-                "assumptions": node.assumptions,
-                "rests_on": {
-                    "systems": rests.systems,
-                    "symbols": rests.symbols,
-                    "claims": rests.claims,
-                    "assumptions": rests.assumptions.iter().map(|(text, from)| json!({ "formula": text, "of": from }))
-                        .collect::<Vec<_>>(),
-                    "not_proved": rests.open.iter().map(|(id, verdict)| json!({ "id": id, "verdict": verdict }))
-                        .collect::<Vec<_>>(),
-                    "circular": rests.circular,
-                },
-            })
-        });
-        let edges = self.nodes.iter().flat_map(|node| {
-            node.from.iter().map(|&from| {
-                json!({ "from": self.nodes[from].id, "kind": self.nodes[from].kind.word(), "to": node.id, "verdict": node.verdict })
-            })
-        });
-        json!({ "nodes": nodes.collect::<Vec<_>>(), "edges": edges.collect::<Vec<_>>() })
     }
 
     /// The section of `report.md`: a drawing in Mermaid, which forges render.

@@ -13,13 +13,13 @@
 
 use ::{derivation, diag, expr, latex};
 
-mod alone;
 mod certificates;
 mod conditions;
 mod consequence;
 mod diff;
 mod digest;
 mod discrimination;
+mod document;
 mod explain;
 mod family;
 mod finding;

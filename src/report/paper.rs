@@ -1,8 +1,6 @@
-//! A derivation file beside its paper, as text, as data and as findings.
+//! A derivation file beside its paper, as text and as findings.
 
 use std::sync::Arc;
-
-use serde_json::{Value, json};
 
 use super::finding::{Finding, Level, Place};
 use super::numbers::count;
@@ -67,7 +65,7 @@ pub fn add_paper(findings: &mut [Finding], derivation: &Derivation, comparison: 
     }
 }
 
-fn line(comparison: &Comparison, span: &std::ops::Range<usize>) -> usize {
+pub(super) fn line(comparison: &Comparison, span: &std::ops::Range<usize>) -> usize {
     Place::new(&comparison.paper, span.clone()).region().map_or(1, |r| r.line)
 }
 
@@ -125,38 +123,4 @@ fn listed<'a>(
         out.push_str(&format!("    … and {} more\n", entries.len() - SHOWN));
     }
     out
-}
-
-/// The data, for `paper` of a report. The path of the paper is not in it.
-pub(super) fn paper_data(comparison: &Comparison) -> Value {
-    let (covered, printed) = comparison.covered();
-    json!({
-        "sha256": comparison.sha256,
-        "compared": comparison.compared,
-        "differences": comparison.differences.iter().map(|d| json!({
-            "claim": d.owner,
-            "label": d.label,
-            "formula": d.formula,
-            "printed": d.printed,
-            "line": line(comparison, &d.there),
-        })).collect::<Vec<_>>(),
-        "unknown_labels": comparison.unknown.iter().map(|u| json!({
-            "claim": u.owner, "label": u.label,
-        })).collect::<Vec<_>>(),
-        "equations": comparison.equations.iter().map(|e| json!({
-            "label": e.label,
-            "line": line(comparison, &e.span),
-            "parts": e.parts,
-            "printed": e.printed,
-            "claims": e.by,
-        })).collect::<Vec<_>>(),
-        "coverage": {
-            "equations": comparison.equations.len(),
-            "covered": covered,
-            "parts": comparison.parts(),
-            "printed": printed,
-            "relations": comparison.relations.len(),
-            "found": comparison.found(),
-        },
-    })
 }

@@ -1,9 +1,8 @@
 //! The answer to a proposition: what `rederive prove` prints.
 
-use serde_json::{Map, Value, json};
-
 use super::certificates::{certificate_text, is_certified};
-use super::json::{number, trials, write};
+use super::document::Answer;
+use super::json::text;
 use super::text::{Paint, paragraph};
 use findings::standing::Decision;
 use findings::{Counterexample, IdentityAccount, Place, Proposition, Trials};
@@ -128,49 +127,5 @@ fn counterexample(found: &Counterexample, given: bool) -> String {
 
 /// The answer as JSON.
 pub fn proposition_json(proposition: &Proposition, account: &IdentityAccount) -> String {
-    let evidence = &account.evidence;
-    let place = |place: &Place| -> Value {
-        let point: Map<String, Value> = place
-            .point
-            .iter()
-            .chain(&place.beyond)
-            .map(|(name, value)| (name.clone(), Value::String(value.clone())))
-            .collect();
-        json!({ "left": place.left, "right": place.right, "point": point })
-    };
-    let document = json!({
-        "schema": 1,
-        "tool": { "name": crate::PROGRAM, "version": env!("CARGO_PKG_VERSION") },
-        "formula": proposition.formula,
-        "given": proposition.given,
-        "branches": if proposition.throughout { "throughout" } else { "pointwise" },
-        "verdict": account.verdict(),
-        "standing": account.standing(),
-        "log2_error": account.log2_error.map(number),
-        "field": evidence.trials.as_ref().map(|_| "GF(p^2)"),
-        "trials": evidence.trials.as_ref().map(trials),
-        "branch": evidence.branch,
-        "conditions": account.conditions,
-        "exceptions": account.exceptions,
-        "given_only_where": account.given_only_where,
-        "assumptions": account.assumptions.as_ref().map(|a| json!({ "used": a.used, "unused": a.unused })),
-        "presupposed": account.presupposed,
-        "generic": account.generic,
-        "reason": account.reason,
-        "contradiction": evidence.contradiction,
-        "witness": evidence.counterexample.as_ref().map(|c| json!({
-            "equation": c.equation,
-            "left": c.first.left,
-            "right": c.first.right,
-            "point": place(&c.first)["point"],
-            "second": c.second.as_ref().map(place),
-        })),
-        "certificate": is_certified(account)
-            .then(|| certificate_text(&proposition.formula, &proposition.given, &evidence.certificates)),
-        "no_certificate": evidence.no_certificate,
-    });
-    let mut out = String::new();
-    write(&document, 0, &mut out);
-    out.push('\n');
-    out
+    text(&Answer::of(proposition, account))
 }

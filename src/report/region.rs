@@ -1,15 +1,12 @@
 //! Claims over ranges of values, in the words of every kind of report.
 
-use serde_json::{Value, json};
-
-use super::json::number;
 use super::markdown::{prose, table};
 use super::numbers::value;
 use super::tally::{glyph, name, says};
 use super::text::{Paint, paragraph};
 use super::wording::unit;
 use crate::derivation::{Derivation, FormKind};
-use findings::region::{Part, RangeAccount, RegionAccount, RegionMap, SolutionAccount};
+use findings::region::{RangeAccount, RegionAccount, SolutionAccount};
 use findings::{Account, ClaimAccount};
 
 /// What is said of the formulas of a claim over ranges, for the heading of a list of them.
@@ -178,73 +175,4 @@ pub(super) fn section(claim: &ClaimAccount) -> String {
         out.push_str("`index.html` has a picture of the first two ranges.\n\n");
     }
     out
-}
-
-fn range_json(of: &RangeAccount) -> Value {
-    json!({
-        "name": of.name,
-        "unit": of.unit,
-        "from": of.values.map(|v| number(v.0)),
-        "to": of.values.map(|v| number(v.1)),
-        "formula": of.formula,
-    })
-}
-
-/// One letter for a part, in the picture.
-fn letter(part: Part) -> &'static str {
-    match part {
-        Part::Proved => "p",
-        Part::Border => "b",
-        Part::Refuted => "r",
-        Part::NotApplicable => "n",
-        Part::Undecided => "u",
-    }
-}
-
-fn map_json(map: &RegionMap) -> Value {
-    let patch =
-        |p: &findings::region::Patch| format!("{} {} {} {} {}", letter(p.part), p.column, p.row, p.width, p.height);
-    json!({
-        "across": map.axes.0,
-        "up": map.axes.1,
-        "squares": map.squares,
-        "patches": map.patches.iter().map(patch).collect::<Vec<_>>(),
-    })
-}
-
-/// The field of `report.json`.
-pub(super) fn json(region: &RegionAccount) -> Value {
-    let outcome = region.verdict.outcome();
-    let shares = &region.shares;
-    json!({
-        "verdict": outcome.word(),
-        "strength": outcome.strength(),
-        "expected": region.expected,
-        "unexpected": region.is_unexpected(),
-        "reason": region.verdict.evidence().reason,
-        "ranges": region.ranges.iter().map(range_json).collect::<Vec<_>>(),
-        "varying": region.varying,
-        "unknowns": region.unknowns.iter().map(range_json).collect::<Vec<_>>(),
-        "unique": region.unique,
-        "shares": {
-            "proved": number(shares.proved),
-            "refuted": number(shares.refuted),
-            "not_applicable": number(shares.not_applicable),
-            "undecided": number(shares.undecided),
-        },
-        "cells": region.cells,
-        "depth": region.depth,
-        "witness": region.witness.as_ref().map(|w| json!({
-            "values": w.values.iter().map(|(n, x)| (n.clone(), number(*x))).collect::<serde_json::Map<_, _>>(),
-            "formula": w.formula,
-            "left": w.sides.map(|(l, _)| json!([number(l.0), number(l.1)])),
-            "right": w.sides.map(|(_, r)| json!([number(r.0), number(r.1)])),
-            "says": w.says,
-        })),
-        "solutions": region.solutions.iter().map(|s| {
-            s.values.iter().map(|(n, lo, hi)| (n.clone(), json!([number(*lo), number(*hi)]))).collect::<serde_json::Map<_, _>>()
-        }).collect::<Vec<_>>(),
-        "remarks": region.remarks,
-        "map": region.map.as_ref().map(map_json),
-    })
 }

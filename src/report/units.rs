@@ -1,6 +1,4 @@
-//! What is said of units: nothing in the terminal unless something is wrong, a section of `report.md`, a part of the JSON.
-
-use serde_json::{Value, json};
+//! What is said of units: nothing in the terminal unless something is wrong, a section of `report.md`.
 
 use super::markdown::{math, prose};
 use super::numbers::count;
@@ -73,30 +71,4 @@ fn words(formula: &UnitAccount) -> String {
         }
         UnitVerdict::NotChecked { reason } => prose(reason),
     }
-}
-
-/// The part of `report.json`.
-pub(super) fn json(units: &UnitsAccount) -> Value {
-    let term = |t: &Term| json!({ "latex": t.latex, "unit": t.unit });
-    let formula = |f: &UnitAccount| {
-        let (relation, terms, reason) = match &f.verdict {
-            UnitVerdict::Consistent => (None, None, None),
-            UnitVerdict::Inconsistent { relation, terms } => {
-                (Some(relation), Some(terms.iter().map(term).collect::<Vec<_>>()), None)
-            }
-            UnitVerdict::NotChecked { reason } => (None, None, Some(reason)),
-        };
-        json!({
-            "where": f.kind, "of": f.of, "formula": f.formula, "verdict": f.verdict.word(), "expected": f.expected,
-            "relation": relation, "terms": terms, "reason": reason,
-        })
-    };
-    json!({
-        "consistent": units.count("consistent"),
-        "inconsistent": units.count("inconsistent"),
-        "not_checked": units.count("not-checked"),
-        "unexpected": units.unexpected(),
-        "missed": units.missed,
-        "formulas": units.formulas.iter().map(formula).collect::<Vec<_>>(),
-    })
 }

@@ -217,7 +217,8 @@ fn tends(
     limit: &impl Fn(&Values) -> Result<Bounded, NoValue>,
     quantity: Expr,
 ) -> Finding {
-    let (Some(own), Some(last)) = (members.first(), members.last()) else {
+    let (sequence, beyond) = members.split_at(members.len().min(extrapolate::STEPS));
+    let (Some(own), Some(last)) = (sequence.first(), sequence.last()) else {
         return Finding::open("there is no sequence");
     };
     let (claimed, again) = match (limit(&own.at.values), limit(&last.at.values)) {
@@ -231,7 +232,7 @@ fn tends(
     if !(claimed - again).contains_zero() {
         return Finding::open("what it is said to tend to is not the same along the sequence");
     }
-    let sequence: Vec<Bounded> = members.iter().map(|m| m.of).collect();
+    let sequence: Vec<Bounded> = sequence.iter().map(|m| m.of).collect();
     let found = match extrapolate::limit(&sequence) {
         Ok(found) => found,
         Err(reason) => {
@@ -239,6 +240,10 @@ fn tends(
             return Finding::open(format!("from ${}$ = {from} on, {reason}", across.name));
         }
     };
+    if let Some(beyond) = beyond.iter().find(|beyond| !extrapolate::goes_on(&found, &last.of, &beyond.of)) {
+        let (name, x) = (&across.name, short(beyond.x));
+        return Finding::open(format!("the motion with ${name}$ = {x} is not where the sequence before it tends to"));
+    }
     let (text, name) = (&across.of.text, &across.name);
     let tends_to = match (end, &across.point) {
         (End::Infinity, _) => "\\infty",

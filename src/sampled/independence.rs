@@ -7,7 +7,7 @@
 use nalgebra::DMatrix;
 
 use crate::course::Trial;
-use crate::derivation::{Derivation, Form, Motion, Written};
+use crate::derivation::{Claim, Form, Motion, Trajectory, Written};
 use crate::describe::Left;
 use crate::expr::tape::Tape;
 use crate::expr::{Expr, Graph, Leaf, NoDerivative, Tensor};
@@ -48,9 +48,12 @@ impl Gradients {
     ///
     /// # Errors
     /// A function without a derivative among the known operations; rates that several systems give differently.
-    pub fn of_claim(derivation: &mut Derivation, claim: usize, fields: &Fields) -> Option<Result<Gradients, String>> {
-        let Derivation { graph, claims, trajectories, .. } = derivation;
-        let claim = &claims[claim];
+    pub fn of_claim(
+        graph: &mut Graph,
+        trajectories: &[Trajectory],
+        claim: &Claim,
+        fields: &Fields,
+    ) -> Option<Result<Gradients, String>> {
         let (functions, subject_to) = claim.forms.iter().find_map(|form| match form {
             Form::Independent { functions, subject_to } => Some((functions, subject_to)),
             _ => None,

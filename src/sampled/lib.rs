@@ -29,6 +29,7 @@ mod peaks;
 pub mod prepared;
 pub mod recall;
 pub mod same_motion;
+pub mod selection;
 mod series;
 pub mod setup;
 pub mod stage;

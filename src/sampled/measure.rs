@@ -31,12 +31,8 @@ pub struct Compiled {
     tape: Option<Tape>,
 }
 
-/// Compiles all measures; none when only some claims are asked for.
-pub fn compile(derivation: &mut Derivation, wanted: bool) -> Vec<Compiled> {
-    let Derivation { graph, measures, .. } = derivation;
-    if !wanted {
-        return Vec::new();
-    }
+/// Compiles the measures of a file.
+pub fn compile(graph: &mut Graph, measures: &[derivation::Measure]) -> Vec<Compiled> {
     let one = |(index, m): (usize, &derivation::Measure)| {
         let formula = m.formula.value.as_scalar()?;
         let at = m.at.as_ref().and_then(|at| at_event(graph, &at.equation.value));

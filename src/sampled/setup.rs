@@ -12,7 +12,8 @@ use flow::{Guess, Motion, Observable, Setup, Source, Start};
 use latex::Role;
 
 /// What a motion is made from, and the symbols that it knows. `from` is the motion that a derived one comes from, with the
-/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`.
+/// symbols that that one knows. Parameters are rounded to binary64 unless they shall be `exact`. What is `left_out`, and what is
+/// made of it, the motion does not know.
 pub fn setup<'a>(
     derivation: &Derivation,
     fields: &'a Fields,
@@ -20,6 +21,7 @@ pub fn setup<'a>(
     trajectory: &Trajectory,
     from: Option<(Arc<Motion>, &[Symbol])>,
     exact: bool,
+    left_out: &[Symbol],
 ) -> (Setup<'a>, Vec<Symbol>) {
     let Derivation { scope, systems, symbols, claims, .. } = derivation;
     let mut parameters: Vec<(Leaf, Expr)> = Vec::new();
@@ -77,7 +79,8 @@ pub fn setup<'a>(
     for entry in entries.into_iter().filter(|e| e.role == Role::Observable) {
         let in_claim = || claims.iter().find_map(|c| c.scope.definition(entry.symbol));
         let Some(definition) = scope.definition(entry.symbol).or_else(in_claim) else { continue };
-        if known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
+        let is_left_out = left_out.contains(&entry.symbol);
+        if is_left_out || known.contains(&entry.symbol) || !all_known(graph, &known, &definition.components) {
             continue;
         }
         known.push(entry.symbol);
@@ -97,6 +100,32 @@ fn rounded(graph: &mut Graph, e: Expr) -> Expr {
         Some(r) => graph.constant(r),
         None => e,
     }
+}
+
+/// The angles that motions need not be followed for: those that are neither wanted, nor part of what is wanted or of the motions.
+pub fn idle_angles(derivation: &Derivation, trajectories: &[usize], wanted: &[Leaf]) -> Vec<Symbol> {
+    let Derivation { scope, symbols, claims, graph, .. } = derivation;
+    let entries = symbols.iter().chain(claims.iter().flat_map(|c| &c.symbols));
+    let mut idle: Vec<Symbol> = entries.filter(|e| e.angle).map(|e| e.symbol).collect();
+    if idle.is_empty() {
+        return idle;
+    }
+    let of_motions = trajectories.iter().flat_map(|&t| derivation.trajectories[t].motion.formulas());
+    let mut left: Vec<Leaf> = wanted.iter().copied().chain(graph.leaves(of_motions)).collect();
+    let mut seen: Vec<Symbol> = Vec::new();
+    while let Some(leaf) = left.pop() {
+        left.extend(leaf.instant.iter().flat_map(|&instant| graph.leaves([instant])));
+        if seen.contains(&leaf.symbol) {
+            continue;
+        }
+        seen.push(leaf.symbol);
+        let in_claim = || claims.iter().find_map(|c| c.scope.definition(leaf.symbol));
+        if let Some(definition) = scope.definition(leaf.symbol).or_else(in_claim) {
+            left.extend(graph.leaves(definition.components.iter().copied()));
+        }
+    }
+    idle.retain(|symbol| !seen.contains(symbol));
+    idle
 }
 
 /// Whether a leaf has a meaning on a motion that knows these symbols.

@@ -16,7 +16,7 @@ use crate::findings::TrajectoryAccount;
 use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Search, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::recall::{Nothing, Recall};
-use crate::setup::{is_known, setup};
+use crate::setup::{idle_angles, is_known, setup};
 use crate::systems::Fields;
 use claim::error::CheckError;
 use claim::limits::Limits;
@@ -41,6 +41,8 @@ pub struct Stage {
 pub struct Requests<'a> {
     /// Whether other claims of the file are not asked about.
     pub part: bool,
+    /// Whether nothing else is ever asked of the motions: angles that are not wanted need not be followed.
+    pub settled: bool,
     /// The leaves that points have values of.
     pub wanted: &'a [Leaf],
     /// The trajectories on which claims are tried.
@@ -48,7 +50,7 @@ pub struct Requests<'a> {
     /// The claims that are tried.
     pub claims: &'a [&'a Claim],
     /// Their programs, one for each initial time.
-    pub programs: &'a [&'a [Program]],
+    pub programs: &'a [Vec<&'a Program>],
     /// Which program belongs to a trajectory.
     pub start_of: &'a [usize],
     /// What is searched for on a motion beside what claims need.
@@ -323,6 +325,8 @@ struct Begun<'a> {
     /// Which it is, and the symbols that it knows.
     first: usize,
     known: Vec<Symbol>,
+    /// Angles that need not be followed.
+    idle: Vec<Symbol>,
     draft: Draft,
 }
 
@@ -375,9 +379,10 @@ fn begin<'a>(
     let Some(&first) = members.iter().find(is_first) else { return Progress::Done(Ok(Vec::new())) };
     let mut graph = derivation.graph.clone();
     let trajectory = &derivation.trajectories[first];
-    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false);
+    let idle = if requests.settled { idle_angles(derivation, members, requests.wanted) } else { Vec::new() };
+    let (setup, known) = setup(derivation, fields, &mut graph, trajectory, None, false, &idle);
     match Draft::new(&mut graph, setup) {
-        Ok(draft) => Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, draft })),
+        Ok(draft) => Progress::Begun(Box::new(Begun { derivation, members, graph, first, known, idle, draft })),
         Err(error) => Progress::Done(Err(CheckError::Problems(vec![unbuilt(derivation, trajectory, &error)]))),
     }
 }
@@ -390,7 +395,7 @@ impl Begun<'_> {
         requests: &Requests,
         recall: &dyn Recall,
     ) -> Result<Vec<(usize, Built)>, CheckError> {
-        let Begun { derivation, members, mut graph, first, known, draft } = self;
+        let Begun { derivation, members, mut graph, first, known, idle, draft } = self;
         let told = |t: usize, error: &FlowError| {
             CheckError::Problems(vec![unbuilt(derivation, &derivation.trajectories[t], error)])
         };
@@ -410,7 +415,7 @@ impl Begun<'_> {
                     continue;
                 };
                 let from = Some((Arc::clone(&source.motion), source.known.as_slice()));
-                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false);
+                let (setup, known) = setup(derivation, fields, &mut graph, trajectory, from, false, &idle);
                 match Motion::new(&mut graph, setup) {
                     Ok(motion) => done.push((t, prepare(derivation, requests, &mut graph, t, motion, known)?)),
                     Err(error) => problems.push(unbuilt(derivation, trajectory, &error)),

@@ -42,13 +42,13 @@ impl Fields {
         &self.fields
     }
 
-    /// Solves the systems.
+    /// Solves the systems of a file; the graph is that of the file, and grows.
     ///
     /// # Errors
     /// A diagnostic for every system that cannot be solved.
-    pub fn solve(derivation: &mut Derivation) -> Result<Fields, Vec<Diagnostic>> {
+    pub fn solve(graph: &mut Graph, derivation: &Derivation) -> Result<Fields, Vec<Diagnostic>> {
         let mut problems = Vec::new();
-        let Derivation { graph, scope, systems, symbols, file, .. } = derivation;
+        let Derivation { scope, systems, symbols, file, .. } = derivation;
         let motionless = derivation.trajectories.is_empty() && systems.iter().all(|s| s.states.is_empty());
         let absent = |graph: &mut Graph| motionless.then(|| Leaf::now(graph.declare("t", Shape::scalar(), false), 0));
         let Some(time) = scope.time().or_else(|| absent(graph)) else {

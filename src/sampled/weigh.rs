@@ -117,6 +117,14 @@ fn clearest(group: &MeasuredGroup, failures: &[Failure]) -> Option<Failure> {
     clearest
 }
 
+/// The largest error bound within which the sides of a weak inequality agree at a time.
+fn agreement(group: &MeasuredGroup, sign: usize, time: usize) -> Option<f64> {
+    let weak = |kind| matches!(kind, RelationKind::LessEqual | RelationKind::GreaterEqual);
+    let each = group.group.comparisons.iter().zip(&group.signs[sign]).filter(|(c, _)| weak(c.kind));
+    let agree = |d: &Bounded| d.error > 0.0 && d.contains_zero();
+    each.filter_map(|(_, series)| series.difference(time).ok().filter(agree)).map(|d| d.error).reduce(f64::max)
+}
+
 /// Weighs a part of a claim that speaks of every time that counts.
 pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     let count = setting.times.len();
@@ -203,8 +211,13 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             worst = Some((c, i));
         }
         match known.decided() {
-            Some(Truth::True) => evidence.within = evidence.within.max(judged.within(best, i)),
-            Some(Truth::Void) => {}
+            Some(truth @ (Truth::True | Truth::Void)) => {
+                if truth == Truth::True {
+                    evidence.within = evidence.within.max(judged.within(best, i));
+                }
+                let slack = agreement(group, best, i);
+                evidence.slack = evidence.slack.into_iter().chain(slack).reduce(f64::max);
+            }
             None => {
                 inconclusive_count += 1;
                 inconclusive.get_or_insert_with(|| {

@@ -63,7 +63,8 @@ pub struct Exclusion {
 pub struct Enclosed {
     /// How many stretches were looked at, or events.
     pub places: usize,
-    /// The largest |left − right| that is not excluded, for equations; 0 where there is none.
+    /// The largest |left − right| that is not excluded, for equations; for weak inequalities, by how much the wrong side may be the
+    /// larger one; 0 where there is neither.
     pub gap: f64,
     /// The size of the terms that the gap is small against.
     pub scale: f64,
@@ -128,6 +129,8 @@ pub struct Evidence {
     pub samples: usize,
     /// The worst point, where something was compared.
     pub residual: Option<Residual>,
+    /// By how much a weak inequality that holds may be violated at some sample: the largest error bound at which its sides agree.
+    pub slack: Option<f64>,
     /// The refuting point of a `fails`, the found point of an `eventually`.
     pub witness: Option<Witness>,
     /// Why not applicable or undecided; a remark on a `holds`.

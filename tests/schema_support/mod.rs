@@ -27,6 +27,13 @@ impl Validator<'_> {
         out.is_empty()
     }
 
+    /// What a reference leads to; any other schema itself.
+    fn resolved<'a>(&'a self, schema: &'a Value) -> &'a Value {
+        let Some(name) = schema["$ref"].as_str() else { return schema };
+        let target = name.strip_prefix('#').and_then(|p| self.root.pointer(p));
+        target.unwrap_or_else(|| panic!("there is no {name}"))
+    }
+
     fn one(&self, schema: &Value, value: &Value, at: &str, out: &mut Vec<String>) {
         let Some(keywords) = schema.as_object() else {
             out.push(format!("{at}: the schema is no object"));
@@ -95,19 +102,21 @@ impl Validator<'_> {
                         }
                     }
                 }
-                "properties" | "additionalProperties" | "items" | "$ref" | "anyOf" => {}
+                "properties" | "additionalProperties" | "items" | "$ref" | "anyOf" | "allOf" => {}
                 other => note(format!("the keyword `{other}` is not known to this test")),
             }
         }
-        if let Some(name) = schema["$ref"].as_str() {
-            let target = name.strip_prefix('#').and_then(|p| self.root.pointer(p));
-            self.one(target.unwrap_or_else(|| panic!("there is no {name}")), value, at, out);
+        if schema.get("$ref").is_some() {
+            self.one(self.resolved(schema), value, at, out);
+        }
+        for all in schema["allOf"].as_array().into_iter().flatten() {
+            self.one(all, value, at, out);
         }
         if let Some(choices) = schema["anyOf"].as_array()
             && !choices.iter().any(|c| self.valid(c, value))
         {
             // The choice that is meant is that of the same type.
-            let near = choices.iter().find(|c| c["type"].as_str().is_some_and(|t| is_of(value, t)));
+            let near = choices.iter().find(|c| self.resolved(c)["type"].as_str().is_some_and(|t| is_of(value, t)));
             match near {
                 Some(near) => self.one(near, value, at, out),
                 None => out.push(format!("{at}: {value:.60} is none of the choices")),

@@ -34,7 +34,7 @@ enum Says {
 }
 
 /// All candidates, those of the file first.
-pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
+pub(super) fn candidates(derivation: &Derivation, graph: &mut Graph) -> Vec<Candidate> {
     let mut out: Vec<Candidate> = Vec::new();
     for condition in &derivation.conditions {
         let texts: Vec<&str> = condition.holds.iter().map(|w| w.text.as_str()).collect();
@@ -45,7 +45,7 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
             negated: false,
         };
         let claim = claim(derivation, out.len(), Says::Statements(condition.holds.clone()));
-        let fixed = is_fixed(derivation, &claim);
+        let fixed = is_fixed(derivation, graph, &claim);
         out.push(Candidate { name, claim, fixed });
     }
     let mut texts = parameters(derivation);
@@ -55,14 +55,11 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
         let written = 0..0;
         let says = match text.strip_suffix(CONSTANT) {
             Some(quantity) => {
-                latex::read_expression(quantity, &derivation.scope, &mut derivation.graph).ok().map(|value| {
-                    (
-                        quantity.to_owned(),
-                        Says::Constant(Written { text: quantity.to_owned(), span: written.clone(), value }),
-                    )
-                })
+                let written = |value| Written { text: quantity.to_owned(), span: written, value };
+                let read = latex::read_expression(quantity, &derivation.scope, graph).ok();
+                read.map(|value| (quantity.to_owned(), Says::Constant(written(value))))
             }
-            None => latex::read(&text, &derivation.scope, &mut derivation.graph).ok().map(|statements| {
+            None => latex::read(&text, &derivation.scope, graph).ok().map(|statements| {
                 let each = |value| Written { text: text.clone(), span: written.clone(), value };
                 (text.clone(), Says::Statements(statements.into_iter().map(each).collect()))
             }),
@@ -73,9 +70,8 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
         let name = ConditionName { id: None, formula, says: constant, negated: false };
         let claim = claim(derivation, out.len(), says);
         // The file may have said it in other words.
-        let graph = &derivation.graph;
         if !out.iter().any(|c| said(graph, &c.claim) == said(graph, &claim)) {
-            let fixed = is_fixed(derivation, &claim);
+            let fixed = is_fixed(derivation, graph, &claim);
             out.push(Candidate { name, claim, fixed });
         }
     }
@@ -83,9 +79,9 @@ pub(super) fn candidates(derivation: &mut Derivation) -> Vec<Candidate> {
 }
 
 /// Whether all that a condition is about are parameters and values at fixed times.
-fn is_fixed(derivation: &Derivation, claim: &Claim) -> bool {
-    let sides = said(&derivation.graph, claim).into_iter().flat_map(|(_, l, r)| std::iter::once(l).chain(r));
-    let leaves = derivation.graph.leaves(sides.collect::<Vec<_>>());
+fn is_fixed(derivation: &Derivation, graph: &Graph, claim: &Claim) -> bool {
+    let sides = said(graph, claim).into_iter().flat_map(|(_, l, r)| std::iter::once(l).chain(r));
+    let leaves = graph.leaves(sides.collect::<Vec<_>>());
     leaves.iter().all(|l| l.instant.is_some() || derivation.scope.role(l.symbol) == Some(Role::Parameter))
 }
 

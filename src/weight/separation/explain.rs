@@ -6,6 +6,7 @@ use super::candidates::Candidate;
 use crate::findings::ClaimAccount;
 use crate::findings::conditions::{ConditionName, Explanation, Join, Rival, Separation};
 use crate::verdict::Outcome;
+use std::collections::HashSet;
 
 /// Most rivals that are named.
 const MOST_RIVALS: usize = 5;
@@ -27,8 +28,9 @@ pub(super) fn is_split(claim: &ClaimAccount) -> bool {
 /// The trajectories on which a claim holds, and those on which it fails, by their positions among the ids.
 pub(super) fn sides(claim: &ClaimAccount, ids: &[String]) -> Sides {
     let with = |want: fn(Outcome) -> bool| -> Vec<usize> {
-        let has = |id: &String| claim.results.iter().any(|p| p.trajectory == *id && want(p.verdict.outcome()));
-        (0..ids.len()).filter(|&i| has(&ids[i])).collect()
+        let so = claim.results.iter().filter(|p| want(p.verdict.outcome())).map(|p| p.trajectory.as_str());
+        let so: HashSet<&str> = so.collect();
+        (0..ids.len()).filter(|&i| so.contains(ids[i].as_str())).collect()
     };
     Sides { holds: with(|o| matches!(o, Outcome::Holds(_))), fails: with(|o| matches!(o, Outcome::Fails(_))) }
 }

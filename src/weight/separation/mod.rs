@@ -21,7 +21,7 @@ pub use crate::findings::conditions::{
 use std::collections::BTreeSet;
 
 use crate::derivation::{Claim, Derivation};
-use crate::expr::Rational;
+use crate::expr::Graph;
 use crate::findings::{Account, PairAccount};
 use crate::verdict::Verdict;
 use ask::{Ask, Sides};
@@ -29,8 +29,9 @@ use assumptions::Dropped;
 use candidates::Candidate;
 use claim::program::Program;
 use sampled::course::{Course, Trial};
-use sampled::independence::Gradients;
+use sampled::prepared::Prepared;
 use sampled::recall::Recall;
+use sampled::selection::Selection;
 use sampled::trial::try_claim;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -38,8 +39,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 type Truth = Vec<Option<bool>>;
 
 /// Conditions by their names, each as the claim that it is met at every time; `None` for one that the file does not give rise to.
-pub fn as_claims(derivation: &mut Derivation, names: &[ConditionName]) -> Vec<Option<Claim>> {
-    let all = candidates::candidates(derivation);
+pub fn as_claims(derivation: &Derivation, graph: &mut Graph, names: &[ConditionName]) -> Vec<Option<Claim>> {
+    let all = candidates::candidates(derivation, graph);
     let is_it = |known: &ConditionName, name: &ConditionName| {
         (&known.id, &known.formula, &known.says) == (&name.id, &name.formula, &name.says)
     };
@@ -58,26 +59,46 @@ pub struct Probes {
     programs: Vec<Vec<Program>>,
 }
 
+/// One motion, with what is known of it.
+pub struct OneMotion<'a> {
+    /// The claims that are checked.
+    pub prepared: &'a [Vec<Prepared<'a>>],
+    /// The position of its initial time.
+    pub start: usize,
+    pub course: &'a Course<'a>,
+    /// The verdicts of the claims.
+    pub verdicts: &'a [Option<Verdict>],
+    /// Which claims have failed, on this motion or another.
+    pub failed: &'a [AtomicBool],
+}
+
+/// The motions of an account, in its order.
+pub struct Motions<'a> {
+    /// What [`Probes::without_each`] found on each.
+    pub without: &'a [Vec<Option<Verdict>>],
+    pub courses: &'a [Course<'a>],
+    /// For each trajectory of the file the position of its initial time.
+    pub start_of: &'a [usize],
+}
+
 impl Probes {
-    /// Everything that may be asked of the claims at the positions `claimed` on the trajectories `tried`.
-    pub fn new(derivation: &mut Derivation, claimed: &[usize], tried: &[usize], starts: &[Rational]) -> Probes {
-        let several = |c: &usize| derivation.claims[*c].trajectories.iter().filter(|t| tried.contains(t)).count() > 1;
+    /// Everything that may be asked of the chosen claims, in a graph that begins as that of the file.
+    pub fn new(derivation: &Derivation, graph: &mut Graph, selection: &Selection) -> Probes {
+        let on = |c: usize| derivation.claims[c].trajectories.iter().filter(|t| selection.tried.contains(t));
         // What is tried on one trajectory does not separate any.
-        let may_split = claimed.iter().any(several);
-        let candidates = if may_split { candidates::candidates(derivation) } else { Vec::new() };
-        let dropped = assumptions::without_one(derivation, claimed);
-        let own = derivation.claims.len();
-        derivation.claims.extend(candidates.iter().map(|c| c.claim.clone()));
-        derivation.claims.extend(dropped.iter().map(|d| d.claim.clone()));
-        let conditions = own..own + candidates.len();
-        let mut compiled = |c: usize, start: &Rational| {
-            let mut program = Program::new(derivation, c, start);
-            program.tells_apart = conditions.contains(&c);
-            program
+        let may_split = selection.claims.iter().any(|&c| on(c).count() > 1);
+        let candidates = if may_split { candidates::candidates(derivation, graph) } else { Vec::new() };
+        let dropped = assumptions::without_one(derivation, &selection.claims);
+        let conditions = candidates.iter().map(|c| (&c.claim, true));
+        let mut compiled = |(claim, tells_apart): (&Claim, bool)| -> Vec<Program> {
+            let one = |start| {
+                let mut program = Program::new(graph, &derivation.systems, claim, start);
+                program.tells_apart = tells_apart;
+                program
+            };
+            selection.starts.iter().map(one).collect()
         };
-        let last = own + candidates.len() + dropped.len();
-        let programs = (own..last).map(|c| starts.iter().map(|s| compiled(c, s)).collect()).collect();
-        derivation.claims.truncate(own);
+        let programs = conditions.chain(dropped.iter().map(|d| (&d.claim, false))).map(&mut compiled).collect();
         Probes { candidates, dropped, programs }
     }
 
@@ -109,16 +130,14 @@ impl Probes {
     }
 
     /// The verdicts on one motion of the claims without each of their assumptions, where these may be another than those with
-    /// them, `verdicts`. `gradients` belong to the claims that are checked, `start` is the initial time of the motion. A claim
-    /// that is marked among `failed` is not asked: see [`Probes::separate`]. What is known from before is not tried again.
+    /// them. A claim that has failed is not asked: see [`Probes::separate`]. What is known from before is not tried again.
     pub fn without_each(
         &self,
         derivation: &Derivation,
-        gradients: &[Option<Result<Gradients, String>>],
-        (start, course): (usize, &Course),
-        verdicts: &[Option<Verdict>],
-        (failed, recall): (&[AtomicBool], &dyn Recall),
+        motion: &OneMotion,
+        recall: &dyn Recall,
     ) -> Vec<Option<Verdict>> {
+        let &OneMotion { prepared, start, course, verdicts, failed } = motion;
         let t = course.trajectory;
         let count = self.candidates.len();
         let verdict = |(d, dropped): (usize, &Dropped)| {
@@ -126,7 +145,7 @@ impl Probes {
             let wanted = assumptions::is_open(known, dropped.selects) && dropped.claim.trajectories.contains(&t);
             let fails = failed.get(dropped.of).is_some_and(|f| f.load(Ordering::Relaxed));
             let program = self.programs.get(count + d)?.get(start).filter(|_| wanted && !fails)?;
-            let gradients = gradients.get(dropped.of).and_then(Option::as_ref);
+            let gradients = prepared.get(dropped.of)?.get(start)?.gradients.as_ref();
             let trial = Trial { graph: &derivation.graph, claim: &dropped.claim, program, course, shown: false };
             let asked = (&dropped.claim, dropped.whole.as_str(), dropped.place);
             Some(recall.without(derivation, asked, t, &|| try_claim(derivation, &trial, gradients)))
@@ -140,19 +159,10 @@ impl Probes {
         programs.iter().flatten().flat_map(|p| p.inputs().iter().copied())
     }
 
-    /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs.
-    ///
-    /// `without` are the verdicts of [`Probes::without_each`] on the trajectories of the account, in their order; `start_of`
-    /// names the initial time of every trajectory. Only claims that fail nowhere are asked what they need.
-    pub fn separate(
-        &self,
-        derivation: &Derivation,
-        without: &[Vec<Option<Verdict>>],
-        start_of: &[usize],
-        recall: &dyn Recall,
-        courses: &[Course],
-        account: &mut Account,
-    ) {
+    /// Adds to every claim of an account what separates its trajectories, and which of its assumptions it needs. Only claims that fail
+    /// nowhere are asked what they need.
+    pub fn separate(&self, derivation: &Derivation, motions: &Motions, recall: &dyn Recall, account: &mut Account) {
+        let &Motions { without, courses, start_of } = motions;
         if account.claims.iter().any(explain::is_split) {
             self.explain(derivation, start_of, recall, courses, account);
         }

@@ -26,7 +26,7 @@ use super::tree::cancelled;
 use super::vocabulary::{Vocabulary, phrases};
 use super::{Altered, Battery, Memory, Weighed};
 use crate::derivation::{Claim, Derivation, Form, FormKind, Written};
-use crate::expr::{Expr, Graph, Leaf, Rational};
+use crate::expr::{Expr, Graph, Leaf};
 use crate::findings::{ClaimAccount, Correction, EditClass, Erratum, PairAccount};
 use crate::flow::Sample;
 use crate::latex::syntax::{Chain, Node, to_latex};
@@ -36,6 +36,7 @@ use claim::error::CheckError;
 use claim::program::{Program, Values};
 use proved::step::Step;
 use sampled::course::{Course, Trial};
+use sampled::selection::Selection;
 use sampled::trial::try_claim;
 
 /// Most candidates of one formula that are handed to the checker.
@@ -61,14 +62,9 @@ pub(super) const MOST_OFFERED: usize = 5;
 pub(super) struct Search<'a> {
     pub derivation: &'a Derivation,
     pub altered: &'a Altered,
-    /// Positions of the claims.
-    pub claimed: &'a [usize],
-    /// Positions of the trajectories, one for each column.
-    pub tried: &'a [usize],
-    /// What was found in each column.
+    pub selection: &'a Selection,
+    /// What was found on each of the motions that were tried.
     pub weighed: &'a [Weighed],
-    pub starts: &'a [Rational],
-    pub start_of: &'a [usize],
 }
 
 /// A formula that may be what was meant.
@@ -121,7 +117,7 @@ impl Search<'_> {
         let last = corrected.get(MOST_CORRECTED - 1).copied().unwrap_or(usize::MAX);
         let of_claim = |(k, account): (usize, &mut ClaimAccount)| {
             let asked = &wanted[k];
-            let column = |id: &str| self.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
+            let column = |id: &str| self.selection.tried.iter().position(|&t| self.derivation.trajectories[t].id == id);
             let on: Vec<usize> = account
                 .results
                 .iter()
@@ -146,10 +142,10 @@ impl Search<'_> {
 
     /// What passes at the points at which the claim was tried.
     fn candidates(&self, k: usize, asked: &Asked, erratum: &mut Erratum) -> Vec<Candidate> {
-        let claim = &self.derivation.claims[self.claimed[k]];
+        let claim = &self.derivation.claims[self.selection.claims[k]];
         let variants = &self.altered.claims[k];
         let mut graph = self.altered.graph(k).clone();
-        let setting = Setting { claim, starts: self.starts, shared: self.derivation.graph.len() };
+        let setting = Setting { claim, starts: &self.selection.starts, shared: self.derivation.graph.len() };
         let vocabulary = Vocabulary::new(self.derivation, claim);
         let near = phrases(self.derivation, claim);
         let rejections: Vec<_> = asked.on.iter().filter_map(|&t| self.weighed[t].rejections[k].as_ref()).collect();
@@ -200,7 +196,7 @@ impl Search<'_> {
 
     /// Whether a formula has no value at any of the points.
     fn has_no_value(&self, k: usize, asked: &Asked, graph: &Graph, formula: &Formula) -> bool {
-        let sign = self.derivation.claims[self.claimed[k]].scope.branch_sign();
+        let sign = self.derivation.claims[self.selection.claims[k]].scope.branch_sign();
         let group = ClaimVariants { formulas: vec![formula.clone()], ..ClaimVariants::default() };
         self.points(k, asked, 6).iter().all(|(start, points)| {
             let Some(battery) = Battery::new(graph, &group, *start, Vec::new(), sign) else { return false };
@@ -213,7 +209,7 @@ impl Search<'_> {
     fn points(&self, k: usize, asked: &Asked, each: usize) -> Vec<(usize, Vec<&Values>)> {
         let mut out: Vec<(usize, Vec<&Values>)> = Vec::new();
         for &t in &asked.on {
-            let start = self.start_of[self.tried[t]];
+            let start = self.selection.start_of[self.selection.tried[t]];
             let of = self.weighed[t].points(k, each, asked.absent);
             match out.iter_mut().find(|(s, _)| *s == start) {
                 Some((_, all)) => all.extend(of),
@@ -236,8 +232,11 @@ impl Search<'_> {
     ) -> Vec<Chain> {
         let each = FITTED.div_ceil(asked.on.len()).max(4);
         // A few motions, three points or more of each: with all of them for one initial time.
-        let Some(start) = asked.on.first().map(|&t| self.start_of[self.tried[t]]) else { return Vec::new() };
-        let on: Vec<usize> = asked.on.iter().copied().filter(|&t| self.start_of[self.tried[t]] == start).collect();
+        let Some(start) = asked.on.first().map(|&t| self.selection.start_of[self.selection.tried[t]]) else {
+            return Vec::new();
+        };
+        let on: Vec<usize> =
+            asked.on.iter().copied().filter(|&t| self.selection.start_of[self.selection.tried[t]] == start).collect();
         let step = on.len().div_ceil(FITTED / 3).max(1);
         let (mut points, mut motions) = (Vec::new(), Vec::new());
         for &t in on.iter().step_by(step) {
@@ -311,37 +310,37 @@ impl Search<'_> {
         motions: &[Vec<usize>],
         courses: &[Course],
     ) -> Result<(), CheckError> {
-        let mut scratch = self.derivation.clone();
-        let mut read: Vec<(Candidate, usize, Vec<Program>)> = Vec::new();
+        let mut grown = self.derivation.clone();
+        let mut read: Vec<(Candidate, Claim, Vec<Program>)> = Vec::new();
         for (n, candidate) in candidates.into_iter().enumerate() {
             if candidate.text.split_once('=').is_some_and(|(left, right)| left.trim() == right.trim()) {
                 continue;
             }
-            let trajectories: Vec<usize> = motions[candidate.claim].iter().map(|&t| self.tried[t]).collect();
-            let claim = &self.derivation.claims[self.claimed[candidate.claim]];
+            let trajectories: Vec<usize> = motions[candidate.claim].iter().map(|&t| self.selection.tried[t]).collect();
+            let claim = &self.derivation.claims[self.selection.claims[candidate.claim]];
             let manner = self.altered.claims[candidate.claim].formulas[candidate.formula].manner;
             let id = format!("correction {n}");
-            let claim = as_claim(&mut scratch.graph, claim, &id, &candidate, manner, trajectories);
+            let claim = as_claim(&mut grown.graph, claim, &id, &candidate, manner, trajectories);
             let Some(claim) = claim else { continue };
-            let at = scratch.claims.len();
-            scratch.claims.push(claim);
-            let mut programs: Vec<Program> = self.starts.iter().map(|s| Program::new(&mut scratch, at, s)).collect();
+            let (graph, systems) = (&mut grown.graph, &self.derivation.systems);
+            let starts = self.selection.starts.iter();
+            let mut programs: Vec<Program> = starts.map(|s| Program::new(graph, systems, &claim, s)).collect();
             let known = &self.altered.known;
-            if programs.iter_mut().all(|p| p.compile(&mut scratch.graph, known).is_ok()) {
-                read.push((candidate, at, programs));
+            if programs.iter_mut().all(|p| p.compile(graph, known).is_ok()) {
+                read.push((candidate, claim, programs));
             }
         }
-        let scratch = &scratch;
+        let grown = &grown;
         let on_one = |(t, course): (usize, &Course)| -> Vec<Option<bool>> {
             let here = read.iter().filter(|(candidate, ..)| motions[candidate.claim].contains(&t));
-            let programs = here.filter_map(|(_, _, programs)| programs.get(self.start_of[self.tried[t]]));
+            let programs =
+                here.filter_map(|(_, _, programs)| programs.get(self.selection.start_of[self.selection.tried[t]]));
             let course = &course.again(programs.flat_map(Program::inputs).copied().collect());
-            let holds = |(candidate, at, programs): &(Candidate, usize, Vec<Program>)| {
-                let program = programs.get(self.start_of[self.tried[t]])?;
+            let holds = |(candidate, claim, programs): &(Candidate, Claim, Vec<Program>)| {
+                let program = programs.get(self.selection.start_of[self.selection.tried[t]])?;
                 motions[candidate.claim].contains(&t).then(|| {
-                    let trial =
-                        Trial { graph: &scratch.graph, claim: &scratch.claims[*at], program, course, shown: false };
-                    matches!(try_claim(scratch, &trial, None).outcome(), Outcome::Holds(_))
+                    let trial = Trial { graph: &grown.graph, claim, program, course, shown: false };
+                    matches!(try_claim(grown, &trial, None).outcome(), Outcome::Holds(_))
                 })
             };
             read.iter().map(holds).collect()
@@ -351,12 +350,12 @@ impl Search<'_> {
             let mut tried = found.iter().filter_map(|column| column[n]).peekable();
             tried.peek().is_some() && tried.all(|holds| holds)
         };
-        let held: Vec<(&Candidate, usize)> =
-            read.iter().enumerate().filter(|(n, _)| holds(*n)).map(|(_, (c, at, _))| (c, *at)).collect();
+        let held: Vec<(&Candidate, &Claim)> =
+            read.iter().enumerate().filter(|(n, _)| holds(*n)).map(|(_, (c, claim, _))| (c, claim)).collect();
         let proved: Vec<bool> = held
             .par_iter()
             .with_max_len(1)
-            .map(|(_, at)| match Step::of(scratch, &scratch.claims[*at]).and_then(Step::decide).transpose() {
+            .map(|(_, claim)| match Step::of(grown, claim).and_then(Step::decide).transpose() {
                 Ok(identity) => Ok(identity.is_some_and(|i| i.finding.is_proved_in_part())),
                 Err(defect) => Err(CheckError::Defect(defect)),
             })

@@ -50,6 +50,7 @@ use generate::{ClaimVariants, Formula, MOST_NODES, Manner, Setting, Source, Vari
 use rejection::{Evidence, Placed, Rejections};
 use sampled::course::Course;
 use sampled::events;
+use sampled::selection::Selection;
 
 /// A formula of a claim with one edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,8 +151,9 @@ pub struct Altered {
 }
 
 impl Altered {
-    /// Makes the variants. `claimed` are the positions of the claims, `starts` the initial times of the motions.
-    pub fn new(derivation: &Derivation, claimed: &[usize], starts: &[Rational]) -> Altered {
+    /// Makes the variants of the chosen claims.
+    pub fn new(derivation: &Derivation, selection: &Selection) -> Altered {
+        let Selection { claims: claimed, starts, .. } = selection;
         let shared = derivation.graph.len();
         let together = claimed.len().div_ceil(MOST_COPIES).max(TOGETHER);
         let room = (MOST_NODES_OF_A_FILE / claimed.len().max(1)).min(MOST_NODES);
@@ -295,25 +297,23 @@ impl Altered {
         Some((Some(rejections), own))
     }
 
-    /// Writes what was found into the accounts: one entry of `weighed`, and one course, for each of the motions `tried`.
+    /// Writes what was found into the accounts: one entry of `weighed`, and one course, for each of the motions that were tried.
     ///
     /// # Errors
     /// Those of a check, when corrections are tried.
     pub fn conclude(
         &self,
         derivation: &Derivation,
+        selection: &Selection,
         accounts: &mut [ClaimAccount],
         weighed: &[Weighed],
-        places: &Places,
         courses: &[Course],
     ) -> Result<(), CheckError> {
-        let tried: Vec<&str> = places.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
+        let tried: Vec<&str> = selection.tried.iter().map(|&t| derivation.trajectories[t].id.as_str()).collect();
         accounts.par_iter_mut().zip(&self.claims).enumerate().for_each(|(k, (account, variants))| {
             account.variants = Some(self.account(k, account, variants, weighed, &tried));
         });
-        let Places { claimed, tried, starts, start_of } = *places;
-        erratum::Search { derivation, altered: self, claimed, tried, weighed, starts, start_of }
-            .offer(accounts, courses)
+        erratum::Search { derivation, altered: self, selection, weighed }.offer(accounts, courses)
     }
 
     fn account(
@@ -392,19 +392,6 @@ impl Weighed {
         let shared = self.kept.iter().filter(|(t, _)| !of.at_events && counts(*t)).map(|(_, p)| p);
         of.own.iter().chain(shared).take(most).collect()
     }
-}
-
-/// Which claims and motions there are, and how they belong together.
-#[derive(Clone, Copy)]
-pub struct Places<'a> {
-    /// Positions of the claims.
-    pub claimed: &'a [usize],
-    /// Positions of the trajectories.
-    pub tried: &'a [usize],
-    /// The initial times.
-    pub starts: &'a [Rational],
-    /// Which of them belongs to each trajectory.
-    pub start_of: &'a [usize],
 }
 
 /// A claim on a motion, as it was tried.

@@ -1,0 +1,180 @@
+//! The claims, tried on every motion.
+//!
+//! **In:** what was compiled, and the motions. **Out:** what each motion says ([`OnMotion`]), put together in the order of the file
+//! ([`Found`]).
+//!
+//! **How:** motions are independent of one another, and are tried in parallel; of each the values are forgotten that nobody will ask for.
+//! **Guaranteed:** what is found does not depend on the number of threads. That a claim failed elsewhere only spares questions whose
+//! answers would not be used.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use super::compiled::Compiled;
+use super::picture;
+use super::premises::Column;
+use super::run::Run;
+use claim::error::{CANCELLED, CheckError};
+use derivation::Derivation;
+use findings::{Account, ClaimAccount, Measurement, PairAccount, PictureAccount};
+use flow::Motion;
+use rayon::prelude::*;
+use sampled::course::{Course, Trial};
+use sampled::prepared::Prepared;
+use sampled::same_motion;
+use sampled::selection::Selection;
+use sampled::stage::Stage;
+use sampled::trial::try_claim;
+use verdict::{Finding, Outcome, Verdict};
+use weight::separation::{Motions, OneMotion};
+use weight::variant::{self, Altered, Weighed};
+
+/// What is needed to try claims on motions.
+pub(super) struct OnMotions<'a, 'r> {
+    pub run: &'r Run<'r>,
+    pub selection: &'r Selection,
+    pub altered: Option<&'r Altered>,
+    pub compiled: &'a Compiled<'a>,
+    pub stage: &'a Stage,
+}
+
+/// What was found on one motion.
+#[derive(Default)]
+struct OnMotion<'a> {
+    verdicts: Column,
+    /// The verdicts without each assumption.
+    without: Vec<Option<Verdict>>,
+    /// What it says of the altered formulas.
+    weighed: Option<Weighed>,
+    measurements: Vec<Measurement>,
+    pictures: Vec<PictureAccount>,
+    /// The motion, where it is asked again.
+    course: Option<Course<'a>>,
+}
+
+/// What was found on all motions, in the order of the file.
+#[derive(Default)]
+pub(super) struct Found<'a> {
+    pub columns: Vec<Column>,
+    pub without: Vec<Vec<Option<Verdict>>>,
+    pub weighed: Vec<Weighed>,
+    pub courses: Vec<Course<'a>>,
+    measurements: Vec<Measurement>,
+    pictures: Vec<PictureAccount>,
+}
+
+impl<'a> OnMotions<'a, '_> {
+    /// Tries all claims on all motions.
+    ///
+    /// # Errors
+    /// The run was cancelled; the program contradicts itself.
+    pub fn all(&self) -> Result<Found<'a>, CheckError> {
+        let tried = &self.selection.tried;
+        let wanted = &self.compiled.wanted;
+        let same_motion = same_motion::leaves(&self.compiled.derivation);
+        let mut kept: Vec<usize> = self.compiled.probes.asked_later().collect();
+        kept.extend(same_motion.into_iter().filter_map(|leaf| wanted.binary_search(&leaf).ok()));
+        kept.sort_unstable();
+        kept.dedup();
+        let done = AtomicUsize::new(0);
+        let failed: Vec<AtomicBool> = self.compiled.prepared.iter().map(|_| AtomicBool::new(false)).collect();
+        // Long motions first: what is left at the end is short.
+        let mut order: Vec<usize> = (0..tried.len()).collect();
+        order.sort_by_key(|&at| std::cmp::Reverse(self.stage.motion(tried[at]).map_or(0, Motion::steps)));
+        let one = |&at: &usize| (at, self.one(tried[at], &kept, &failed, &done));
+        let mut found: Vec<_> = order.par_iter().with_max_len(1).map(one).collect();
+        found.sort_by_key(|(at, _)| *at);
+        let mut out = Found::default();
+        for (_, one) in found {
+            let OnMotion { verdicts, without, weighed, measurements, pictures, course } =
+                one.map_err(CheckError::Defect)?;
+            out.columns.push(verdicts);
+            out.without.push(without);
+            out.weighed.extend(weighed);
+            out.courses.extend(course);
+            out.measurements.extend(measurements);
+            out.pictures.extend(pictures);
+        }
+        Ok(out)
+    }
+
+    /// Tries all claims on the motion of a trajectory. `kept` are the leaves whose values are asked for later, by their positions;
+    /// `failed` marks the claims that have failed on some motion.
+    fn one(&self, t: usize, kept: &[usize], failed: &[AtomicBool], done: &AtomicUsize) -> Result<OnMotion<'a>, String> {
+        let Compiled { derivation, prepared, probes, measures, pictures, wanted, .. } = self.compiled;
+        let (limits, recall) = (&self.run.options.limits, &self.run.recall);
+        let start = self.selection.start_of[t];
+        if limits.is_cancelled() {
+            return Err(CANCELLED.to_owned());
+        }
+        if let (None, Some(reached)) = (self.stage.motion(t), limits.reached()) {
+            let is_open = |c: &usize| derivation.claims[*c].trajectories.contains(&t);
+            let open = |c: &usize| is_open(c).then(|| Verdict::of(Finding::open(reached)));
+            return Ok(OnMotion { verdicts: self.selection.claims.iter().map(open).collect(), ..OnMotion::default() });
+        }
+        // Where the two routes to the values of a motion disagree, no claim has a verdict on it; the others have theirs.
+        let (mut course, contradiction) = self.stage.course(&derivation.graph, t, wanted)?;
+        let verdict = |of: &Vec<Prepared>| {
+            let Prepared { claim, program, gradients } = &of[start];
+            claim.trajectories.contains(&t).then(|| {
+                if let Some(reached) = limits.reached() {
+                    return Verdict::of(Finding::open(reached));
+                }
+                let trial = Trial { graph: &derivation.graph, claim, program, course: &course, shown: true };
+                let mut verdict =
+                    recall.verdict(derivation, claim, t, || try_claim(derivation, &trial, gradients.as_ref()));
+                if let Some(contradiction) = &contradiction {
+                    verdict.contradict(contradiction.clone());
+                }
+                verdict
+            })
+        };
+        let verdicts: Column = prepared.iter().map(verdict).collect();
+        let fails = |v: &Option<Verdict>| v.as_ref().is_some_and(|v| matches!(v.outcome(), Outcome::Fails(_)));
+        verdicts.iter().zip(failed).filter(|(v, _)| fails(v)).for_each(|(_, f)| f.store(true, Ordering::Relaxed));
+        // The motion is at hand now. Whether it is asked depends on the others, too: most claims that fail do so on the first.
+        let motion = OneMotion { prepared, start, course: &course, verdicts: &verdicts, failed };
+        let without = probes.without_each(derivation, &motion, recall);
+        let weighed = self.altered.map(|altered| {
+            let late = limits.reached().is_some();
+            let claims = prepared.iter().zip(&verdicts).map(|(of, verdict)| {
+                let Prepared { claim, program, .. } = &of[start];
+                verdict.clone().filter(|_| !late).map(|verdict| variant::Found { claim, program, verdict })
+            });
+            altered.weigh(&derivation.graph, start, &course, &claims.collect::<Vec<_>>())
+        });
+        let measurements = measures.iter().filter_map(|m| m.take(derivation, &course)).collect();
+        let pictures = if pictures.is_empty() { Vec::new() } else { picture::draw(derivation, &course) };
+        (self.run.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.selection.tried.len());
+        // What is asked later needs few of the leaves; those of all motions at once take much memory.
+        course.keep(kept);
+        let course = (!probes.is_empty() || self.altered.is_some()).then_some(course);
+        Ok(OnMotion { verdicts, without, weighed, measurements, pictures, course })
+    }
+}
+
+impl Found<'_> {
+    /// The motions that are asked what separates them.
+    pub fn motions<'f>(&'f self, selection: &'f Selection) -> Motions<'f> {
+        Motions { without: &self.without, courses: &self.courses, start_of: &selection.start_of }
+    }
+
+    /// The account: the verdicts by claim, with what was measured and drawn, which is taken out.
+    pub fn account(&mut self, derivation: &Derivation, selection: &Selection, stage: &Stage) -> Account {
+        let mut claims = Vec::new();
+        for (k, &c) in selection.claims.iter().enumerate() {
+            let claim = &derivation.claims[c];
+            let pair = |(column, &t): (&Column, &usize)| {
+                let verdict = column[k].clone()?;
+                let expected = claim.trajectories.iter().position(|&x| x == t).and_then(|i| claim.expect[i]);
+                let trajectory = derivation.trajectories[t].id.clone();
+                Some(PairAccount { trajectory, verdict, expected, discrimination: None })
+            };
+            claims.push(ClaimAccount::of(claim, self.columns.iter().zip(&selection.tried).filter_map(pair).collect()));
+        }
+        let trajectories = selection.tried.iter().filter_map(|&t| stage.account(derivation, t)).collect();
+        let mut measurements = std::mem::take(&mut self.measurements);
+        measurements.sort_by_key(|m| derivation.measures.iter().position(|x| x.id == m.measure));
+        let pictures = std::mem::take(&mut self.pictures);
+        Account { trajectories, claims, measurements, pictures, ..Account::default() }
+    }
+}

@@ -1,0 +1,87 @@
+//! What holds at one time and does not change: a step by its rates.
+//!
+//! **In:** equations, and what is given. **Out:** the same equations at a fixed time that is named, with their derivatives; and whether
+//! these follow. Then the equations hold at every time at which they are differentiable. What decays like an exponential is divided
+//! by it first: the quotient does not change.
+
+use super::gather::Gathered;
+use super::{Pairs, Step};
+use crate::expr::{Expr, Leaf, Node, Op};
+use crate::latex::Role;
+use claim::comparison::at_instant;
+use proof::Identity;
+
+impl Step<'_> {
+    /// Whether both sides agree at a fixed time that the equations or the premises name, and their rates always: of the
+    /// equations, or of the same in another form, see [`without_growth`](Step::without_growth).
+    pub(super) fn by_rate(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<(Identity, Pairs)> {
+        // What holds at the present time only says nothing of rates.
+        let mut gathered = gathered.clone();
+        gathered.premises.only_now.clear();
+        let gathered = &gathered;
+        let all = self.start_and_rates(gathered, equations)?;
+        let proved = |i: &Identity| matches!(i, Identity::Proved(_));
+        for split in [false, true] {
+            let found = self.levels(gathered, &all, split);
+            if proved(&found) {
+                return Some((found, equations.clone()));
+            }
+        }
+        let even = self.without_growth(equations)?;
+        let all = self.start_and_rates(gathered, &even)?;
+        Some(self.levels(gathered, &all, false)).filter(proved).map(|found| (found, even))
+    }
+
+    /// The equations, both sides divided by an exponential in time that one of them has: what decays like it is then constant.
+    /// An exponential is never 0, and has a value wherever a side has one that it is part of. `None` where there is none.
+    fn without_growth(&mut self, equations: &Pairs) -> Option<Pairs> {
+        let scope = &self.claim.scope;
+        let time = scope.time()?;
+        let mut found = false;
+        let mut even = Pairs::new();
+        for &(l, r) in equations {
+            let exponent = self.graph.reachable([l, r]).into_iter().find_map(|e| match *self.graph.node(e) {
+                Node::Unary(Op::Exp, exponent) => {
+                    let leaves = self.graph.leaves([exponent]);
+                    let moves = |leaf: &Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+                    let in_time = leaves.contains(&time) && leaves.iter().all(|l| l.instant.is_some() || !moves(l));
+                    in_time.then_some(exponent)
+                }
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
+            });
+            let Some(exponent) = exponent else {
+                even.push((l, r));
+                continue;
+            };
+            found = true;
+            let opposite = self.graph.neg(exponent);
+            let inverse = self.graph.unary(Op::Exp, opposite);
+            even.push((self.graph.mul(l, inverse), self.graph.mul(r, inverse)));
+        }
+        found.then_some(even)
+    }
+
+    /// The equations at a fixed time, and their rates; `None` where there is no such time.
+    pub(super) fn start_and_rates(&mut self, gathered: &Gathered, equations: &Pairs) -> Option<Pairs> {
+        let time = self.claim.scope.time()?;
+        let roots: Vec<Expr> = equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let leaves = self.graph.leaves_within(roots);
+        if leaves.contains(&self.claim.scope.branch_sign()) {
+            return None;
+        }
+        let given: Vec<Expr> = gathered.premises.equations.iter().flat_map(|&(l, r)| [l, r]).collect();
+        let of_premises = self.graph.leaves_within(given);
+        let start = leaves.iter().chain(&of_premises).find_map(|l| l.instant)?;
+        let scope = &self.claim.scope;
+        let moves = |leaf: Leaf| matches!(scope.role(leaf.symbol), Some(Role::State | Role::Observable));
+        let mut all = Pairs::new();
+        for &(l, r) in equations {
+            let then = [l, r].map(|e| at_instant(&mut self.graph, scope, e, start));
+            let rates = [l, r].map(|e| self.graph.time_derivative(e, time, moves));
+            let [Ok(left), Ok(right)] = rates else { return None };
+            all.extend([(then[0], then[1]), (left, right)]);
+        }
+        all.retain(|(l, r)| l != r);
+        Some(all)
+    }
+}

@@ -1,0 +1,105 @@
+//! ± in a step: one sign for both choices of which it must follow.
+//!
+//! **In:** a step among whose assumptions or equations ± stands. **Out:** the answer for each choice, and that of both together. A sign
+//! among the assumptions is one with that of the claim; under one of the two the assumptions may not be possible.
+
+use super::gather::Definitions;
+use super::{Pairs, Step};
+use crate::agreement::answer;
+use crate::findings::standing::Decision;
+use crate::findings::{IdentityAccount, IdentityEvidence};
+use proof::{Identity, Reason};
+
+/// The accounts of both choices of a sign that stands among the assumptions.
+fn both_signs(upper: IdentityAccount, lower: IdentityAccount) -> IdentityAccount {
+    let worse = |a: &IdentityAccount| match a.finding.decision() {
+        Decision::Refuted => 3,
+        Decision::Undecided => 2,
+        Decision::ProvedExcept => 1,
+        Decision::Proved => 0,
+    };
+    let (mut first, second) = if worse(&upper) >= worse(&lower) { (upper, lower) } else { (lower, upper) };
+    if first.finding.is_proved_in_part() {
+        first.log2_error = first.log2_error.zip(second.log2_error).map(|(a, b)| a.max(b) + 1.0);
+        let lists = [
+            (&mut first.conditions, second.conditions),
+            (&mut first.exceptions, second.exceptions),
+            (&mut first.given_only_where, second.given_only_where),
+        ];
+        for (list, more) in lists {
+            let new: Vec<String> = more.into_iter().filter(|line| !list.contains(line)).collect();
+            list.extend(new);
+        }
+        first.narrower |= second.narrower;
+        // Each sign has certificates of its own.
+        first.evidence.certificates.clear();
+        first.evidence.no_certificate = Some("each sign of an assumption is a case of its own".to_owned());
+        first.assumptions = None;
+    }
+    first.finding = first.finding.clone().and(second.finding);
+    first
+}
+
+impl Step<'_> {
+    /// The answer where both sides are one expression: whether it has a value somewhere, where what is given holds.
+    ///
+    /// # Errors
+    /// A description of the contradiction, if the two routes disagree.
+    pub fn of_one_expression(mut self, equations: &Pairs) -> Result<IdentityAccount, String> {
+        // A sign that stands in what is given is one of two: some must be possible.
+        let signs: &[Option<i64>] = if self.assumes_sign() { &[Some(1), Some(-1)] } else { &[None] };
+        let mut last = None;
+        for &sign in signs {
+            self.sign = sign;
+            let gathered = self.gather(None);
+            let premises = self.premises(&gathered, equations, Definitions::All);
+            let (identity, evidence) = answer(&mut self.graph, equations, &premises, None)?;
+            let account = self.of_identity(identity, evidence);
+            if account.finding.is_proved() {
+                return Ok(account);
+            }
+            last = Some(account);
+        }
+        last.ok_or_else(|| "a sign that is neither".to_owned())
+    }
+
+    /// Whether ± stands among the assumptions of the claim.
+    pub(super) fn assumes_sign(&self) -> bool {
+        self.claim.assuming.iter().flat_map(|w| &w.value.relations).any(|r| r.has_branches)
+    }
+
+    /// A sign that stands among the assumptions is one with that of the claim: it must follow for both.
+    pub(super) fn for_each_sign(self) -> Option<Result<IdentityAccount, String>> {
+        let mut all: Option<IdentityAccount> = None;
+        for value in [1, -1] {
+            let mut step = Step::of(self.derivation, self.claim)?.with(self.plain);
+            step.sign = Some(value);
+            let one = match step.decide_equations()? {
+                Ok(account) => account,
+                Err(defect) => return Some(Err(defect)),
+            };
+            // Under one sign the assumptions may not be possible.
+            if one.evidence.contradiction {
+                continue;
+            }
+            all = Some(match all {
+                None => one,
+                Some(before) => both_signs(before, one),
+            });
+        }
+        let contradiction = || {
+            let mut step = Step::of(self.derivation, self.claim)?;
+            let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };
+            Some(step.of_identity(Identity::Undecided(Reason::Contradiction), evidence))
+        };
+        all.or_else(contradiction).map(Ok)
+    }
+
+    /// Equations with one sign in place of ±.
+    pub(super) fn branch(&mut self, equations: &Pairs, value: i64) -> Pairs {
+        let sign = self.claim.scope.branch_sign();
+        let graph = &mut self.graph;
+        let mut put = |e| graph.substitute(e, |g, l| (l == sign).then(|| g.integer(value)));
+        equations.iter().map(|&(l, r)| (put(l), put(r))).collect()
+    }
+}

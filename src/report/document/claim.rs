@@ -1,0 +1,198 @@
+//! A claim, its step for all values, and its verdicts on trajectories.
+
+use super::conditions::Conditions;
+use super::family::Family;
+use super::region::Region;
+use super::variants::{Discrimination, Variants};
+use super::{Named, StepStanding, StepVerdict, Strength, Verdict, objects};
+use crate::certificates::file_name;
+use crate::derivation::{ClaimRole, Derivation};
+use crate::tally::declared;
+use findings::standing;
+
+objects! {
+    /// A claim, or one reading of it.
+    Claim<'a> of (derivation: &'a Derivation, of: &'a findings::ClaimAccount) let declared = declared(derivation, of); {
+        /// Its id.
+        id: &'a str = &of.id,
+        /// Id of the reading.
+        reading: Option<&'a str> = of.reading.as_deref(),
+        /// The claim in words.
+        says: &'a str = &of.says,
+        /// As written.
+        formulas: &'a [String] = &of.formulas,
+        /// What is said by each of them, such as `always`.
+        kinds: Option<Vec<&'static str>> = declared.map(|d| d.formulas.iter().map(|f| f.kind.key()).collect()),
+        /// What it is to the paper.
+        #[schemars(extend("enum" = ClaimRole::ALL.map(ClaimRole::word)))]
+        role: &'static str = declared.map(|d| d.role).unwrap_or_default().word(),
+        /// Whether the paper does not say it: it was added for comparison.
+        added: bool = declared.is_some_and(|d| d.role == ClaimRole::Added),
+        /// Whether the paper concludes it.
+        conclusion: bool = declared.is_some_and(|d| d.conclusion),
+        /// Claims on which the paper's argument for it rests.
+        rests_on: &'a [String] = declared.map(|d| d.rests_on.as_slice()).unwrap_or_default(),
+        /// Where it stands in the paper.
+        place: Option<&'a str> = of.place.as_deref(),
+        /// The label of its equation.
+        label: Option<&'a str> = declared.and_then(|d| d.label.as_deref()),
+        /// As written.
+        assumptions: &'a [String] = &of.assumptions,
+        /// Claims, systems and symbols from which it follows.
+        follows_from: Option<&'a [String]> = declared.map(|d| d.follows_from.as_slice()),
+        /// The relative precision that was asked for.
+        precision: Option<f64> = declared.map(|d| d.precision),
+        /// What a reader should know.
+        remark: Option<&'a str> = of.remark.as_deref(),
+        /// Whether it holds for all values, where it is a claim of that kind.
+        identity: Option<Identity<'a>> = of.identity.as_ref().map(|i| Identity::of(of, i)),
+        /// What single edits of its formulas say of the evidence, where they were tried.
+        variants: Option<Variants<'a>> = of.variants.as_ref().map(Variants::of),
+        /// Under which condition it holds, and which of its assumptions it needs.
+        conditions: Conditions<'a> = Conditions::of(&of.conditions),
+        /// For a claim over ranges: its verdict.
+        region: Option<Region<'a>> = of.region.as_ref().map(Region::of),
+        /// One entry for each trajectory on which it is tried.
+        results: Vec<TrajectoryResult<'a>> = of.results.iter().map(TrajectoryResult::of).collect(),
+        /// One entry for each family on which it is tried.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        families: Vec<Family<'a>> = of.families.iter().map(Family::of).collect(),
+    }
+
+    /// Whether a claim holds for all values, given what it follows from.
+    Identity<'a> of (claim: &'a findings::ClaimAccount, of: &'a findings::IdentityAccount) {
+        /// What became of it.
+        verdict: StepVerdict = StepVerdict(of.verdict()),
+        /// The verdict in full: whether a proof leaves cases out, or follows from what is not proved.
+        standing: StepStanding = StepStanding(of.standing()),
+        /// Claims that it follows from, through all steps, and that are not proved.
+        conditional_on: Vec<Given<'a>> = of.conditional_on.iter().map(Given::of).collect(),
+        /// log2 of the bound for the probability that a proof is wrong.
+        log2_error: Option<f64> = of.log2_error,
+        /// What was given: ids of claims and systems.
+        from: &'a [String] = &of.from,
+        /// What has to hold for the formulas to have values.
+        conditions: &'a [String] = &of.conditions,
+        /// What the proof does not reach.
+        exceptions: &'a [String] = &of.exceptions,
+        /// Where alone what is given can hold, special cases aside.
+        given_only_where: &'a [String] = &of.given_only_where,
+        /// Which of the claim's assumptions the proof needs, where that was looked at.
+        assumptions: Option<AssumptionsUsed<'a>> = of.assumptions.as_ref().map(AssumptionsUsed::of),
+        /// Assumptions of what is given that the claim does not make itself.
+        presupposed: &'a [String] = &of.presupposed,
+        /// Whether the proof leaves out special cases of what is given.
+        generic: bool = of.generic,
+        /// Why undecided; a remark on a proof.
+        reason: Option<&'a str> = of.reason.as_deref(),
+        /// A point at which everything given holds and the claim does not.
+        witness: Option<&'a str> = of.witness.as_deref(),
+        /// For ±: the sign it holds for.
+        branch: Option<&'static str> = of.evidence.branch,
+        /// The random test, where it proved.
+        trials: Option<Trials<'a>> = of.evidence.trials.as_ref().map(Trials::of),
+        /// The file in `certificates` that proves it exactly.
+        certificate: Option<String> = file_name(claim),
+        /// Why there is none, where one was looked for.
+        no_certificate: Option<&'a str> = of.evidence.no_certificate.as_deref(),
+    }
+
+    /// A claim that a proof is given.
+    Given<'a> of (of: &'a standing::Given) {
+        /// Its id.
+        id: &'a str = &of.name,
+        /// What that claim's own step came to; null where it is no question for all values.
+        standing: Option<&'static str> = of.standing,
+    }
+
+    /// The assumptions of a claim, as its proof sees them.
+    AssumptionsUsed<'a> of (of: &'a findings::AssumptionsUsed) {
+        /// Those that the proof needs.
+        used: &'a [String] = &of.used,
+        /// Those that it does not need.
+        unused: &'a [String] = &of.unused,
+    }
+
+    /// The random test of an identity.
+    Trials<'a> of (of: &'a findings::Trials) {
+        /// Independent trials.
+        count: usize = of.count,
+        /// The primes p; the points are from GF(p²).
+        primes: &'a [u64] = &of.primes,
+        /// Bound for the degree of what was tested.
+        degree: f64 = of.degree,
+        /// Bound for log2 of the coefficients.
+        height: f64 = of.height,
+        /// Independent signs of roots.
+        signs: usize = of.signs,
+        /// Cases into which premises were split.
+        cases: usize = of.cases,
+    }
+
+    /// A claim on a trajectory.
+    TrajectoryResult<'a> of (of: &'a findings::PairAccount)
+    let (outcome, evidence) = (of.verdict.outcome(), of.verdict.evidence()); {
+        /// Id of the trajectory.
+        trajectory: &'a str = &of.trajectory,
+        /// What became of it.
+        verdict: Verdict = Verdict(outcome.word()),
+        /// How strong the evidence is.
+        strength: Option<Strength> = outcome.strength().map(Strength),
+        /// What the derivation file expects.
+        expected: Option<Verdict> = of.expected.map(Verdict),
+        /// Whether the verdict is not as expected.
+        unexpected: bool = of.is_unexpected(),
+        /// The worst point of a comparison.
+        residual: Option<Residual> = evidence.residual.as_ref().map(Residual::of),
+        /// Times at which the claim was compared.
+        samples: usize = evidence.samples,
+        /// Why not applicable or undecided; a remark otherwise.
+        reason: Option<&'a str> = evidence.reason.as_deref(),
+        /// For ±: which sign.
+        branch: Option<&'a str> = evidence.branch.as_deref(),
+        /// Stretches of time that were left out.
+        excluded: Vec<Exclusion<'a>> = evidence.excluded.iter().map(Exclusion::of).collect(),
+        /// How many altered formulas the same evidence rejects, where the claim holds.
+        discrimination: Option<Discrimination> = of.discrimination.as_ref().map(Discrimination::of),
+        /// A point that can be checked by hand, for a claim that fails.
+        witness: Option<Witness<'a>> = evidence.witness.as_ref().map(Witness::of),
+    }
+
+    /// The worst point of a comparison.
+    Residual of (of: &findings::Residual) {
+        /// |left − right| at the worst point.
+        max: f64 = of.max,
+        /// Its error bound there.
+        bound: f64 = of.bound,
+        /// The time.
+        at: f64 = of.at,
+    }
+
+    /// A stretch of time that was left out.
+    Exclusion<'a> of (of: &'a findings::Exclusion) {
+        /// First time left out.
+        from: f64 = of.from,
+        /// Last time left out.
+        to: f64 = of.to,
+        /// Why.
+        reason: &'a str = &of.reason,
+    }
+
+    /// A point that can be checked by hand.
+    Witness<'a> of (of: &'a findings::Witness) {
+        /// The time.
+        t: f64 = of.t,
+        /// What is compared.
+        formula: &'a str = &of.formula,
+        /// Value of the left side; null where it has none.
+        left: f64 = of.left,
+        /// Value of the right side; null where it has none.
+        right: f64 = of.right,
+        /// |left − right|, of these numbers.
+        difference: f64 = of.difference(),
+        /// Error bound of their difference.
+        bound: f64 = of.bound,
+        /// What the sides depend on.
+        values: Named<'a, f64> = Named::of(&of.values, |x| *x),
+    }
+}

@@ -1,0 +1,279 @@
+//! The report as data: the contract that `report.json` keeps and `rederive schema report` describes.
+//!
+//! **In:** a [`Derivation`] and its [`Account`], for [`Report`]. **Out:** types that serde writes in the order of their fields, and of which
+//! schemars makes the JSON Schema.
+//!
+//! A field is written once, in `objects!`: what it means, which is its description in the schema, its name, its type, and where it comes
+//! from. The types are not those of `findings`: these may be renamed and put together in another way, while within one value of `schema`
+//! fields are only added here.
+//!
+//! **Guaranteed:** what is written has all fields of the schema, and no others. A number that is none (JSON has no infinity) is `null`,
+//! and the schema says so of every number but a [`Finite`] one.
+
+mod claim;
+mod conditions;
+mod family;
+mod paper;
+mod proposition;
+mod region;
+mod steps;
+mod units;
+mod variants;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Serialize, Serializer};
+
+use crate::derivation::Derivation;
+use ::paper::Comparison;
+use claim::Claim;
+use family::Distribution;
+use findings::Account;
+use paper::Paper;
+pub(super) use proposition::Answer;
+use steps::{Digest, Graph};
+use units::Units;
+use variants::Alone;
+
+/// Objects of the document, each with the function `of` that makes it.
+macro_rules! objects {
+    ($(
+        $(#[$meta:meta])*
+        $name:ident $(<$life:lifetime>)? of ($($input:ident: $of:ty),+) $(let $part:pat = $found:expr;)* {
+            $($(#[$about:meta])* $field:ident: $type:ty = $value:expr,)+
+        }
+    )+) => {$(
+        #[derive(serde::Serialize, schemars::JsonSchema)]
+        $(#[$meta])*
+        pub struct $name $(<$life>)? {
+            $($(#[$about])* pub $field: $type,)+
+        }
+
+        impl $(<$life>)? $name $(<$life>)? {
+            pub fn of($($input: $of),+) -> Self {
+                $(let $part = $found;)*
+                Self { $($field: $value,)+ }
+            }
+        }
+    )+};
+}
+use objects;
+
+/// Words of the document, of which the schema has no others.
+macro_rules! words {
+    ($($(#[$meta:meta])* $name:ident: $($word:literal)|+;)+) => {$(
+        $(#[$meta])*
+        #[derive(serde::Serialize)]
+        pub struct $name(pub &'static str);
+
+        impl JsonSchema for $name {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!({ "type": "string", "enum": [$($word),+] })
+            }
+        }
+    )+};
+}
+
+words! {
+    /// What became of a claim.
+    Verdict: "holds" | "fails" | "not-applicable" | "undecided";
+    /// How strong its evidence is.
+    Strength: "sampled" | "enclosed" | "certified" | "proved";
+    /// The same of a claim over ranges, which is not sampled.
+    RangesStrength: "enclosed" | "certified" | "proved";
+    /// The same of a family.
+    FamilyStrength: "sampled";
+    /// What became of a step for all values.
+    StepVerdict: "proved" | "refuted" | "undecided";
+    /// The same in full.
+    StepStanding: "proved" | "proved except" | "proved given" | "refuted" | "undecided";
+    /// How a trajectory comes about.
+    Origin: "integrated" | "formula" | "derived";
+    /// Whether the units of a formula agree.
+    UnitsVerdict: "consistent" | "inconsistent" | "not-checked";
+    /// How conditions are put together.
+    Join: "and" | "or";
+    /// Whether a claim needs an assumption.
+    Need: "needed" | "not-needed" | "undecided" | "untested";
+    /// One of two verdicts.
+    Decided: "holds" | "fails";
+    /// What a node of the graph is.
+    NodeKind: "claim" | "system" | "symbol";
+}
+
+/// Values by their names, in the order of the account.
+pub struct Named<'a, T>(Vec<(&'a str, T)>);
+
+impl<'a, T> Named<'a, T> {
+    fn of<U>(values: &'a [(String, U)], value: impl Fn(&'a U) -> T) -> Self {
+        Named(values.iter().map(|(name, x)| (name.as_str(), value(x))).collect())
+    }
+}
+
+impl<T: Serialize> Serialize for Named<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Named<'_, T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Named".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        BTreeMap::<String, T>::json_schema(generator)
+    }
+}
+
+/// A number that is one.
+#[derive(Serialize)]
+pub struct Finite(pub f64);
+
+impl JsonSchema for Finite {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Finite".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "number" })
+    }
+}
+
+objects! {
+    #[schemars(title = "A report of rederive")]
+    Report<'a> of (derivation: &'a Derivation, account: &'a Account, paper: Option<&'a Comparison>) {
+        /// The version of this contract: within it fields are only added.
+        #[schemars(extend("const" = 1))]
+        schema: u32 = 1,
+        /// What wrote the report.
+        tool: Tool = Tool::of(()),
+        /// The derivation file.
+        derivation: File<'a> = File::of(derivation),
+        /// The trajectories, in the order of the file.
+        trajectories: Vec<Trajectory<'a>> = account.trajectories.iter().map(Trajectory::of).collect(),
+        /// Claims and readings, in the order of the file.
+        claims: Vec<Claim<'a>> = account.claims.iter().map(|c| Claim::of(derivation, c)).collect(),
+        /// What follows from what.
+        graph: Graph = Graph::of(derivation, account),
+        /// What became of each claim as a whole, and what hangs on it.
+        digest: Digest = Digest::of(derivation, account),
+        /// Measured quantities, in the order of the file.
+        measurements: Vec<Measurement<'a>> = account.measurements.iter().map(Measurement::of).collect(),
+        /// Whether the formulas are consistent in their units.
+        units: Units<'a> = Units::of(&account.units),
+        /// What each motion alone could have decided; empty where no variants were tried.
+        alone: Vec<Alone> = account.alone().into_iter().map(Alone::of).collect(),
+        /// Counts over all verdicts.
+        summary: Summary = Summary::of(account.summary()),
+        /// What was measured over families.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        distributions: Vec<Distribution<'a>> = account.distributions.iter().map(Distribution::of).collect(),
+        /// The comparison with the paper, there if `--source` was given.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Paper")]
+        paper: Option<Paper<'a>> = paper.map(Paper::of),
+    }
+
+    /// The program.
+    Tool of (_program: ()) {
+        /// Its name.
+        name: &'static str = crate::PROGRAM,
+        /// Its version.
+        version: &'static str = env!("CARGO_PKG_VERSION"),
+    }
+
+    /// A derivation file.
+    File<'a> of (of: &'a Derivation) {
+        /// Short name.
+        id: &'a str = &of.id,
+        /// Title.
+        title: &'a str = &of.title,
+        /// SHA-256 of the derivation file.
+        sha256: &'a str = &of.sha256,
+        /// The citation of what is checked.
+        concerns: &'a str = &of.concerns,
+        /// Where the paper can be found.
+        source: Option<&'a str> = of.source.as_deref(),
+        /// What a reader should know.
+        remark: Option<&'a str> = of.remark.as_deref(),
+        /// Who wrote the file.
+        encoded_by: Option<&'a str> = of.encoded_by.as_deref(),
+        /// Texts of the file, by their names.
+        conventions: Named<'a, &'a str> = Named::of(&of.conventions, String::as_str),
+    }
+
+    /// A motion.
+    Trajectory<'a> of (of: &'a findings::TrajectoryAccount) {
+        /// Its id.
+        id: &'a str = &of.id,
+        /// Its title; the id where none is given.
+        title: &'a str = &of.title,
+        /// First and last time.
+        span: [f64; 2] = of.span.into(),
+        /// How it comes about.
+        source: Origin = Origin(of.source),
+        /// Parameters and initial values, each with its components.
+        given: Named<'a, &'a [f64]> = Named::of(&of.given, Vec::as_slice),
+        /// Steps of the integrator, 0 for formulas.
+        steps: usize = of.steps,
+        /// Largest error estimate of a state component over the span.
+        error: f64 = of.error,
+        /// Why it ends early or could not be computed.
+        problem: Option<&'a str> = of.problem.as_deref(),
+    }
+
+    /// A measured quantity on one trajectory.
+    Measurement<'a> of (of: &'a findings::Measurement) {
+        /// Id of the measure.
+        measure: &'a str = &of.measure,
+        /// Id of the trajectory.
+        trajectory: &'a str = &of.trajectory,
+        /// One entry for each time at which it was taken.
+        values: Vec<Measured> = of.values.iter().map(Measured::of).collect(),
+        /// Why there is none, or not all.
+        reason: Option<&'a str> = of.reason.as_deref(),
+    }
+
+    /// A value at a time.
+    Measured of (of: &(f64, f64, f64)) {
+        /// The time.
+        t: f64 = of.0,
+        /// The value.
+        value: f64 = of.1,
+        /// Its error bound.
+        bound: f64 = of.2,
+    }
+
+    /// Counts over all pairs of a claim and what it was tried on.
+    Summary of (of: findings::Summary) {
+        /// Pairs that hold.
+        holds: usize = of.holds,
+        /// Pairs that fail.
+        fails: usize = of.fails,
+        /// Pairs to which the claim does not apply.
+        not_applicable: usize = of.not_applicable,
+        /// Pairs that stay undecided.
+        undecided: usize = of.undecided,
+        /// Pairs that are not as expected.
+        unexpected: usize = of.unexpected,
+    }
+}

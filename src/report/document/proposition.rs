@@ -1,0 +1,82 @@
+//! The answer to a proposition.
+
+use super::claim::{AssumptionsUsed, Trials};
+use super::{Named, StepStanding, StepVerdict, Tool, objects};
+use crate::certificates::{certificate_text, is_certified};
+use findings::{Counterexample, IdentityAccount, Place, Proposition};
+
+objects! {
+    /// What `rederive prove` prints.
+    Answer<'a> of (asked: &'a Proposition, of: &'a IdentityAccount) let evidence = &of.evidence; {
+        /// The version of this contract.
+        schema: u32 = 1,
+        /// What answers.
+        tool: Tool = Tool::of(()),
+        /// Equations, in LaTeX.
+        formula: &'a str = &asked.formula,
+        /// Premises, in LaTeX.
+        given: &'a [String] = &asked.given,
+        /// For ±: whether one sign must serve all points.
+        branches: &'static str = if asked.throughout { "throughout" } else { "pointwise" },
+        /// What was decided.
+        verdict: StepVerdict = StepVerdict(of.verdict()),
+        /// The same in full.
+        standing: StepStanding = StepStanding(of.standing()),
+        /// log2 of the bound for the probability that a proof is wrong.
+        log2_error: Option<f64> = of.log2_error,
+        /// The field in which it was tried.
+        field: Option<&'static str> = evidence.trials.as_ref().map(|_| "GF(p^2)"),
+        /// The random test, where it proved.
+        trials: Option<Trials<'a>> = evidence.trials.as_ref().map(Trials::of),
+        /// For ±: the sign it holds for.
+        branch: Option<&'static str> = evidence.branch,
+        /// What has to hold for the formulas to have values.
+        conditions: &'a [String] = &of.conditions,
+        /// What the proof does not reach.
+        exceptions: &'a [String] = &of.exceptions,
+        /// Where alone the premises can hold, special cases aside.
+        given_only_where: &'a [String] = &of.given_only_where,
+        /// Which premises the proof needs, where that was looked at.
+        assumptions: Option<AssumptionsUsed<'a>> = of.assumptions.as_ref().map(AssumptionsUsed::of),
+        /// Assumptions of the premises.
+        presupposed: &'a [String] = &of.presupposed,
+        /// Whether the proof leaves out special cases.
+        generic: bool = of.generic,
+        /// Why undecided; a remark on a proof.
+        reason: Option<&'a str> = of.reason.as_deref(),
+        /// Whether the premises cannot hold together.
+        contradiction: bool = evidence.contradiction,
+        /// A point that refutes.
+        witness: Option<RefutingPoint<'a>> = evidence.counterexample.as_ref().map(RefutingPoint::of),
+        /// The exact proof, as a program.
+        certificate: Option<String> = is_certified(of)
+            .then(|| certificate_text(&asked.formula, &asked.given, &evidence.certificates)),
+        /// Why there is none, where one was looked for.
+        no_certificate: Option<&'a str> = evidence.no_certificate.as_deref(),
+    }
+
+    /// A point at which the premises hold, and an equation does not.
+    RefutingPoint<'a> of (of: &'a Counterexample) let first = Point::of(&of.first); {
+        /// Number of the equation.
+        equation: usize = of.equation,
+        /// Value of its left side.
+        left: &'a str = first.left,
+        /// Value of its right side.
+        right: &'a str = first.right,
+        /// Values of all that occurs.
+        point: Named<'a, &'a str> = first.point,
+        /// Another point, with another difference of the sides: the premises do not fix it.
+        second: Option<Point<'a>> = of.second.as_ref().map(Point::of),
+    }
+
+    /// A point, and the sides of an equation there.
+    Point<'a> of (of: &'a Place) {
+        /// Value of its left side.
+        left: &'a str = &of.left,
+        /// Value of its right side.
+        right: &'a str = &of.right,
+        /// Values of all that occurs.
+        point: Named<'a, &'a str> =
+            Named(of.point.iter().chain(&of.beyond).map(|(name, value)| (name.as_str(), value.as_str())).collect()),
+    }
+}
