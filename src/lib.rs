@@ -109,8 +109,7 @@
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
-#[doc(hidden)]
-pub mod session;
+mod session;
 
 // The command line is written as a user of this library.
 #[cfg(feature = "cli")]
@@ -122,4 +121,6 @@ pub use ::{
 };
 pub use check::{Outcome, Rigor, Strength, Witness};
 pub use expr::tape;
+#[doc(hidden)]
+pub use session::SCOPE;
 pub use session::{Answer, Ask, ClaimName, Failure, Finding, Findings, Question, Session};

@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::process::Command;
 
-use rederive::check::{Account, CheckError, ClaimAccount, FamilyAccount, MemberAccount, Options, check};
+use rederive::check::family::{Part, Row, sweep};
+use rederive::check::{Account, CheckError, ClaimAccount, FamilyAccount, Limits, MemberAccount, Options, Rigor, check};
 use rederive::derivation::{Derivation, load, parse};
 use rederive::diag::{Source, render};
 use serde_json::Value;
@@ -115,6 +116,58 @@ fn a_member_that_is_pasted_reaches_the_same_verdict() {
         }
     }
     assert!(pasted >= 7, "{pasted}");
+}
+
+/// Errors of members are estimated from their steps at first, with wider bounds: claims that are false by as little as rounding must
+/// have the verdicts that trajectories of the file have.
+#[test]
+fn what_is_nearly_true_has_the_verdict_of_a_trajectory() {
+    const SIZES: [&str; 9] =
+        ["10^{-10}", "10^{-11}", "10^{-12}", "3*10^{-13}", "10^{-13}", "3*10^{-14}", "10^{-14}", "10^{-15}", "0"];
+    let claims: Vec<String> = SIZES
+        .iter()
+        .map(|size| size.replace('*', r"\cdot "))
+        .enumerate()
+        .flat_map(|(n, size)| {
+            let claim = |kind: &str, formula: String| {
+                format!("\n[[claim]]\nid = '{kind}{n}'\nsays = 's'\nalways = ['{formula}']\ntrajectories = ['a']\nfamilies = ['f']\n")
+            };
+            [
+                claim("equal", format!("\\dot x^2+kx^2=k+{size}t")),
+                claim("less", format!("\\dot x^2+kx^2\\le k+{size}(1-t)")),
+                claim("apart", format!("\\dot x^2+kx^2\\ne k+{size}")),
+            ]
+        })
+        .collect();
+    let family = "\n[[family]]\nid = 'f'\nof = 'a'\nvary = { 'k' = { from = 1, to = 30, count = 30 } }\n";
+    let text = format!("{HEAD}{family}{}", claims.concat()).replace("span = [0, 1]", "span = [0, 10]");
+    let alone = text.replace(family, "").replace("families = ['f']\n", "");
+    let parsed = |text: String| {
+        let source = Source { path: "derivations/nearly.toml".into(), text };
+        parse(source, "nearly").unwrap_or_else(|e| panic!("{}", render(&e, false)))
+    };
+    let mut rows: Vec<(u64, Vec<Option<bool>>)> = Vec::new();
+    let derivation = parsed(text.clone());
+    let mut each = |row: &Row| {
+        rows.push((row.number, row.verdicts.iter().map(|v| v.outcome().truth()).collect()));
+    };
+    sweep(&derivation, "f", Part::WHOLE, &Limits::default(), &|_, _| {}, &mut each).unwrap();
+    let (mut decided, mut failing) = (0, 0);
+    for (number, verdicts) in rows {
+        let mut derivation = parsed(alone.replace("'k' = 1, 'I'", &format!("'k' = {number}, 'I'")));
+        let options = Options { rigor: Rigor::Sampled, ..plain() };
+        let account = check(&mut derivation, &options, &|_, _| {}).unwrap_or_else(|e| panic!("{e:?}"));
+        for (claim, verdict) in account.claims.iter().zip(verdicts) {
+            let alone = claim.results[0].verdict.outcome().truth();
+            let contradicts = verdict.zip(alone).is_some_and(|(a, b)| a != b);
+            assert!(!contradicts, "{} on {number}: {verdict:?}, alone {alone:?}", claim.id);
+            // Further integrations are made where the steps alone do not decide.
+            assert!(verdict.is_some() || alone.is_none(), "{} on {number}: alone {alone:?}", claim.id);
+            decided += usize::from(verdict.is_some());
+            failing += usize::from(verdict == Some(false));
+        }
+    }
+    assert!(decided > 400 && failing > 150, "{decided} {failing}");
 }
 
 #[test]

@@ -17,8 +17,9 @@ import time
 import numpy as np
 
 MANY = 10_000
-# So many of them are integrated by those for whom all would take long.
+# So many of them are integrated by those for whom all would take long, and so many by the slowest.
 SOME = 2_000
+FEW = 100
 FAMILY = r"""
 [derivation]
 title = "Rigid bodies"
@@ -103,6 +104,13 @@ def of_heyoka():
 
     for end in (20.0, 100.0):
         row(f"one body to t = {end:.0f}, heyoka", least(lambda end=end: alone(end), 200))
+    def one_by_one():
+        for tilt in tilts(SOME):
+            one.time = 0.0
+            one.state[:] = start(tilt)
+            one.propagate_until(20.0)
+
+    row(f"{MANY} bodies to t = 20, heyoka, one by one", least(one_by_one, 5) * MANY / SOME, f"from {SOME}")
     for size in (4, 8):
         pars = np.array([[1.0] * size, [2.0] * size, [3.0] * size])
         batch = hy.taylor_adaptive_batch(system, np.array([start(0.01)] * size).T.copy(), pars=pars)
@@ -130,21 +138,22 @@ def of_scipy():
         turned = np.stack([o[2] * r[:, 1] - o[1] * r[:, 2], o[0] * r[:, 2] - o[2] * r[:, 0], o[1] * r[:, 0] - o[0] * r[:, 1]], 1)
         return np.concatenate([turned.ravel(), [-o[1] * o[2], o[2] * o[0], -o[0] * o[1] / 3]])
 
-    def alone():
-        solve_ivp(rates, (0, 20), start(0.01), "DOP853", rtol=1e-13, atol=1e-15)
+    def each():
+        for tilt in tilts(FEW):
+            solve_ivp(rates, (0, 20), start(tilt), "DOP853", rtol=1e-13, atol=1e-15)
 
-    row("one body to t = 20, SciPy, DOP853 at 1e-13", least(alone, 3))
+    row(f"{MANY} bodies to t = 20, SciPy, DOP853 at 1e-13", least(each, 2) * MANY / FEW, f"from {FEW}")
 
 
 def of_family(program):
-    for count in (SOME, MANY):
+    for count in (SOME, MANY, 10 * MANY):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "bodies.toml")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(FAMILY.replace("COUNT", str(count)))
             command = [program, "check", path, "--jobs", "1", "--only-verdicts", "--rigor", "sampled"]
             found = []
-            for _ in range(3):
+            for _ in range(3 if count <= MANY else 1):
                 child = subprocess.Popen(command, stdout=subprocess.DEVNULL, cwd=folder)
                 _, status, usage = os.wait4(child.pid, 0)
                 child.returncode = os.waitstatus_to_exitcode(status)

@@ -9,8 +9,7 @@ use rederive::check::standing::Decision;
 use rederive::derivation::load;
 use rederive::diag::{Diagnostic, Source};
 use rederive::files::named;
-use rederive::session::SCOPE;
-use rederive::{Failure, Question, Session, report};
+use rederive::{Failure, Question, SCOPE, Session, report};
 
 use super::ending::{Exit, Stop, print, say};
 

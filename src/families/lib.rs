@@ -9,6 +9,9 @@
 //! or, of a measure,
 //! a [`Distribution`], which are the same in whatever order members come, so neither threads nor machines change anything; the few members that are
 //! shown are made again from their numbers.
+//!
+//! **Errors of members** are estimated from their own steps first ([`flow::Estimation::Steps`]). A verdict that another estimate could
+//! change is taken from further integrations, as a trajectory of the file has them: whether that is so depends on the member alone.
 
 #![forbid(unsafe_code)]
 
@@ -23,6 +26,7 @@ mod draw;
 mod map;
 mod member;
 mod separate;
+mod settled;
 mod sweep;
 mod troupe;
 

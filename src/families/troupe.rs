@@ -16,12 +16,13 @@ use super::budget::{Budget, MOST_BETWEEN, TOGETHER, WAVE};
 use super::map::Scale;
 use super::member::{Law, MOST_DRAWS, Member, Members};
 use super::separate::{Checker, separations};
+use super::settled::{are_plain, is_settled};
 use crate::derivation::{Claim, Derivation, Form, Measure, NoOther, Spread, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Leaf, Rational};
 use crate::findings::family::{Boundary, Distribution, Joined, MeasureAccount, Row, Slopes, Sums, Tally};
 use crate::findings::{ClaimAccount, Measurement, PairAccount};
-use crate::flow::Motion;
+use crate::flow::{Estimation, Motion};
 use crate::verdict::Verdict;
 use claim::error::{CANCELLED, CheckError};
 use claim::limits::Limits;
@@ -202,6 +203,24 @@ pub struct Troupe<'a> {
     slot: usize,
     /// The motions that it is compared with, which follow it: the position of what varies, and which.
     beside: Vec<(usize, Beside)>,
+    /// How the errors of members are estimated at first.
+    estimation: Estimation,
+}
+
+/// Of so many members one has the values along its motion computed on both routes, and so have those that are shown: what is compared
+/// is the program with itself, on a motion of the same system with other numbers.
+const CROSS_CHECK: u64 = 64;
+
+/// A derivation with a member, and whether the two routes to its values are compared.
+type OfMember<'d> = (&'d Derivation, bool);
+
+/// What was found on a member.
+struct OnMember {
+    verdicts: Vec<Verdict>,
+    measured: Vec<Measurement>,
+    steps: u64,
+    /// Whether another estimate of its errors might change that.
+    unsettled: bool,
 }
 
 /// What one number gave.
@@ -274,9 +293,24 @@ impl<'a> Troupe<'a> {
                 return Err(CheckError::Defect(format!("{name} is needed by a claim, but was not asked for")));
             }
         }
-        let measures = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
+        let measures: Vec<Compiled> = measures.into_iter().map(|m| m.tape(&mut derivation.graph, &wanted)).collect();
         let start_of = vec![0; derivation.trajectories.len()];
-        Ok(Troupe { members, derivation, fields, programs, measures, gradients, wanted, start_of, slot, beside })
+        // What is measured is shown with its error.
+        let plain = measures.is_empty() && are_plain(&programs);
+        let estimation = if plain { Estimation::Steps } else { Estimation::Companions };
+        Ok(Troupe {
+            members,
+            derivation,
+            fields,
+            programs,
+            measures,
+            gradients,
+            wanted,
+            start_of,
+            slot,
+            beside,
+            estimation,
+        })
     }
 
     /// The claims with what is compiled for them.
@@ -405,7 +439,7 @@ impl<'a> Troupe<'a> {
                     let some = members.par_chunks(TOGETHER).with_max_len(1);
                     let some = some.flat_map_iter(|some| {
                         let some = some.iter().map(|member| (1, member.clone())).collect();
-                        self.tried(some, &prepared, &options.limits)
+                        self.tried(some, &prepared, &options.limits, false)
                     });
                     for one in some.collect::<Vec<_>>() {
                         let Some(One { steps, verdicts, .. }) = one? else {
@@ -465,15 +499,16 @@ impl<'a> Troupe<'a> {
         limits: &Limits,
     ) -> Vec<Result<Option<One>, CheckError>> {
         let members = numbers.iter().map(|number| (*number, self.members.member(*number))).collect();
-        self.tried(members, prepared, limits)
+        self.tried(members, prepared, limits, false)
     }
 
-    /// The same for members at hand.
+    /// The same for members at hand; `shown` says that a reader sees them, so that both routes to their values are compared.
     fn tried(
         &self,
         members: Vec<(u64, Member)>,
         prepared: &[Vec<Prepared>],
         limits: &Limits,
+        shown: bool,
     ) -> Vec<Result<Option<One>, CheckError>> {
         let slot = self.slot;
         let mut found = Vec::new();
@@ -483,7 +518,7 @@ impl<'a> Troupe<'a> {
                 Member::Rejected => Ok(Some(One { rejected: 1, ..One::default() })),
                 Member::TooRare => Err(CheckError::Problems(vec![too_rare(&self.derivation, self.members, number)])),
                 Member::Found(values, rejected) => self.with_member(number, &values).map(|derivation| {
-                    derivations.push(derivation);
+                    derivations.push((derivation, number % CROSS_CHECK == 1 || shown));
                     Some(One { values: Some(values), rejected, ..One::default() })
                 }),
             });
@@ -502,23 +537,50 @@ impl<'a> Troupe<'a> {
             measured: &|derivation, t| measure::searched(&self.measures, derivation, t),
             limits,
         };
-        let stages = Stage::build_each(&derivations, &self.fields, &requests);
-        let mut stages = derivations.iter().zip(stages);
+        let all: Vec<OfMember> = derivations.iter().map(|(derivation, checked)| (derivation, *checked)).collect();
+        let mut on_members = self.on_members(&all, prepared, &requests, self.estimation);
+        let is_unsettled = |one: &Result<Option<OnMember>, CheckError>| matches!(one, Ok(Some(one)) if one.unsettled);
+        let places: Vec<usize> = (0..all.len()).filter(|n| is_unsettled(&on_members[*n])).collect();
+        let again: Vec<OfMember> = places.iter().map(|n| all[*n]).collect();
+        let settled = self.on_members(&again, prepared, &requests, Estimation::Companions);
+        places.into_iter().zip(settled).for_each(|(place, settled)| on_members[place] = settled);
+        let mut on_members = on_members.into_iter();
         let with_verdicts = |one: Result<Option<One>, CheckError>| {
             let Some(one) = one? else { return Ok(None) };
             let Some(values) = &one.values else { return Ok(Some(one)) };
-            let Some((derivation, stage)) = stages.next() else { return Ok(None) };
-            let Some(stage) = stage.map_err(|error| self.not_built(error, values))? else { return Ok(None) };
-            let (verdicts, measured) = self.verdicts(derivation, &stage, prepared, limits)?;
-            let steps = tried.iter().filter_map(|t| stage.motion(*t)).map(Motion::steps).sum::<usize>() as u64;
-            Ok(Some(One { verdicts, measured, steps, ..one }))
+            let Some(found) = on_members.next() else { return Ok(None) };
+            let found = found.map_err(|error| self.not_built(error, values))?;
+            Ok(found.map(|OnMember { verdicts, measured, steps, .. }| One { verdicts, measured, steps, ..one }))
         };
         found.into_iter().map(with_verdicts).collect()
     }
 
+    /// What is found on each of several members; nothing for those that a limit of the run leaves out.
+    fn on_members(
+        &self,
+        members: &[OfMember],
+        prepared: &[Vec<Prepared>],
+        requests: &Requests,
+        estimation: Estimation,
+    ) -> Vec<Result<Option<OnMember>, CheckError>> {
+        let derivations: Vec<&Derivation> = members.iter().map(|(derivation, _)| *derivation).collect();
+        let stages = Stage::build_each(&derivations, &self.fields, requests, estimation);
+        let one = |(member, stage): (&OfMember, Result<Option<Stage>, CheckError>)| {
+            let Some(stage) = stage? else { return Ok(None) };
+            let (verdicts, measured) = self.verdicts(*member, &stage, prepared, requests.limits)?;
+            let motions = || requests.tried.iter().filter_map(|t| stage.motion(*t));
+            let steps = motions().map(Motion::steps).sum::<usize>() as u64;
+            let settled = || verdicts.iter().zip(&self.programs).all(|(verdict, of)| is_settled(verdict, of));
+            let unsettled = motions().any(Motion::is_by_steps) && !settled();
+            Ok(Some(OnMember { verdicts, measured, steps, unsettled }))
+        };
+        members.iter().zip(stages).map(one).collect()
+    }
+
     /// One number, without limits.
     fn one(&self, number: u64, prepared: &[Vec<Prepared>]) -> Result<One, CheckError> {
-        let found = self.some(&[number], prepared, &Limits::default()).into_iter().next();
+        let member = vec![(number, self.members.member(number))];
+        let found = self.tried(member, prepared, &Limits::default(), true).into_iter().next();
         let missing = || CheckError::Defect(format!("member {number} was not built"));
         found.and_then(Result::transpose).unwrap_or_else(|| Err(missing()))
     }
@@ -567,14 +629,14 @@ impl<'a> Troupe<'a> {
     /// The verdicts of all claims on a member, and what is measured.
     fn verdicts(
         &self,
-        derivation: &Derivation,
+        (derivation, checked): OfMember,
         stage: &Stage,
         prepared: &[Vec<Prepared>],
         limits: &Limits,
     ) -> Result<(Vec<Verdict>, Vec<Measurement>), CheckError> {
         let slot = self.slot;
-        let (course, contradiction) =
-            stage.course(&derivation.graph, slot, &self.wanted).map_err(CheckError::Defect)?;
+        let course = stage.sampled(slot, &self.wanted).map_err(CheckError::Defect)?;
+        let contradiction = checked.then(|| stage.contradiction(&derivation.graph, &course)).flatten();
         let mut accounts: Vec<ClaimAccount> = Vec::new();
         for of in prepared {
             let Prepared { claim, program, gradients } = &of[0];

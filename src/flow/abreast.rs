@@ -144,13 +144,16 @@ struct Together<'a, const N: usize> {
     flow: &'a Flow,
     order: usize,
     growth: Growth<N>,
+    /// The series of the states that were grown last: lane by lane, order by order.
+    grown: Vec<f64>,
     /// Memory for a motion whose series have no values, once there is one.
     jets: Option<Slots<Jet<f64>>>,
 }
 
 impl<'a, const N: usize> Together<'a, N> {
     fn new(flow: &'a Flow, order: usize) -> Together<'a, N> {
-        Together { flow, order, growth: Growth::new(&flow.recurrences, order), jets: None }
+        let grown = vec![0.0; N * flow.dimension * (order + 1)];
+        Together { flow, order, growth: Growth::new(&flow.recurrences, order), grown, jets: None }
     }
 
     /// Gives a lane to a walker.
@@ -167,6 +170,15 @@ impl<'a, const N: usize> Together<'a, N> {
             state.iter().enumerate().for_each(|(i, &x)| self.growth.start_mut(1 + i).0[lane] = x);
         }
         self.growth.grow(&self.flow.recurrences, self.order);
+        // Each coefficient is read once for all lanes: they do not fit where reading is cheap.
+        let (n, rows) = (self.flow.dimension, self.order + 1);
+        for i in 0..n {
+            for (k, of_lanes) in self.growth.coefficients(1 + i)[..rows].iter().enumerate() {
+                for (lane, &c) in of_lanes.0.iter().enumerate() {
+                    self.grown[(lane * rows + k) * n + i] = c;
+                }
+            }
+        }
     }
 
     /// Tells the runner in a lane its series; whether it goes on.
@@ -183,17 +195,11 @@ impl<'a, const N: usize> Together<'a, N> {
 
     /// Gives a walker its series; `false` if some coefficient has no value.
     fn hand_over(&self, lane: usize, walker: &mut Walker) -> bool {
-        let n = self.flow.dimension;
         let (_, _, room) = walker.asks();
-        let mut sum = 0.0;
-        for (k, all) in room.chunks_exact_mut(n.max(1)).enumerate() {
-            for (i, to) in all.iter_mut().enumerate() {
-                *to = self.growth.coefficient(1 + i, k).0[lane];
-                sum += *to * 0.0;
-            }
-        }
+        let first = lane * self.flow.dimension * (self.order + 1);
+        room.copy_from_slice(&self.grown[first..first + room.len()]);
         // What has no value is NaN.
-        sum == 0.0
+        !room.iter().any(|c| c.is_nan())
     }
 }
 

@@ -7,6 +7,7 @@ use super::abreast::Halt;
 use super::core::{Constant, Core, Orbit};
 use super::definitions::{Definitions, Rates};
 use super::error::{FlowError, leaf_name};
+use super::estimate::Estimation;
 use super::field::VectorField;
 use super::start::{self, Start};
 use super::taylor::Flow;
@@ -27,14 +28,14 @@ pub(super) struct Begun {
 
 impl Begun {
     /// Carries out several integrations, those of one field side by side; `false` if `halt` stopped it.
-    pub(super) fn integrate(mut left: Vec<&mut Begun>, halt: Halt) -> bool {
+    pub(super) fn integrate(mut left: Vec<&mut Begun>, estimation: Estimation, halt: Halt) -> bool {
         while let Some(first) = left.pop() {
             let (mut alike, others): (Vec<_>, Vec<_>) = left.into_iter().partition(|other| other.flow == first.flow);
             left = others;
             let flow = first.flow.clone();
             alike.push(first);
             let plans: Vec<Plan> = alike.iter().map(|begun| begun.plan.clone()).collect();
-            let Some(found) = Trajectory::integrate(&flow, &plans, halt) else { return false };
+            let Some(found) = Trajectory::integrate(&flow, &plans, estimation, halt) else { return false };
             alike.into_iter().zip(found).for_each(|(begun, found)| begun.found = Some(found));
         }
         true
@@ -46,7 +47,7 @@ impl Begun {
     /// [`FlowError::Singular`].
     pub(super) fn finish(mut self) -> Result<Orbit, FlowError> {
         if self.found.is_none() {
-            Begun::integrate(vec![&mut self], &|| false);
+            Begun::integrate(vec![&mut self], Estimation::Companions, &|| false);
         }
         let Begun { states, rates, flow, plan, found } = self;
         // What nothing stops is found.

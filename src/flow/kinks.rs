@@ -86,6 +86,11 @@ impl Edges {
         out
     }
 
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.slots.is_empty() && self.steep.is_empty()
+    }
+
     /// Whether a right side is steep at the present state: exactly at an edge.
     pub(super) fn is_steep(&self, now: &impl Series) -> bool {
         self.steep.iter().any(|&(term, slot)| term.vanishes(now.coefficient(slot, 0)))

@@ -11,6 +11,7 @@ use super::begun::Begun;
 use super::core::Core;
 use super::definitions::{Definitions, fresh};
 use super::error::{FlowError, Problem};
+use super::estimate::Estimation;
 use super::expansion::{Expansion, Memory};
 use super::field::VectorField;
 use super::incomplete::Incomplete;
@@ -188,8 +189,8 @@ impl Draft {
 
     /// Integrates several motions, as far as there is something to integrate: those of one field side by side, each as it is alone,
     /// bit for bit. `halt` is asked between steps whether to stop; `false` if it said so: then they are of no use.
-    pub fn integrate<'d>(drafts: impl IntoIterator<Item = &'d mut Draft>, halt: Halt) -> bool {
-        Begun::integrate(drafts.into_iter().filter_map(|d| d.orbit.as_mut()).collect(), halt)
+    pub fn integrate<'d>(drafts: impl IntoIterator<Item = &'d mut Draft>, estimation: Estimation, halt: Halt) -> bool {
+        Begun::integrate(drafts.into_iter().filter_map(|d| d.orbit.as_mut()).collect(), estimation, halt)
     }
 
     /// The motion; integrates it, if that was not done.
@@ -444,6 +445,11 @@ impl Motion {
     /// Why the trajectory ends before its span does.
     pub fn problem(&self) -> Option<&Problem> {
         self.core.orbit.as_ref().and_then(|o| o.trajectory.problem())
+    }
+
+    /// Whether its errors are from its own steps ([`Estimation::Steps`]): companions may show that they are less.
+    pub fn is_by_steps(&self) -> bool {
+        self.core.orbit.as_ref().is_some_and(|o| o.trajectory.is_by_steps())
     }
 
     /// Number of steps of the integration; 0 for formulas.

@@ -127,6 +127,8 @@ pub(super) struct Step<'w> {
     pub(super) coefficients: &'w [f64],
     /// Low parts of the zeroth coefficients.
     pub(super) low: &'w [f64],
+    /// How far the slopes of the polynomials are from the rates at the end of the step.
+    pub(super) defects: &'w [f64],
 }
 
 impl Flow {
@@ -153,6 +155,25 @@ impl Flow {
         let still = steps.iter().copied().filter(|step| !moves[step.out as usize]).collect();
         let polynomial = Narrow::hides_nothing(&flow.tape, &moves);
         Flow { edges: Edges::of(&flow), recurrences, still, polynomial, ..flow }
+    }
+
+    /// Whether the right sides are polynomials, by nothing but the states: a motion has nothing between the ends of a step that
+    /// its series does not tell.
+    pub(super) fn is_plain(&self) -> bool {
+        self.polynomial && !self.driven && self.edges.is_empty()
+    }
+
+    /// The size of every state on a step of length h, from its series, order by order: what states of one kind have in common.
+    pub(super) fn reach(&self, series: &[f64], h: f64, out: &mut [f64]) {
+        let n = self.dimension;
+        let mut most = vec![0.0_f64; self.group_count];
+        for (i, &g) in self.groups.iter().enumerate() {
+            let of = series[i].abs().max((series[n + i] * h).abs()).max((series[2 * n + i] * h * h).abs());
+            most[g] = most[g].max(of);
+        }
+        for (out, &g) in out.iter_mut().zip(&self.groups) {
+            *out = most[g];
+        }
     }
 
     /// Sets the constants of a lane.
@@ -303,7 +324,7 @@ impl<'a> Walker<'a> {
 
     /// The last step that was made.
     pub(super) fn made(&self) -> Step<'_> {
-        Step { coefficients: &self.next, low: &self.next_low }
+        Step { coefficients: &self.next, low: &self.next_low, defects: &self.defects }
     }
 
     /// Takes the series at the initial time.

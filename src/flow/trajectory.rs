@@ -4,10 +4,13 @@
 //! values or constants are only known within a bound, twice more from opposite ends of it. At every step end of these
 //! companions the difference is compared; the largest so far, times a safety factor, plus a floor for rounding, is the
 //! error. The companions go side by side with the motion (see the module `abreast`). It is an estimate, no enclosure: it
-//! sees truncation, rounding and the growth of both, because rounding takes another course in every companion.
+//! sees truncation, rounding and the growth of both, because rounding takes another course in every companion. Who asks for
+//! it ([`Estimation::Steps`]) has another one, wider and for less work: differences that are carried along the steps that were
+//! made, see the module `estimate`. Values are the same.
 
 use super::abreast::{self, Event, Halt, Runner};
 use super::error::Problem;
+use super::estimate::{Estimate, Estimation};
 use super::taylor::{Control, Flow, Step, Stop, Walker};
 use number::{Bounded, NoValue};
 
@@ -18,17 +21,24 @@ const FLOOR: f64 = 4.0 * f64::EPSILON;
 /// Order of the trajectory: −ln(2⁻⁵²)/2 + 1, rounded up.
 pub(super) const ORDER: usize = 20;
 
+/// For so many steps there is room at first.
+const FEW_STEPS: usize = 48;
+
 /// Polynomials and errors from the initial time in one direction.
 #[derive(Clone, Debug, Default)]
-struct Branch {
+pub(super) struct Branch {
     /// Step boundaries, from the initial time on; one more than steps.
-    times: Vec<f64>,
+    pub(super) times: Vec<f64>,
     /// For every step the coefficients of all states, order by order.
-    coefficients: Vec<f64>,
+    pub(super) coefficients: Vec<f64>,
     /// What the zeroth coefficients leave out, for every state of every step.
-    low: Vec<f64>,
+    pub(super) low: Vec<f64>,
+    /// While it is not known how far it may be off: how far the slopes are from the rates at the end of every step.
+    pub(super) defects: Vec<f64>,
     /// Error of every state up to the end of every step; never decreasing.
     error: Vec<f64>,
+    /// Whether its errors are from its own steps.
+    by_steps: bool,
     problem: Option<Problem>,
 }
 
@@ -79,9 +89,10 @@ impl Trajectory {
     pub(super) fn integrate(
         flow: &Flow,
         plans: &[Plan],
+        estimation: Estimation,
         halt: Halt,
     ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
-        Trajectory::by(|flow, runs| abreast::run(flow, runs, halt), flow, plans)
+        Trajectory::by(|flow, runs| abreast::run(flow, runs, halt), flow, plans, estimation)
     }
 
     /// The same, where `run` lets integrations run.
@@ -89,12 +100,17 @@ impl Trajectory {
         run: impl for<'a> Fn(&'a Flow, &mut [Run<'a>]) -> bool,
         flow: &Flow,
         plans: &[Plan],
+        estimation: Estimation,
     ) -> Option<Vec<Result<Trajectory, (usize, NoValue)>>> {
         let ends = |plan: &Plan| [plan.span.1, plan.span.0];
+        let mut estimate = match estimation {
+            Estimation::Companions => None,
+            Estimation::Steps => Estimate::new(flow),
+        };
         let mut runs: Vec<Run> = Vec::new();
         for (plan, end) in plans.iter().flat_map(|plan| ends(plan).map(|end| (plan, end))) {
             runs.push(Run::Whole(Whole::new(flow, plan, end)));
-            if end != plan.initial_time {
+            if end != plan.initial_time && estimate.is_none() {
                 runs.extend(Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end))));
             }
         }
@@ -104,18 +120,38 @@ impl Trajectory {
         let mut runs = runs.into_iter().peekable();
         let mut branch = |plan: &Plan| {
             let whole = match runs.next() {
-                Some(Run::Whole(whole)) => whole.finish(),
+                Some(Run::Whole(whole)) => whole.finish(estimation),
                 Some(Run::Ends(_)) | None => Ok(Branch::default()),
             };
             let checks = std::iter::from_fn(|| match runs.next_if(|run| matches!(run, Run::Ends(_))) {
                 Some(Run::Ends(ends)) => Some(ends),
                 Some(Run::Whole(_)) | None => None,
             });
-            let checks: Vec<Ends> = checks.collect();
-            match whole {
-                Ok(whole) => whole.checked(&run, flow, plan, checks).map(Ok),
-                Err(singular) => Some(Err(singular)),
+            let mut checks: Vec<Ends> = checks.collect();
+            let mut whole = match whole {
+                Ok(whole) => whole,
+                Err(singular) => return Some(Err(singular)),
+            };
+            if let Some(estimate) = &mut estimate
+                && whole.times.len() > 1
+            {
+                if let Some(errors) = estimate.of(plan, &whole) {
+                    whole.raise(flow.dimension, &errors);
+                    whole.by_steps = true;
+                    return Some(Ok(whole));
+                }
+                let end = whole.times.last().copied().unwrap_or(plan.initial_time);
+                let again = Check::of(plan).iter().map(|check| Run::Ends(Ends::new(flow, plan, *check, end)));
+                let mut again: Vec<Run> = again.collect();
+                if !run(flow, &mut again) {
+                    return None;
+                }
+                checks.extend(again.into_iter().filter_map(|run| match run {
+                    Run::Ends(ends) => Some(ends),
+                    Run::Whole(_) => None,
+                }));
             }
+            whole.checked(&run, flow, plan, checks).map(Ok)
         };
         let trajectory = |plan: &Plan| {
             let (forward, backward) = (branch(plan)?, branch(plan)?);
@@ -136,6 +172,11 @@ impl Trajectory {
         let mut run = [Whole::new(flow, &plan, span.1)];
         abreast::run(flow, &mut run, &|| false);
         run[0].branch.times.len() - 1
+    }
+
+    /// Whether errors are from the steps of the motion, and may be less with companions.
+    pub(super) fn is_by_steps(&self) -> bool {
+        self.forward.by_steps || self.backward.by_steps
     }
 
     /// The times between which the motion is known.
@@ -167,6 +208,12 @@ impl Trajectory {
             if backward { branch.times.partition_point(|&s| s > t) } else { branch.times.partition_point(|&s| s <= t) };
         let step = before.saturating_sub(1).min(branch.times.len().saturating_sub(2));
         Place { backward, step, since: t - branch.times.get(step).copied().unwrap_or(t) }
+    }
+
+    /// The place of a time at the end of a step of the forward part.
+    #[cfg(test)]
+    pub(super) fn place_before(&self, t: f64, step: usize) -> Place {
+        Place { backward: false, step, since: t - self.forward.times[step] }
     }
 
     fn branch(&self, backward: bool) -> &Branch {
@@ -303,10 +350,12 @@ impl<'a> Whole<'a> {
     }
 
     /// What was found: errors are the rounding floor.
-    fn finish(self) -> Result<Branch, (usize, NoValue)> {
+    fn finish(self, estimation: Estimation) -> Result<Branch, (usize, NoValue)> {
         let mut out = self.branch;
-        // How many steps there would be was not known.
-        for column in [&mut out.coefficients, &mut out.low, &mut out.times, &mut out.error] {
+        // How many steps there would be was not known. Of many motions none is kept.
+        let kept = estimation == Estimation::Companions;
+        for column in [&mut out.coefficients, &mut out.low, &mut out.times, &mut out.error].into_iter().filter(|_| kept)
+        {
             column.shrink_to_fit();
         }
         self.singular.map_or(Ok(out), Err)
@@ -321,11 +370,19 @@ impl<'a> Runner<'a> for Whole<'a> {
     fn note(&mut self, event: Event) -> bool {
         let (walker, out) = (&self.walker, &mut self.branch);
         match event {
-            Event::Started => self.started = true,
+            Event::Started => {
+                self.started = true;
+                let (steps, n) = (FEW_STEPS.min(self.max_steps), self.flow.dimension);
+                out.coefficients.reserve(steps * n * (ORDER + 1));
+                for column in [&mut out.low, &mut out.defects, &mut out.error] {
+                    column.reserve(steps * n);
+                }
+            }
             Event::Stepped => {
-                let Step { coefficients, low } = walker.made();
+                let Step { coefficients, low, defects } = walker.made();
                 out.coefficients.extend_from_slice(coefficients);
                 out.low.extend_from_slice(low);
+                out.defects.extend_from_slice(defects);
                 out.times.push(walker.time);
                 for (i, l) in self.largest.iter_mut().enumerate() {
                     *l = l.max(walker.state[i].abs());
@@ -511,6 +568,12 @@ impl Branch {
         Some(self)
     }
 
+    /// Raises the errors to what was found, and makes them monotone.
+    fn raise(&mut self, n: usize, errors: &[f64]) {
+        self.error.iter_mut().zip(errors).for_each(|(error, found)| *error += found);
+        self.settle(n);
+    }
+
     /// Raises the errors where a companion differs; ends the branch where the companion ends.
     fn compare(&mut self, companion: &Ends) {
         let n = companion.walker.state.len();
@@ -564,6 +627,7 @@ impl Branch {
 
     /// Makes the errors monotone.
     fn settle(&mut self, n: usize) {
+        self.defects = Vec::new();
         for i in n..self.error.len() {
             self.error[i] = self.error[i].max(self.error[i - n]);
         }

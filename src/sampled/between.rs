@@ -156,7 +156,8 @@ impl<'a> Between<'a> {
     }
 
     /// What is known of a part that is true at all samples; `None` where there is nothing to add.
-    fn held(&self, trial: &Trial) -> Option<Finding> {
+    /// `within` is what [`Evidence::within`] becomes.
+    fn held(&self, trial: &Trial, within: &mut f64) -> Option<Finding> {
         let group = &self.measured.parts[self.position];
         if self.times.is_empty() {
             return None;
@@ -179,6 +180,7 @@ impl<'a> Between<'a> {
             let mut setting = describer.setting(counting.clone());
             setting.first = matches!(trial.program.parts[self.position].what, What::Denied);
             let finding = weigh(setting, group);
+            *within = within.max(finding.evidence().within);
             if finding.known(Strength::Sampled) == Some(Possible::FALSE) {
                 return Some(finding);
             }
@@ -217,7 +219,10 @@ pub(super) fn between_samples(trial: &Trial, along: &Measurements, position: usi
     if known != Some(Possible::TRUE) {
         return finding;
     }
-    let Some(found) = Between::look(trial, along, position, void).held(trial) else { return finding };
+    let mut within = finding.evidence().within;
+    let Some(found) = Between::look(trial, along, position, void).held(trial, &mut within) else {
+        return Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() });
+    };
     let samples = finding.evidence().samples + found.evidence().samples;
     let excluded = finding.evidence().excluded.clone();
     let series = found.evidence().series.clone().or(finding.evidence().series.clone());

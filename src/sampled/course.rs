@@ -139,11 +139,22 @@ impl Stage {
         trajectory: usize,
         leaves: &'a [Leaf],
     ) -> Result<(Course<'a>, Option<String>), String> {
+        let known = self.built(trajectory).is_some_and(|built| built.samples.get().is_some());
+        let course = self.sampled(trajectory, leaves)?;
+        let contradiction = if known { None } else { self.contradiction(graph, &course) };
+        Ok((course, contradiction))
+    }
+
+    /// Samples a motion.
+    ///
+    /// # Errors
+    /// That the trajectory was not built.
+    pub fn sampled<'a>(&'a self, trajectory: usize, leaves: &'a [Leaf]) -> Result<Course<'a>, String> {
         let Some(built) = self.built(trajectory) else { return Err("a trajectory was not built".to_owned()) };
         let motion = built.motion.as_ref();
         if let Some((times, points)) = built.samples.get().cloned() {
             let points = points.arranged(&built.places);
-            return Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, None));
+            return Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() });
         }
         let mut times = motion.sample_times(DENSITY);
         // A derived motion may be tried on a part of the span of its source.
@@ -156,8 +167,18 @@ impl Stage {
         }
         let times = thinned(times);
         let points = motion.along(&times);
-        let kept = self.keeping.then(|| (times.clone(), points.clone()));
+        if self.keeping {
+            // Another thread can only have found the same.
+            let _ = built.samples.set((times.clone(), points.clone()));
+        }
         let points = points.arranged(&built.places);
+        Ok(Course { stage: self, trajectory, motion, leaves, times, points: points.into() })
+    }
+
+    /// Compares the two routes to the values along a motion: a value for which dual numbers and propagated bounds disagree.
+    pub fn contradiction(&self, graph: &Graph, course: &Course) -> Option<String> {
+        let built = self.built(course.trajectory)?;
+        let Course { motion, leaves, times, points, .. } = course;
         let mut contradiction = None;
         for (i, &t) in times.iter().enumerate().step_by(CROSS_CHECK) {
             let duals = motion.dual_at(t);
@@ -180,10 +201,6 @@ impl Stage {
                 }
             }
         }
-        if let Some(kept) = kept {
-            // Another thread can only have found the same.
-            let _ = built.samples.set(kept);
-        }
-        Ok((Course { stage: self, trajectory, motion, leaves, times, points: points.into() }, contradiction))
+        contradiction
     }
 }

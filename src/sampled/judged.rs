@@ -9,7 +9,7 @@ use crate::course::Trial;
 use crate::describe::{Describer, Left, Setting};
 use crate::flow::Points;
 use crate::latex::RelationKind;
-use crate::number::NoValue;
+use crate::number::{Bounded, NoValue};
 use crate::verdict::{Possible, Quantifier, Truth, Witness};
 use claim::comparison::Comparison;
 use claim::measured::{Measured, MeasuredGroup, Measurements};
@@ -24,6 +24,10 @@ pub(super) struct Tried<'a> {
     /// Which count.
     pub left: Vec<Left>,
 }
+
+/// What rounding explains, as a part of the size of the terms: four times as much is in the bound of every state, and ten times that
+/// refutes.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A measured group, judged.
 pub(super) struct Judged<'a, 'g> {
@@ -131,6 +135,15 @@ impl<'a, 'g> Judged<'a, 'g> {
         }
         out.sort_by_key(|(time, ..)| *time);
         out
+    }
+
+    /// The largest share of its error bound that the sides of a comparison are apart at a time, of those that are one within it; 0
+    /// where there is none. What rounding alone explains does not count: no bound of a state is less.
+    pub fn within(&self, sign: usize, time: usize) -> f64 {
+        let rounding = ROUNDING * self.measured.floor(sign);
+        let share = |d: Bounded| if d.value.abs() <= rounding { 0.0 } else { ratio(d.value.abs(), d.error) };
+        let shares = self.measured.signs[sign].iter().filter_map(|series| series.difference(time).ok().map(share));
+        shares.filter(|share| *share <= 1.0).fold(0.0, f64::max)
     }
 
     /// What is known at a time, of all signs together.

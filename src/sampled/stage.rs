@@ -13,7 +13,7 @@ use crate::derivation::{Claim, Derivation, Form, Motion as Given, Trajectory};
 use crate::diag::Diagnostic;
 use crate::expr::{Expr, Graph, Leaf, Symbol};
 use crate::findings::TrajectoryAccount;
-use crate::flow::{Draft, FlowError, Motion, Points, Search, Zeros};
+use crate::flow::{Draft, Estimation, FlowError, Motion, Points, Search, Zeros};
 use crate::number::{Bounded, NoValue};
 use crate::recall::{Nothing, Recall};
 use crate::setup::{idle_angles, is_known, setup};
@@ -163,7 +163,9 @@ impl Stage {
         let tasks = families.len().div_ceil(TOGETHER).max(families.len().min(4 * rayon::current_num_threads()));
         let mut dealt: Vec<Vec<&[usize]>> = vec![Vec::new(); tasks];
         families.iter().enumerate().for_each(|(i, members)| dealt[i % tasks].push(members));
-        let one = |task: &Vec<&[usize]>| together(task.iter().map(|of| (derivation, *of)), fields, requests, recall);
+        let one = |task: &Vec<&[usize]>| {
+            together(task.iter().map(|of| (derivation, *of)), fields, requests, recall, Estimation::Companions)
+        };
         let results: Vec<_> = dealt.par_iter().with_max_len(1).map(one).collect();
         let results = results.into_iter().flatten();
         let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
@@ -187,15 +189,16 @@ impl Stage {
     /// # Errors
     /// As [`Stage::build`], for each of them.
     pub fn build_each(
-        derivations: &[Derivation],
+        derivations: &[&Derivation],
         fields: &Fields,
         requests: &Requests,
+        estimation: Estimation,
     ) -> Vec<Result<Option<Stage>, CheckError>> {
         let families: Vec<_> = derivations.iter().map(|d| needed_families(d, requests)).collect();
-        let tasks = derivations.iter().zip(&families);
+        let tasks = derivations.iter().copied().zip(&families);
         let tasks = tasks.flat_map(|(d, families)| families.iter().map(move |members| (d, members.as_slice())));
-        let mut built = together(tasks, fields, requests, &Nothing).into_iter();
-        let mut stage = |(derivation, families): (&Derivation, &Vec<Vec<usize>>)| {
+        let mut built = together(tasks, fields, requests, &Nothing, estimation).into_iter();
+        let mut stage = |(derivation, families): (&&Derivation, &Vec<Vec<usize>>)| {
             let own: Vec<_> = built.by_ref().take(families.len()).collect();
             let mut motions: Vec<Option<Built>> = derivation.trajectories.iter().map(|_| None).collect();
             for of_family in own {
@@ -343,6 +346,7 @@ fn together<'a>(
     fields: &Fields,
     requests: &Requests,
     recall: &dyn Recall,
+    estimation: Estimation,
 ) -> Vec<Result<Option<Together>, CheckError>> {
     let late = || requests.limits.is_over();
     let begin = |(derivation, members)| begin(derivation, fields, requests, members, recall);
@@ -351,7 +355,7 @@ fn together<'a>(
         Progress::Begun(begun) => Some(&mut begun.draft),
         Progress::Done(_) => None,
     });
-    let integrated = Draft::integrate(drafts, &late);
+    let integrated = Draft::integrate(drafts, estimation, &late);
     let finish = |progress| match progress {
         Progress::Done(done) => done.map(Some),
         Progress::Begun(_) if !integrated || late() => Ok(None),

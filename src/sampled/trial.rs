@@ -312,10 +312,14 @@ fn look_closer(trial: &Trial, along: &Measurements, position: usize, finding: Fi
         (Possible::FALSE, _) => closer,
         (Possible::TRUE, Some(r)) if r.max * worst.bound > worst.max * r.bound => {
             let samples = finding.evidence().samples + closer.evidence().samples;
-            let residual = Some(r.clone());
-            Finding::sampled(Possible::TRUE, Evidence { samples, residual, ..finding.evidence().clone() })
+            let (residual, within) = (Some(r.clone()), finding.evidence().within.max(closer.evidence().within));
+            Finding::sampled(Possible::TRUE, Evidence { samples, residual, within, ..finding.evidence().clone() })
         }
-        _ => finding,
+        (known, _) => {
+            let closer = if known == Possible::TRUE { closer.evidence().within } else { f64::INFINITY };
+            let within = finding.evidence().within.max(closer);
+            Finding::sampled(Possible::TRUE, Evidence { within, ..finding.evidence().clone() })
+        }
     }
 }
 
@@ -358,7 +362,8 @@ fn at_peaks(trial: &Trial, along: &Measurements, position: usize, finding: Findi
         None if holds => closer,
         Some(Truth::True) if holds => {
             let samples = finding.evidence().samples + closer.evidence().samples;
-            Finding::sampled(Possible::TRUE, Evidence { samples, ..finding.evidence().clone() })
+            let within = finding.evidence().within.max(closer.evidence().within);
+            Finding::sampled(Possible::TRUE, Evidence { samples, within, ..finding.evidence().clone() })
         }
         _ => finding,
     }

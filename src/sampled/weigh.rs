@@ -211,7 +211,10 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
             worst = Some((c, i));
         }
         match known.decided() {
-            Some(Truth::True | Truth::Void) => {
+            Some(truth @ (Truth::True | Truth::Void)) => {
+                if truth == Truth::True {
+                    evidence.within = evidence.within.max(judged.within(best, i));
+                }
                 let slack = agreement(group, best, i);
                 evidence.slack = evidence.slack.into_iter().chain(slack).reduce(f64::max);
             }
@@ -285,6 +288,7 @@ pub(super) fn weigh(mut setting: Setting, group: &MeasuredGroup) -> Finding {
     }
     evidence.samples = counted.len() - inconclusive_count.min(counted.len() - 1);
     if inconclusive_count > 0 {
+        evidence.within = f64::INFINITY;
         evidence.reason = Some(format!("at {inconclusive_count} further times the error bound is too large to tell"));
     }
     Finding::sampled(Possible::TRUE, evidence)

@@ -162,6 +162,9 @@ pub struct Evidence {
     pub proof: Option<Proof>,
     /// Of a scaling law, what was compared.
     pub rise: Option<Rise>,
+    /// How much of what is true rests on how large error bounds are: where sides are one within their bound, the largest share of it
+    /// that they are apart; infinite where at some time the bound is too large to tell. 0 where other bounds would not matter.
+    pub within: f64,
 }
 
 impl Evidence {

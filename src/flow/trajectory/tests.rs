@@ -57,17 +57,44 @@ fn a_motion_is_the_same_alone_and_beside_others() {
         fn one_by_one<'a>(flow: &'a Flow, runs: &mut [Run<'a>]) -> bool {
             runs.iter_mut().all(|run| abreast::run(flow, std::slice::from_mut(run), &|| false))
         }
-        let alone = told(Trajectory::by(one_by_one, &flow, &plans));
-        assert_eq!(alone, told(Trajectory::integrate(&flow, &plans, &|| false)), "{equations:?}");
-        let each =
-            plans.iter().flat_map(|plan| told(Trajectory::integrate(&flow, std::slice::from_ref(plan), &|| false)));
-        assert_eq!(alone, each.collect::<Vec<_>>(), "{equations:?}");
-        let fives = plans.chunks(5).flat_map(|some| told(Trajectory::integrate(&flow, some, &|| false)));
-        assert_eq!(alone, fives.collect::<Vec<_>>(), "{equations:?}");
+        for estimation in [Estimation::Steps, Estimation::Companions] {
+            let alone = told(Trajectory::by(one_by_one, &flow, &plans, estimation));
+            let some = |some: &[Plan]| told(Trajectory::integrate(&flow, some, estimation, &|| false));
+            assert_eq!(alone, some(&plans), "{equations:?}");
+            let each = plans.iter().flat_map(|plan| some(std::slice::from_ref(plan)));
+            assert_eq!(alone, each.collect::<Vec<_>>(), "{equations:?}");
+            let fives = plans.chunks(5).flat_map(some);
+            assert_eq!(alone, fives.collect::<Vec<_>>(), "{equations:?}");
+        }
+        let alone = told(Trajectory::by(one_by_one, &flow, &plans, Estimation::Companions));
         stopped += alone.iter().filter(|t| t.contains("problem: Some") || t.starts_with("Err")).count();
         whole += alone.iter().filter(|t| !t.contains("problem: Some") && !t.starts_with("Err")).count();
     }
     assert!(stopped > 40 && whole > 100, "{stopped} {whole}");
+}
+
+/// The estimate from the steps changes nothing but errors, and is there for polynomials alone.
+#[test]
+fn values_are_those_of_either_estimate() {
+    let mut by_steps = 0;
+    for (states, equations) in FIELDS {
+        let (flow, plans) = plans(states, equations);
+        let found = |estimation| Trajectory::integrate(&flow, &plans, estimation, &|| false).unwrap();
+        let both = found(Estimation::Steps).into_iter().zip(found(Estimation::Companions));
+        for (steps, companions) in both.filter_map(|(a, b)| Some((a.ok()?, b.ok()?))) {
+            assert!(!companions.is_by_steps());
+            by_steps += usize::from(steps.is_by_steps());
+            let branches = |t: &Trajectory| [t.forward.clone(), t.backward.clone()];
+            for (a, b) in branches(&steps).into_iter().zip(branches(&companions)) {
+                // A companion that ends before the motion cuts it.
+                let known = b.times.len();
+                assert_eq!(a.times[..known], b.times, "{equations:?}");
+                assert_eq!(a.coefficients[..b.coefficients.len()], b.coefficients, "{equations:?}");
+                assert!(a.error.iter().all(|e| *e >= 0.0));
+            }
+        }
+    }
+    assert!(by_steps > 20, "{by_steps}");
 }
 
 /// What is saved does not come from a clock: how often series are grown is counted, by how often it is asked whether to stop.
@@ -81,7 +108,7 @@ fn lanes_are_filled() {
             asked.fetch_add(1, Ordering::Relaxed);
             false
         };
-        let found = Trajectory::integrate(&flow, plans, &halt).unwrap();
+        let found = Trajectory::integrate(&flow, plans, Estimation::Companions, &halt).unwrap();
         let steps = |t: &Trajectory| t.forward.times.len() + t.backward.times.len() - 2;
         (asked.into_inner(), found.iter().map(|t| steps(t.as_ref().unwrap())).sum::<usize>())
     };
@@ -97,7 +124,7 @@ fn what_is_to_stop_stops() {
     let (flow, plans) = plans(&["x"], &["x'' = -sin(x)"]);
     let long: Vec<Plan> =
         plans.iter().map(|plan| Plan { span: (0.0, 1e9), max_steps: usize::MAX, ..plan.clone() }).collect();
-    assert!(Trajectory::integrate(&flow, &long, &|| true).is_none());
+    assert!(Trajectory::integrate(&flow, &long, Estimation::Companions, &|| true).is_none());
     // The last one that is left has a path of its own.
     let mut last = [Whole::new(&flow, &long[1], 1e9)];
     assert!(!abreast::run(&flow, &mut last, &|| true));

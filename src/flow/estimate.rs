@@ -1,0 +1,222 @@
+//! How far a trajectory may be from the truth, from neighbours of it that go the same steps.
+//!
+//! **In:** a field whose right sides are polynomials, and a finished branch of a trajectory. **Out:** an estimate of the error of
+//! every state up to the end of every step; nothing where this way does not lead to one.
+//!
+//! **Why it may be done so.** What is integrated differs from the truth for three reasons: the start and the constants are known
+//! within bounds only; each step leaves out the end of a series; and each is rounded. To first order the difference e obeys the
+//! equation of a neighbour: from step to step it is carried along by the derivative of the flow, and each step adds its own. So
+//! [`LANES`] differences are carried along, by the flow itself: a neighbour starts at the state plus a multiple of the difference
+//! that is small against the state and large against its rounding, and goes one step by a short series. Relative to the difference,
+//! the ends of the series of neighbours h·0.135ᵏ/k!, at most, do not matter. What a step adds is a bound where one is cheap:
+//!
+//! * rounding: the error bounds of the rates at the start of the step, from arithmetic with error bounds, for states with the low
+//!   part that a series leaves out, times the length of the step; and the rounding of the sum over the series;
+//! * the end of the series: its last term, and how far the slope of the polynomial is from the rate at the end of the step, times
+//!   its length. That is where the polynomial is worst: its defect grows with the power of time that the order is.
+//!
+//! Each of the differences adds these with another pattern of signs: all alike, as errors do that have a cause in common; by the
+//! number of the state; and two that change from step to step. The error of start and constants is treated likewise, by corners of
+//! their box. The largest difference so far, times a safety factor, is the error: errors of one size and other signs would have
+//! to conspire to be larger in every one of them.
+//!
+//! **Where not:** where a neighbour would have to be farther off than the flow is linear, where a rate has no error bound, where right
+//! sides have kinks, depend on the time from outside, or are no polynomials, so that a step may miss what is between its ends:
+//! there the motion is integrated again, see the module `trajectory`.
+
+use super::taylor::Flow;
+use super::trajectory::{Branch, ORDER, Plan};
+use expr::tape::Slots;
+use number::{Bounded, BoundedLanes, Growth, Lanes};
+
+/// How the errors of a motion are estimated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Estimation {
+    /// By further integrations beside it.
+    Companions,
+    /// From the steps of the motion itself where its right sides let that be done, by companions where they do not: bounds are
+    /// wider, and the work is less.
+    Steps,
+}
+
+/// Differences that are carried along beside each other.
+const LANES: usize = 4;
+/// Order of the series of neighbours.
+const SHORT: usize = 6;
+/// What the largest of the differences is multiplied with.
+const SAFETY: f64 = 8.0;
+/// What a step adds by rounding, as a part of its bound: on average it is a quarter, of each operation, and never all of it at once.
+const TYPICAL: f64 = 0.5;
+/// A neighbour is as far off as this share of the size of a state; as soon as it is nearer or farther than the limits, the
+/// multiple of the difference is chosen anew.
+const AWAY: i32 = -27;
+const NEAREST: f64 = 1.0 / (1_u64 << 36) as f64;
+const FARTHEST: f64 = 1.0 / (1_u64 << 20) as f64;
+/// Steps of which the rounding is found together.
+const BLOCK: usize = 8;
+
+/// The sign with which the error of a state is added on a step, in one of the differences.
+fn sign(lane: usize, state: usize, step: usize) -> f64 {
+    let negative = match lane {
+        0 => false,
+        1 => !(state * state + state / 2).is_multiple_of(3),
+        // Without a short period.
+        _ => (mixed((step * 64 + state * 2 + lane) as u64) & 1) == 1,
+    };
+    if negative { -1.0 } else { 1.0 }
+}
+
+/// The bits of a number, mixed (the finalizer of MurmurHash3).
+fn mixed(mut x: u64) -> u64 {
+    x = (x ^ (x >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
+    x = (x ^ (x >> 33)).wrapping_mul(0xc4ce_b9fe_1a85_ec53);
+    x ^ (x >> 33)
+}
+
+/// The memory of estimates for one field.
+pub(super) struct Estimate<'a> {
+    flow: &'a Flow,
+    growth: Growth<LANES>,
+    bounded: Slots<BoundedLanes<BLOCK>>,
+}
+
+impl<'a> Estimate<'a> {
+    /// Memory for a field; nothing where its right sides are not of the kind for which this is done.
+    pub(super) fn new(flow: &'a Flow) -> Option<Estimate<'a>> {
+        let growth = Growth::new(&flow.recurrences, SHORT);
+        flow.is_plain().then(|| Estimate { flow, growth, bounded: flow.tape.slots(&()) })
+    }
+
+    /// The error of every state up to the end of every step, not yet growing.
+    pub(super) fn of(&mut self, plan: &Plan, branch: &Branch) -> Option<Vec<f64>> {
+        let n = self.flow.dimension;
+        let steps = branch.times.len() - 1;
+        let rounding = self.rounding(plan, branch)?;
+        let mut out = vec![0.0; steps * n];
+        let each = |bounds: &[Bounded]| -> Vec<Lanes<LANES>> {
+            let of = |(i, x): (usize, &Bounded)| Lanes(std::array::from_fn(|lane| sign(lane, i, 0) * x.error));
+            bounds.iter().enumerate().map(of).collect()
+        };
+        let (mut differences, constants) = (each(&plan.state), each(&plan.constants));
+        let mut largest: Vec<f64> = differences.iter().map(size).collect();
+        let (mut multiple, mut multiples) = (0.0, 0);
+        let mut scale = vec![0.0; n];
+        let mut sums = vec![Lanes::<LANES>::splat(0.0); n];
+        for step in 0..steps {
+            let h = branch.times[step + 1] - branch.times[step];
+            let series = &branch.coefficients[step * n * (ORDER + 1)..(step + 1) * n * (ORDER + 1)];
+            self.flow.reach(series, h, &mut scale);
+            let farthest = farthest(&differences, &scale).max(farthest_constant(plan));
+            if farthest * multiple > FARTHEST || farthest * multiple < NEAREST || multiple == 0.0 {
+                multiple = power_of_two(AWAY) / power_of_two(exponent(farthest.max(f64::EPSILON * f64::EPSILON)));
+                // An error that is not small is none of a linear equation.
+                if !(multiple >= 4.0) {
+                    return None;
+                }
+                // Constants that are known exactly are set once.
+                let again = multiples == 0 || plan.constants.iter().any(|c| c.error > 0.0);
+                multiples += 1;
+                for lane in (0..LANES).filter(|_| again) {
+                    let shifted = |(c, by): (&Bounded, &Lanes<LANES>)| c.value + multiple * by.0[lane];
+                    let values: Vec<f64> = plan.constants.iter().zip(&constants).map(shifted).collect();
+                    self.flow.enter(&mut self.growth, lane, &values);
+                }
+            }
+            *self.growth.start_mut(0) = Lanes::splat(branch.times[step]);
+            let by = Lanes::splat(multiple);
+            for (i, (&x, &difference)) in series[..n].iter().zip(&differences).enumerate() {
+                *self.growth.start_mut(1 + i) = Lanes::splat(x) + difference * by;
+            }
+            self.growth.grow(&self.flow.recurrences, SHORT);
+            sums.fill(Lanes::splat(0.0));
+            let by = Lanes::splat(h);
+            for (i, sum) in sums.iter_mut().enumerate() {
+                let neighbour = self.growth.coefficients(1 + i);
+                for k in (1..=SHORT).rev() {
+                    *sum = (*sum + neighbour[k] - Lanes::splat(series[k * n + i])) * by;
+                }
+            }
+            let by = Lanes::splat(1.0 / multiple);
+            let power = (0..ORDER).fold(1.0, |power, _| power * h);
+            for i in 0..n {
+                let last = (series[ORDER * n + i] * power).abs();
+                let sum = (4.0 * f64::EPSILON * series[n + i]).abs();
+                let rounded = rounding[step * n + i] + branch.defects[step * n + i] + sum;
+                let own = TYPICAL * h.abs() * rounded + last;
+                let signed = Lanes(std::array::from_fn(|lane| sign(lane, i, step) * own));
+                let next = differences[i] + sums[i] * by + signed;
+                differences[i] = next;
+                let found = size(&next);
+                if !found.is_finite() {
+                    return None;
+                }
+                largest[i] = largest[i].max(found);
+                out[step * n + i] = SAFETY * largest[i];
+            }
+        }
+        Some(out)
+    }
+
+    /// Bounds of the rounding of the rates at the start of every step.
+    fn rounding(&mut self, plan: &Plan, branch: &Branch) -> Option<Vec<f64>> {
+        let Estimate { flow, ref mut bounded, .. } = *self;
+        let n = flow.dimension;
+        let steps = branch.times.len() - 1;
+        let mut out = vec![0.0; steps * n];
+        for (i, c) in plan.constants.iter().enumerate() {
+            bounded.set(1 + n + i, Ok(BoundedLanes::splat(Bounded::exact(c.value))));
+        }
+        for first in (0..steps).step_by(BLOCK) {
+            // What is left of the last block is its last step again.
+            let step = |lane: usize| (first + lane).min(steps - 1);
+            let times = std::array::from_fn(|lane| Bounded::exact(branch.times[step(lane)]));
+            bounded.set(0, Ok(BoundedLanes::of(times)));
+            for i in 0..n {
+                let state = std::array::from_fn(|lane| {
+                    let value = branch.coefficients[step(lane) * n * (ORDER + 1) + i];
+                    Bounded::new(value, branch.low[step(lane) * n + i].abs())
+                });
+                bounded.set(1 + i, Ok(BoundedLanes::of(state)));
+            }
+            flow.tape.run(&(), bounded);
+            for i in 0..n {
+                let rate = flow.tape.output(i, bounded).ok()?;
+                for lane in 0..BLOCK {
+                    out[step(lane) * n + i] = rate.lane(lane).error;
+                }
+            }
+        }
+        Some(out)
+    }
+}
+
+/// The largest of the lanes by its size.
+fn size(x: &Lanes<LANES>) -> f64 {
+    // NaN must not be lost.
+    x.0.iter().fold(0.0, |most: f64, x| if x.abs() <= most { most } else { x.abs() })
+}
+
+/// The largest difference relative to the size of its state.
+fn farthest(differences: &[Lanes<LANES>], scale: &[f64]) -> f64 {
+    let each = differences.iter().zip(scale).map(|(d, &s)| (size(d), s)).filter(|(d, _)| *d > 0.0);
+    each.fold(0.0, |most: f64, (d, s)| most.max(d / s))
+}
+
+/// The largest error of a constant relative to it.
+fn farthest_constant(plan: &Plan) -> f64 {
+    let uncertain = plan.constants.iter().filter(|c| c.error > 0.0);
+    uncertain.fold(0.0, |most: f64, c| most.max(c.error / c.value.abs()))
+}
+
+/// The exponent of a positive normal number.
+fn exponent(x: f64) -> i32 {
+    ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
+}
+
+/// 2ⁿ for the exponent of a normal number.
+fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(((n.clamp(-1022, 1023) + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests;
